@@ -13,7 +13,7 @@ from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import ratio
 from report.shared.drawing import SHIPPED, STIFF
-from report.shared.timing import as_said, cell, fine_enough, ratio_cell, resolutions
+from report.shared.timing import as_said, compared, fine_enough, resolution
 
 order = 160
 page = "cost"
@@ -26,13 +26,11 @@ labels = {
     "fixed": "fixed scene",
 }
 
-UNTRIMMED = "as-shipped-untrimmed"
-
 
 def derive(results: Results) -> Section:
     rows = results.rows
     times = Markup("; ").join(Markup("{}: {}").format(row.label, row.frame_ms) for row in rows)
-    worst = resolutions(results, "resolution", rows)
+    worst = resolution(results, "resolution", compared(rows))
     is_faster = _fixed_is_faster(results, worst)
     numbers = {"times": times, "is_faster": is_faster.outcome == HOLDS, "resolution": worst}
     frames = Figure(lambda: _draw_frames(rows), [row.frame_ms for row in rows], numbers)
@@ -40,17 +38,17 @@ def derive(results: Results) -> Section:
 
 
 def _fixed_is_faster(results: Results, worst: Value) -> Claim:
-    fixed, untrimmed = results.row["fixed"], results.row.get(UNTRIMMED)
-    before = cell(results, untrimmed, "frame_ms", "the scene exactly as shipped")
+    fixed, untrimmed = results.row["fixed"], results.row["as-shipped-untrimmed"]
     formula = "time of a frame exactly as shipped over that as fixed, each timed in turn with that as shipped"
-    gain = ratio(results, "fixed_gain", formula, ratio_cell(results, untrimmed), ratio_cell(results, fixed))
+    gain = ratio(results, "fixed_gain", formula, untrimmed.frame_ratio, fixed.frame_ratio)
     none = results.chosen("fixed_none", "as fast", 1.0)
-    seen = [cell(results, row, "ratio_resolution", "this case") for row in (untrimmed, fixed)]
+    seen = untrimmed.ratio_resolution, fixed.ratio_resolution
     formula = "resolutions of the two ratios together, of the gain"
     noise = results.value("fixed_seen", formula, lambda gain, a, b: gain * (a + b), gain, *seen, is_noise=True)
     outcome = all_of(greater(gain, none, noise=noise), fine_enough(worst))
-    outcome = as_said(results, "fixed_said", outcome, gain, before, fixed.frame_ms)
-    return Claim("fixed_is_faster", outcome, {"fixed": fixed.frame_ms, "gain": gain, "before": before})
+    outcome = as_said(results, "fixed_said", outcome, gain, untrimmed.frame_ms, fixed.frame_ms)
+    numbers = {"fixed": fixed.frame_ms, "gain": gain, "before": untrimmed.frame_ms}
+    return Claim("fixed_is_faster", outcome, numbers)
 
 
 def _real_time(results: Results) -> Claim:
@@ -62,7 +60,7 @@ def _real_time(results: Results) -> Claim:
 def _same_time(results: Results) -> Claim:
     row = results.row["stiff-pads-only"]
     formula = "time of a frame of stiff-pads-only over that of as-shipped, less one, either way, with its resolution"
-    sources = ratio_cell(results, row), cell(results, row, "ratio_resolution", "this case")
+    sources = row.frame_ratio, row.ratio_resolution
     change = results.value(
         "stiff_pads_only_change", formula, lambda t, seen: 100 * (abs(t - 1) + seen), *sources, unit="%", is_noise=True
     )

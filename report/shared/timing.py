@@ -1,9 +1,8 @@
-"""What the sections on time and memory share."""
+"""Shared by the sections on time and memory."""
 
 import math
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
 
 from matplotlib.axes import Axes
 
@@ -12,33 +11,36 @@ from measured_report.parts.figures import SERIES, is_narrow
 from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_or_absent, resolved
+from report.shared.arithmetic import resolved
+from report.shared.drawing import mark_points
 
 TIMED_WORLDS = (1, 4096, 16384)
 """Numbers of worlds that are timed wherever not all are."""
 
 
-def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
-    """A cell of a row that is not measured on every machine: ``what`` says which one, where it isn't there."""
-    unit = results.record.units.get(column, "1")
-    return cell_or_absent(row, column, unit, f"{what} was not measured on this machine")
+class RowsBy(dict):
+    """Rows by the cells that tell them apart; of those that were not measured, a row without anything."""
+
+    def __init__(self, results: Results, rows: Iterable[Row], *columns: str):
+        self.results = results
+        for row in rows:
+            cells = (row[column] for column in columns)
+            self[tuple(cell.value if isinstance(cell, Quantity) else cell for cell in cells)] = row
+
+    def __missing__(self, key: tuple) -> Row:
+        return self.results.row[" ".join(map(str, key))]
 
 
-def ratio_cell(results: Results, row: Row | None) -> Quantity:
-    """Look up a row's time over that of the case that it was timed in turn with."""
-    return cell(results, row, "frame_ratio", "this case")
-
-
-def resolution(results: Results, name: str, *rows: Row | None) -> Value:
+def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
     """Derive to within what share the ratios of these rows are known [%], the largest of them."""
     formula = "half the 95 % interval of the ratio of two times measured in turn, the largest"
-    cells = [cell(results, row, "ratio_resolution", "this case") for row in rows]
+    cells = [row.ratio_resolution for row in rows]
     return results.value(name, formula, lambda *found: 100 * max(found), *cells, unit="%", is_noise=True)
 
 
-def resolutions(results: Results, name: str, rows: Iterable[Row]) -> Value:
-    """Derive the same of those rows that were compared."""
-    return resolution(results, name, *(row for row in rows if "ratio_resolution" in row and row.ratio_resolution.value))
+def compared(rows: Iterable[Row]) -> list[Row]:
+    """Select the rows that have a ratio; the reference has none, and others may have no time."""
+    return [row for row in rows if "ratio_resolution" in row and row.ratio_resolution.value]
 
 
 def fine_enough(unseen: Quantity) -> Outcome:
@@ -59,8 +61,8 @@ def as_said(results: Results, name: str, outcome: Outcome, taken: Quantity, *tim
 
 
 def world_axis(axes: Axes, counts: list[int]) -> None:
-    """A logarithmic axis of numbers of worlds, with a tick at each that was measured; on a narrow screen every second
-    has its label, the last among them."""
+    """Make the axis of numbers of worlds logarithmic, with a tick at each that was measured; on a narrow screen every
+    second has its label, the last among them."""
     axes.set_xscale("log")
     axes.minorticks_off()
     labelled = counts[::-2] if is_narrow() else counts
@@ -68,7 +70,7 @@ def world_axis(axes: Axes, counts: list[int]) -> None:
 
 
 def decade_axis(axes: Axes) -> None:
-    """A logarithmic vertical axis over whole powers of ten, so that it has labels however little is drawn."""
+    """Make the vertical axis logarithmic over whole powers of ten, so that it has labels however little is drawn."""
     low, high = axes.dataLim.intervaly
     axes.set_yscale("log")
     if 0 < low <= high:
@@ -77,9 +79,7 @@ def decade_axis(axes: Axes) -> None:
 
 
 def draw_line(axes: Axes, counts: list[int], cells: list[Quantity], series: int, label: str) -> None:
-    """What there is of ``cells`` against the number of worlds, as the series of that number."""
-    there = [(count, cell.value) for count, cell in zip(counts, cells, strict=True) if cell.value is not None]
-    if there:
-        line, marker = (("-", "o"), ("--", "s"))[series]
-        style: dict[str, Any] = {"color": SERIES[series], "linestyle": line, "marker": marker, "markevery": 1}
-        axes.plot(*zip(*there, strict=True), label=label, **style)
+    """Draw ``cells`` against the number of worlds, as the series of that number."""
+    line, marker = (("-", "o"), ("--", "s"))[series]
+    points = zip(counts, (cell.value for cell in cells), strict=True)
+    mark_points(axes, points, color=SERIES[series], linestyle=line, marker=marker, label=label)

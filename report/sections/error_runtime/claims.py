@@ -1,4 +1,4 @@
-"""What the points say of engines, integrators, steps and knobs, of the model, and of the measurement."""
+"""Claims on engines, integrators, steps and knobs, on the model, and on the measurement."""
 
 import math
 from collections.abc import Iterator
@@ -16,10 +16,10 @@ from report.sections.error_runtime.runs import (
     TIME,
     Points,
     counts,
-    hit_iteration_limit,
     holds_cube,
     is_clamped,
     named,
+    uses_all_iterations,
     with_shipped_steps,
 )
 from report.shared.arithmetic import cell_count, log_slope, ratio, resolved, share, told
@@ -39,7 +39,7 @@ def accuracy_claims(points: Points) -> Iterator[Claim]:
     yield Claim("first_order", at_most(away, 0.15, why="counts as one"), {"observed": observed})
 
     yield _reference_converged(points)
-    floor, error = points.floors["as-shipped"], points.cell(SHIPPED, ERROR)
+    floor, error = points.floors["as-shipped"], points[SHIPPED][ERROR]
     yield Claim("single_precision", at_most(floor, error), {"floor": floor, "error": error})
     yield _clamped(points)
 
@@ -48,10 +48,10 @@ def _c_is_cheapest(points: Points) -> Claim:
     """Tell whether every point of the fronts over all engines is C's."""
     front = points.best(points.front)
     others = [row for row in front if row.backend != "mujoco-c"]
-    warp, c = points.cell(SHIPPED, TIME), points.cell(SHIPPED_C, TIME)
+    warp, c = points[SHIPPED][TIME], points[SHIPPED_C][TIME]
     gain = ratio(points.results, "c_gain", "run time in Warp over that in C, settings as shipped", warp, c)
     compared = [row[column] for row in points.settings if row.case in points.backend_front for column in (ERROR, TIME)]
-    formula, seen = "resolution of their ratio, of the run time in C", points.cell(SHIPPED_C, "ratio_resolution")
+    formula, seen = "resolution of their ratio, of the run time in C", points[SHIPPED_C].ratio_resolution
     noise = points.results.value(
         "engine_time_seen", formula, lambda c, seen: c * seen, c, seen, unit="ms/s", is_noise=True
     )
@@ -59,7 +59,7 @@ def _c_is_cheapest(points: Points) -> Claim:
     outcome = all_of(decided(not others, *compared), is_faster)
     if not front:
         outcome = Outcome("unknown", "no run counts").having_read(*compared)
-    shipped = points.results.row.get(SHIPPED)
+    shipped = points[SHIPPED]
     words = {"engine": ENGINES[shipped.backend] if shipped else "Warp", "others": named(others)}
     return Claim("c_is_cheapest", outcome, {**told(noise, {"c": c, "warp": warp, "gain": gain}), **words})
 
@@ -67,9 +67,9 @@ def _c_is_cheapest(points: Points) -> Claim:
 def _rk4(points: Points, name: str, method: str) -> Claim:
     """Compare few steps of RK4 with the shipped steps of the shipped integrator, in one engine."""
     results, cases = points.results, (f"as-shipped/{method}-rk4/substeps-4", with_shipped_steps("as-shipped", method))
-    error, before = (points.cell(case, ERROR) for case in cases)
-    time, time_before = (points.cell(case, "time_ratio") for case in cases)  # medians are of their own rounds
-    few, many = (points.cell(case, "substeps") for case in cases)
+    error, before = (points[case][ERROR] for case in cases)
+    time, time_before = (points[case].time_ratio for case in cases)  # medians are of their own rounds
+    few, many = (points[case].substeps for case in cases)
     gain = ratio(results, f"{name}_gain", "numerical error as shipped over that of RK4", before, error)
     cost = ratio(
         results,
@@ -79,7 +79,7 @@ def _rk4(points: Points, name: str, method: str) -> Claim:
         time_before,
     )
     formula = "to within what share the ratio of these run times is known, by the resolutions of both together"
-    known = [points.cell(case, "ratio_resolution") for case in cases]
+    known = [points[case].ratio_resolution for case in cases]
     seen = results.value(
         f"{name}_cost_seen", formula, lambda a, b: 100 * math.hypot(a, b), *known, unit="%", is_noise=True
     )
@@ -92,13 +92,8 @@ def _rk4(points: Points, name: str, method: str) -> Claim:
 
 def _rk4_with_stiff_pads(points: Points) -> Claim:
     coarse, with_steps = "stiff/c-rk4/substeps-4", with_shipped_steps("stiff", "c")
-    few, shipped = points.cell(coarse, ERROR), points.cell(with_steps, ERROR)
-    numbers = {
-        "few": few,
-        "shipped": shipped,
-        "count": points.cell(coarse, "substeps"),
-        "many": points.cell(with_steps, "substeps"),
-    }
+    few, shipped = points[coarse][ERROR], points[with_steps][ERROR]
+    numbers = {"few": few, "shipped": shipped, "count": points[coarse].substeps, "many": points[with_steps].substeps}
     return Claim("rk4_with_stiff_pads", greater(few, shipped, noise=points.floors["stiff"]), numbers)
 
 
@@ -119,11 +114,9 @@ def _order(points: Points, pads: str, method: str) -> Value:
     """Derive the order of convergence over the points whose model is the same, well above what Warp resolves."""
     floor = points.floors[pads].value or 0.0
     above = 5.0 * floor if method.startswith(("newton", "mujoco", "cpu")) else 0.0
-    used = [
-        row
-        for row in points.ladder(pads, method)
-        if counts(row) and not is_clamped(row) and (row.numerical_error_mm.value or 0.0) > above
-    ]
+    ladder = [row for row in points.settings if (row["pads"], row.method, row.knob) == (pads, method, "substeps")]
+    ladder.sort(key=lambda row: row.substeps.value)
+    used = [row for row in ladder if counts(row) and not is_clamped(row) and (row[ERROR].value or 0.0) > above]
     return points.results.value(
         f"order_{pads}_{method}",
         "slope of log error against log step, over the points that count, leave the timeconst alone and are above five "
@@ -136,14 +129,14 @@ def _order(points: Points, pads: str, method: str) -> Value:
 def _clamped(points: Points) -> Claim:
     """From how many substeps on the model stays the same: those of the scene are enough as shipped alone."""
     soft, stiff = (_least_substeps(points, pads) for pads in PADS)
-    shipped = points.cell(SHIPPED, "substeps")
+    shipped = points[SHIPPED].substeps
     outcome = all_of(at_most(soft, shipped), greater(stiff, shipped, noise=0, why="a count is exact"))
     return Claim("clamped", outcome, {"soft": soft, "stiff": stiff, "shipped": shipped})
 
 
 def _least_substeps(points: Points, pads: str) -> Value:
-    row = points.results.row.get(with_shipped_steps(pads, "newton"))
-    cells = [row.timeconst_ms, row.substep_ms, row.substeps] if row else [points.cell(pads, "timeconst_ms")]
+    row = points[with_shipped_steps(pads, "newton")]
+    cells = row.timeconst_ms, row.substep_ms, row.substeps
     formula = "least whole number of substeps of which two are no longer than the pads' timeconst"
     return points.results.value(f"least_substeps_{pads}", formula, lambda t, dt, n: int(-(-2 * dt * n // t)), *cells)
 
@@ -162,7 +155,7 @@ def _solver_effort(points: Points) -> Claim:
     anew = [row for row in rows if row.case.endswith(f"newton-each-substep/substeps-{AS_SHIPPED.substeps}")]
     errors = [row[ERROR] for row in (*knobs, *anew) if holds_cube(row)]
     formula = "largest change of the numerical error by solver, iterations, line search or contacts in each substep"
-    base = points.cell(SHIPPED, ERROR)
+    base = points[SHIPPED][ERROR]
     change = points.results.value("effort_change", formula, _farthest, base, *errors, unit="mm")
     count = cell_count(points.results, "effort_count", "runs with other solver effort that hold the cube", errors)
     outcome = all_of(within(change, floor), resolved(floor, base))
@@ -176,8 +169,8 @@ def _farthest(base: float, *found: float) -> float:
 def _too_little(points: Points) -> Claim:
     """Tell which settings fail."""
     failed = [row for row in points.settings if not counts(row)]
-    lost = [row for row in failed if not hit_iteration_limit(row)]
-    twins = [points.results.row.get(row.case.replace("/c/", "/newton/")) for row in lost]
+    lost = [row for row in failed if not (holds_cube(row) and uses_all_iterations(row))]
+    twins = [points[row.case.replace("/c/", "/newton/")] for row in lost]
     measured = [row.iteration_peak_count for row in points.settings if row.iteration_peak_count.value is not None]
     kept = all(twin and twin not in lost and twin[ERROR].value is not None for twin in twins)
     return Claim("too_little", decided(bool(lost), *measured), {"lost": named(lost), "warp_keeps": kept})
@@ -186,13 +179,13 @@ def _too_little(points: Points) -> Claim:
 def pads_claims(points: Points) -> Iterator[Claim]:
     """Tell whether the grasp error as shipped stays when the model is solved to the end and is far less with stiff
     pads, and whether coarse steps make it look less with these."""
-    results, shipped = points.results, points.cell(SHIPPED, GRASP)
+    results, shipped = points.results, points[SHIPPED][GRASP]
     soft, stiff = map(points.converged, PADS)
     formula = "converged grasp error, of that as shipped, shipped pads"
     stays = share(results, "pads_stays", formula, soft, shipped)
     gain = ratio(results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
     formula = "grasp error in C with the shipped step, as shipped over that with stiff pads"
-    at_step = [points.cell(with_shipped_steps(pads, "c"), GRASP) for pads in PADS]
+    at_step = [points[with_shipped_steps(pads, "c")][GRASP] for pads in PADS]
     ratio(results, "pads_gain_shipped_step", formula, *at_step)
     results.chosen("pads_gain_same", "the same gain", 1.0)
     outcome = all_of(
@@ -202,7 +195,7 @@ def pads_claims(points: Points) -> Iterator[Claim]:
     )
     yield Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
 
-    coarse = points.cell(with_shipped_steps("stiff", "newton"), GRASP)
+    coarse = points[with_shipped_steps("stiff", "newton")][GRASP]
     outcome = greater(stiff, coarse, noise=points.floors["stiff"])
     yield Claim("coarse_steps_flatter", outcome, {"coarse": coarse, "converged": stiff})
 
@@ -212,13 +205,7 @@ def _impratio(points: Points) -> Claim:
     soft, stiff = PADS
     pads = stiff if f"{stiff}/newton/impratio-1" in points.results.row else soft
     low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
-    grasp, before = points.cell(low, GRASP), points.cell(shipped, GRASP)
+    grasp, before = points[low][GRASP], points[shipped][GRASP]
     times = ratio(points.results, "impratio_gain", "grasp error with the low impratio over that as set", grasp, before)
-    numbers = {
-        "pads": PADS[pads],
-        "low": points.cell(low, "impratio"),
-        "grasp": grasp,
-        "before": before,
-        "times": times,
-    }
+    numbers = {"pads": PADS[pads], "low": points[low].impratio, "grasp": grasp, "before": before, "times": times}
     return Claim("impratio", greater(grasp, before, noise=points.floors[pads]), numbers)

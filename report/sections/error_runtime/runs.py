@@ -1,15 +1,13 @@
-"""The points of the diagram of error against run time, sorted, and what is derived from all of them."""
+"""Points of the diagram of error against run time, sorted."""
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-import numpy as np
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.timing import cell
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {
@@ -38,43 +36,39 @@ SHIPPED = with_shipped_steps("as-shipped", "newton")
 
 @dataclass(frozen=True)
 class Points:
-    """The rows of the section by what they are."""
+    """Rows of the section, sorted."""
 
     results: Results
     settings: Sequence[Row]
     references: Sequence[Row]
     worlds: Sequence[Row]
     """Many worlds at once, fewest first."""
-    floors: dict[str, Value]
-    """By pads: how far Warp is from C with the same steps [mm]."""
+    floors: Mapping[str, Value]
+    """Distance of Warp from C with the same steps, by pads [mm]."""
     front: frozenset[str]
     """Cases that no other setting of the same pads and model beats in numerical error and run time."""
     backend_front: frozenset[str]
     """The same among those of one backend."""
 
-    def ladder(self, pads: str, method: str) -> list[Row]:
-        """Select a method's points, coarsest first."""
-        mine = (row for row in self.settings if (row["pads"], row.method, row.knob) == (pads, method, "substeps"))
-        return sorted(mine, key=lambda row: row.substeps.value)
-
-    def cell(self, case: str, column: str) -> Quantity:
-        return cell(self.results, self.results.row.get(case), column, case)
+    def __getitem__(self, case: str) -> Row:
+        """Look up a setting; one that was not measured is without anything."""
+        return self.results.row[case]
 
     @property
     def engines(self) -> tuple[str, str]:
-        """The two backends to compare: Warp's, on the GPU where there is one, and C."""
-        return self.results.row[SHIPPED].backend, "mujoco-c"
+        """Return the two backends to compare: Warp's, on the GPU where there is one, and C."""
+        return self[SHIPPED].backend, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
         """Look up the settings as shipped on a backend, where they count."""
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
-        row = self.results.row.get(with_shipped_steps(pads, method))
+        row = self[with_shipped_steps(pads, method)]
         return row if row and counts(row) and row.backend == backend else None
 
     def converged(self, pads: str) -> Quantity:
         """Look up the grasp error of the converged solution with the cone and impratio as shipped."""
-        found = (row[GRASP] for row in self.references if row["pads"] == pads and is_own_model(row))
-        return next(found, self.cell(f"{pads}/reference", GRASP))
+        found = (row for row in self.references if row["pads"] == pads and is_own_model(row))
+        return next(found, self[f"{pads}/reference"])[GRASP]
 
     def best(self, cases: frozenset[str], backends: Collection[str] = ENGINES) -> list[Row]:
         """Select the rows on a front, by pads and rising time, but those of Warp that gain less on the row before than
@@ -89,8 +83,41 @@ class Points:
         return kept
 
 
+def points_of(results: Results) -> Points:
+    settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
+    in_warp = [row for row in settings if row.method in ("newton", "newton-each-substep", "mujoco")]
+    fine = [row for row in in_warp if row.knob == "substeps" and row.substeps.value >= AS_SHIPPED.substeps]
+    floors = {}
+    for pads in PADS:
+        formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
+        cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
+        floors[pads] = results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
+    own_model = [row for row in settings if counts(row) and is_own_model(row)]
+    return Points(
+        results=results,
+        settings=settings,
+        references=[row for row in results.rows if row.method == "reference"],
+        worlds=[row for row in results.rows if row.case.startswith("worlds-")],
+        floors=floors,
+        front=front(own_model, "pads"),
+        backend_front=front(own_model, "pads", "backend"),
+    )
+
+
+def front(rows: Sequence[Row], *groups: str) -> frozenset[str]:
+    """Select the cases that no other in the same ``groups`` beats in numerical error and run time."""
+    places = [(tuple(row[name] for name in groups), row[ERROR].value, row[TIME].value) for row in rows]
+
+    def beats(other: tuple, one: tuple) -> bool:
+        return other != one and other[0] == one[0] and other[1] <= one[1] and other[2] <= one[2]
+
+    return frozenset(
+        row.case for row, place in zip(rows, places, strict=True) if not any(beats(other, place) for other in places)
+    )
+
+
 def counts(row: Row) -> bool:
-    """Whether a run was timed, holds the cube, and its solver converged."""
+    """Tell whether a run was timed, holds the cube, and its solver converged."""
     return row[TIME].value is not None and holds_cube(row) and not uses_all_iterations(row)
 
 
@@ -101,32 +128,6 @@ def holds_cube(row: Row) -> bool:
 def uses_all_iterations(row: Row) -> bool:
     limit = row.iterations.value if "iterations" in row else AS_SHIPPED.iterations
     return None in (limit, row.iteration_peak_count.value) or row.iteration_peak_count.value >= limit
-
-
-def hit_iteration_limit(row: Row) -> bool:
-    """Whether a run does not count because the solver used all of its iterations, and for no other reason."""
-    return holds_cube(row) and uses_all_iterations(row)
-
-
-def points_of(results: Results) -> Points:
-    settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
-    own_model = [row for row in settings if counts(row) and is_own_model(row)]
-    in_warp = [row for row in settings if row.method in ("newton", "newton-each-substep", "mujoco")]
-    fine = [row for row in in_warp if row.knob == "substeps" and row.substeps.value >= AS_SHIPPED.substeps]
-    formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
-    floors = {}
-    for pads in PADS:
-        cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
-        floors[pads] = results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
-    return Points(
-        results=results,
-        settings=settings,
-        references=[row for row in results.rows if row.method == "reference"],
-        worlds=[row for row in results.rows if row.case.startswith("worlds-")],
-        floors=floors,
-        front=front(own_model, ERROR, ("pads",)),
-        backend_front=front(own_model, ERROR, ("pads", "backend")),
-    )
 
 
 def is_own_model(row: Row) -> bool:
@@ -152,31 +153,7 @@ def named(rows: Sequence[Row]) -> Markup:
     for row in rows:
         text = Markup("<code>{}</code>").format(assignment(row, row.knob))
         by_method.setdefault(row.method, {}).setdefault(f"{row.knob} {row[row.knob]}", text)
-    phrases = [
+    return Markup("; ").join(
         Markup("{} with {}").format(LABELS[method], Markup(", ").join(knobs.values()))
         for method, knobs in by_method.items()
-    ]
-    return Markup("; ").join(phrases)
-
-
-def front(rows: Iterable[Row], error: str, groups: Sequence[str] = ()) -> frozenset[str]:
-    """The cases of the rows that have both and that no other has a smaller ``error`` in less time than.
-
-    Only rows that are alike in the columns ``groups`` compete.
-    """
-    competing: dict[tuple, list[Row]] = {}
-    for row in rows:
-        if None not in (row[error].value, row.ms_per_s.value):
-            competing.setdefault(tuple(row[name] for name in groups), []).append(row)
-    cases: set[str] = set()
-    for group in competing.values():
-        best = pareto_front(*(np.array([row[column].value for row in group]) for column in (error, "ms_per_s")))
-        cases |= {row.case for row, is_best in zip(group, best, strict=True) if is_best}
-    return frozenset(cases)
-
-
-def pareto_front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
-    """Which points no other point beats: none is at most as far off at most as dear, and better in one; shape [n]."""
-    no_worse = (error[None, :] <= error[:, None]) & (cost[None, :] <= cost[:, None])
-    better = (error[None, :] < error[:, None]) | (cost[None, :] < cost[:, None])
-    return ~(no_worse & better).any(axis=1)
+    )

@@ -1,4 +1,4 @@
-"""The tables and the figure of what each thing left out costs and changes."""
+"""Tables and figure of what each thing left out costs and changes."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -13,12 +13,12 @@ from measured_report.parts.section import Figure, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of, worlds_name
-from report.shared.arithmetic import DEVICES, Column, cell_or_absent, table_of
+from report.shared.arithmetic import DEVICES, Column, table_of
 from report.shared.drawing import SHIPPED, name_lines
 
 REFERENCE, ALL = "untrimmed", "without-all"
 Timed = Mapping[tuple[str, str, int], Row]
-"""Rows by device, case and number of worlds."""
+"""Rows by device, case and number of worlds; a row without anything where nothing was measured."""
 
 
 def audit_table(results: Results) -> Table:
@@ -33,7 +33,7 @@ def audit_table(results: Results) -> Table:
 
 
 def _whole(results: Results, row: Row, column: str) -> Quantity:
-    """A count as the whole number that it is; a mean stays as it was measured."""
+    """Write a count as the whole number that it is; a mean stays as it was measured."""
     measured = row[column]
     if measured.value is None or measured.value % 1:
         return measured
@@ -45,7 +45,7 @@ def cost_table(
     differences: Mapping[tuple[str, str], Value],
     resolutions: Mapping[str, Value],
     apart: Mapping[str, Value],
-    cpu_reference: Row | None,
+    cpu_reference: Row,
 ) -> Table:
     """Make a line for each case, with its times and changes by device, on the CPU from those of ``cpu_reference``."""
     names = list(dict.fromkeys(case for _, case, _ in timed))
@@ -58,7 +58,7 @@ def cost_table(
     columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
     for device in dict.fromkeys(device for device, _ in places):
         columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
-    other = case_html(cpu_reference.case) if cpu_reference and cpu_reference.case != REFERENCE else ""
+    other = case_html(cpu_reference.case) if cpu_reference.case != REFERENCE else ""
     said: dict[str, Any] = {f"on_{device}": within for device, within in resolutions.items()}
     said |= {f"apart_{device}": most for device, most in apart.items()}
     return table_of("case", map(case_html, names), columns, cpu_reference=other, **said)
@@ -70,8 +70,8 @@ def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
     most = dict(sorted(panels, key=lambda panel: (count[panel], panel[1])))
     shown = [(device, most[device]) for device in DEVICES if device in most]
     ends = {
-        (*panel, case): cell_or_absent(timed.get((panel[0], case, panel[1])), "frame_ms", "ms")
-        for panel in shown
+        (device, worlds, case): timed[device, case, worlds].frame_ms
+        for device, worlds in shown
         for case in (REFERENCE, ALL)
     }
     times = Markup("; ").join(
@@ -89,10 +89,10 @@ def _draw_cost(timed: Timed, panels: Sequence[tuple[str, int]]) -> Drawing:
     names = list(dict.fromkeys(case for _, case, _ in timed))
     drawing, grid = new_figure(7.2, 1.3 + 0.28 * len(names), ncols=len(panels), sharey=True, squeeze=False)
     for axes, (device, worlds) in zip(grid[0], panels, strict=True):
-        whole = cell_or_absent(timed.get((device, REFERENCE, worlds)), "frame_ms", "ms").value
+        whole = timed[device, REFERENCE, worlds].frame_ms.value
         for place, case in enumerate(names):
-            row = timed.get((device, case, worlds))
-            if whole and row and row.frame_ms.value is not None:
+            row = timed[device, case, worlds]
+            if whole and row.frame_ms.value is not None:
                 _draw_time(axes, place, row, whole)
             else:
                 say_value(axes, 0.0, place, "not timed")
