@@ -14,7 +14,6 @@ from experiments.facts.case import AS_SHIPPED, FIXED
 from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
 from experiments.simulation import timing
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
-from report.sections.error_runtime.worlds import crossing
 
 FRAME_DT = 1.0 / 60.0
 
@@ -36,17 +35,6 @@ def test_cycle_drift_takes_pairs_of_cycles_after_the_first_and_distance_the_root
     path = np.zeros((2, 3))
     other = np.array([[0.003, 0.0, 0.004], [0.0, 0.001, 0.0]])
     assert metrics.distance_rms_mm(path, other) == pytest.approx(np.sqrt((25.0 + 1.0) / 2.0))
-
-
-@pytest.mark.parametrize(
-    ("level", "worlds"),
-    [(49.9, 5), (20.0, 2), (1e3, None), (5.0, None)],
-    ids=["between two", "at one", "never", "from the start"],
-)
-def test_the_crossover_is_where_the_speed_is_first_reached(level, worlds):
-    # Of a straight line in logarithms from (4, 40) to (16, 160), 50 is reached at 5 worlds.
-    found = crossing(level, (1, 2, 4, 16), (10.0, 20.0, 40.0, 160.0))
-    assert (None if np.isnan(found) else found) == worlds
 
 
 def trace(**changes) -> Trace:

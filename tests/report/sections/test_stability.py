@@ -2,11 +2,9 @@
 
 from collections.abc import Callable, Sequence
 
-import numpy as np
 import pytest
 
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.runs import front, pareto_front
 from report.sections.stability.passing import explicit_margin, passed, passing
 
 Made = Callable[[Sequence[dict]], list[Row]]
@@ -127,16 +125,3 @@ def test_what_was_not_measured_is_not_judged_and_those_that_pass_are_listed(made
     assert passing([]) == passed([]) == []
     rows = made([{"family": "mass", "class": "", "finite": finite} for finite in (True, False, True)])
     assert passed(rows) == [rows[0], rows[2]]
-
-
-def test_fronts_are_what_nothing_beats_of_what_is_alike_and_counts(made):
-    error = np.array([1.0, 2.0, 3.0, 2.0, 4.0, 1.0])
-    cost = np.array([9.0, 5.0, 5.0, 5.0, 1.0, 10.0])
-    assert pareto_front(error, cost).tolist() == [True, True, False, True, True, False]
-    cells = [("good", 1.0, 2.0, "c", True), ("beaten", 2.0, 3.0, "c", True), ("failed", 0.1, None, "c", False)]
-    cells += [("other backend", 4.0, 4.0, "warp", True), ("lost", None, 1.0, "c", True)]
-    columns = ("case", "error_mm", "ms_per_s", "backend", "valid")
-    rows = made([dict(zip(columns, cell, strict=True)) for cell in cells])
-    assert front(rows, "error_mm") == {"good"}
-    assert front(rows, "error_mm", ("backend",)) == {"good", "other backend"}
-    assert front([], "error_mm") == frozenset()
