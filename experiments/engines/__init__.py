@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -22,9 +23,11 @@ from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.scenes import capsule
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
+from experiments.simulation.mjcf_engines import GRAVITY_M_S2
 from measured_report.editions.environment import python_with
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
+from measured_report.measuring.batch import Batch, Plan
 
 NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: small scenes, and engines that run on a CPU."""
@@ -101,15 +104,21 @@ MODELS = (
 )
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
     """Make a row for each model, scene and step, one for each shake of the test, and those of Newton's solvers."""
+    parts = model_rows, shake_rows, newton_solvers.rows
+    names = "models", "shakes", "solvers"
+    found = yield [Batch(name, part, (conditions,)) for name, part in zip(names, parts, strict=True)]
+    return Measurement(list(chain.from_iterable(found)))
+
+
+def model_rows(conditions: Conditions) -> list[dict[str, object]]:
     models = [model for model in MODELS if not conditions.quick or model.engine in (BULLET, DART)]
     seconds = SECONDS[conditions.profile]
-    rows = [row for model in tqdm(models, desc="engines", delay=3.0) for row in model_rows(model, seconds)]
-    return Measurement([*rows, *shake_rows(conditions), *newton_solvers.rows(conditions)])
+    return [row for model in tqdm(models, desc="engines", delay=3.0) for row in rows_of(model, seconds)]
 
 
-def model_rows(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:
+def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:
     scenes = {"turntable": turntable(seconds["turntable"]), "pinch": pinch(seconds["pinch"])}
     runs = [(name, step_s) for name in model.scenes for step_s in model.steps_s]
     asked = [{"scene": scenes[name], "step_s": step_s, "options": model.options} for name, step_s in runs]
@@ -169,7 +178,7 @@ def growth_columns(model: Model, scene: dict, step_s: float, result: dict) -> di
         result,
         force_n=MASS_KG * TURN_RAD_S**2 * middle,
         direction=(1.0, 0.0, 0.0),
-        normal_n=MASS_KG * capsule.GRAVITY_M_S2,
+        normal_n=MASS_KG * GRAVITY_M_S2,
         support_inverse_mass_1_kg=np.zeros((3, 3)),
     )
     return row | {"predicted_growth_per_s": walk_per_s(model.law, load, TURN_RAD_S, middle)}
@@ -188,7 +197,7 @@ def creep_columns(model: Model, scene: dict, step_s: float, result: dict) -> dic
         scene,
         step_s,
         result,
-        force_n=capsule.MASS_KG * capsule.GRAVITY_M_S2,
+        force_n=capsule.MASS_KG * GRAVITY_M_S2,
         direction=(0.0, 0.0, 1.0),
         normal_n=2.0 * PRESS_N,
         support_inverse_mass_1_kg=np.diag([1.0 / capsule.PAD_MASS_KG, 0.0, 0.0]),

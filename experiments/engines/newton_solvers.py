@@ -16,7 +16,7 @@ from tqdm import tqdm
 
 from experiments.cure.turntable import SAMPLE_S, SETTLE_S
 from experiments.engines.scenes import FOOT_M, turntable
-from experiments.simulation.measurement import Conditions, absent
+from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
 SECONDS = {"full": 4.0, "quick": 2.0}

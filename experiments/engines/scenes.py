@@ -2,6 +2,7 @@
 
 from experiments.cure.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_RAD_S
 from experiments.scenes import capsule
+from experiments.simulation.mjcf_engines import GRAVITY_M_S2
 
 TABLE_INERTIA = 1000.0
 """Of the table [kg m²], which keeps turning whatever the box does."""
@@ -41,5 +42,5 @@ def pinch(seconds: float) -> dict[str, object]:
 
 
 def _scene(seconds: float, friction: float, body: dict, supports: list[dict]) -> dict[str, object]:
-    scene = {"seconds": seconds, "sample_s": SAMPLE_S, "gravity_m_s2": capsule.GRAVITY_M_S2, "friction": friction}
+    scene = {"seconds": seconds, "sample_s": SAMPLE_S, "gravity_m_s2": GRAVITY_M_S2, "friction": friction}
     return scene | {"body": body, "supports": supports}

@@ -10,23 +10,25 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from experiments.simulation.mjcf_engines import numbers
+
 
 @dataclass(frozen=True)
 class Link:
-    """A link of the arm, whose joint turns about its z axis."""
+    """A link of the arm; its joint turns about its z axis."""
 
     offset_m: tuple[float, float, float]
-    """Where it is on the link before."""
+    """Place on the link before."""
     turn: int
     """Quarter turns about x from the link before."""
     mass_kg: float
     centre_m: tuple[float, float, float]
     inertia_kg_m2: tuple[float, float, float, float, float, float]
-    """About the centre: xx, yy, zz, xy, xz, yz."""
+    """Moments about the centre: xx, yy, zz, xy, xz, yz."""
     range_rad: tuple[float, float]
     damping: float
     gain: float
-    """Of its position actuator, which damps with a tenth of it."""
+    """Gain of its position actuator, which damps with a tenth of it."""
     force_n_m: float
 
 
@@ -72,13 +74,12 @@ LIFTED = (-1.0426, 1.4028, 1.5634, -1.7114, -1.4055, 1.6015, 1.4510)
 PHASES_S = (1.0, 2.0, 3.0, 4.0)
 """Ends of the motion over the object, of the one down to it, of closing and of lifting [s]."""
 PAD_HALF_SIZE_M = (0.00875, 0.0076, 0.00825)
-"""The last of them along the finger."""
 PAD_SOLREF, PAD_SOLIMP = (0.01, 1.0), (0.99, 0.995, 0.01)
 OBJECT_AT_M = (0.65, 0.0, 0.02)
 
 
 def mjcf(object_geom: str, option: str, *, pad_solref: Sequence[float] = PAD_SOLREF) -> str:
-    """The robot, a floor and one free object.
+    """Write the robot, a floor and one free object.
 
     Args:
         object_geom: Attributes of the object's geom.
@@ -86,8 +87,8 @@ def mjcf(object_geom: str, option: str, *, pad_solref: Sequence[float] = PAD_SOL
     """
     pose = " ".join(map(str, (*READY, OPEN_M, OPEN_M, *OBJECT_AT_M, 1, 0, 0, 0)))
     actuators = "".join(
-        f"""<position joint="joint{number}" kp="{link.gain}" kv="{0.1 * link.gain}" ctrlrange="{_text(link.range_rad)}"
-          forcerange="{-link.force_n_m} {link.force_n_m}"/>"""
+        f"""<position joint="joint{number}" kp="{link.gain}" kv="{0.1 * link.gain}"
+          ctrlrange="{numbers(link.range_rad)}" forcerange="{-link.force_n_m} {link.force_n_m}"/>"""
         for number, link in enumerate(LINKS, start=1)
     )
     return f"""
@@ -97,14 +98,14 @@ def mjcf(object_geom: str, option: str, *, pad_solref: Sequence[float] = PAD_SOL
       <default>
         <joint armature="0.1" damping="1"/>
         <default class="pad">
-          <geom type="box" size="{_text(PAD_HALF_SIZE_M)}" pos="0 0.00758 0.04525" contype="0" conaffinity="3"
-            friction="1 0.005 0.0001" solref="{_text(pad_solref)}" solimp="{_text(PAD_SOLIMP)}"/>
+          <geom type="box" size="{numbers(PAD_HALF_SIZE_M)}" pos="0 0.00758 0.04525" contype="0" conaffinity="3"
+            friction="1 0.005 0.0001" solref="{numbers(pad_solref)}" solimp="{numbers(PAD_SOLIMP)}"/>
         </default>
       </default>
       <worldbody>
         <geom name="floor" type="plane" size="0 0 0.05"/>
         {_arm(0)}
-        <body name="object" pos="{_text(OBJECT_AT_M)}"><freejoint/><geom name="object" {object_geom}/></body>
+        <body name="object" pos="{numbers(OBJECT_AT_M)}"><freejoint/><geom name="object" {object_geom}/></body>
       </worldbody>
       <equality>
         <joint joint1="finger1" joint2="finger2" solimp="0.95 0.99 0.001" solref="0.005 1"/>
@@ -114,20 +115,20 @@ def mjcf(object_geom: str, option: str, *, pad_solref: Sequence[float] = PAD_SOL
         <general joint="finger1" ctrlrange="0 {OPEN_M}" forcerange="-200 200" biastype="affine" gainprm="350 0 0"
           biasprm="0 -350 -10"/>
       </actuator>
-      <keyframe><key qpos="{pose}" ctrl="{_text((*READY, OPEN_M))}"/></keyframe>
+      <keyframe><key qpos="{pose}" ctrl="{numbers((*READY, OPEN_M))}"/></keyframe>
     </mujoco>"""
 
 
 def _arm(number: int) -> str:
-    """The links from one on, each with the next in it, and the hand in the last."""
+    """Write the links from one on, each with the next in it, and the hand in the last."""
     if number == len(LINKS):
         return _hand()
     link = LINKS[number]
     half = 0.25 * np.pi * link.turn
     return f"""
-    <body name="link{number + 1}" pos="{_text(link.offset_m)}" quat="{np.cos(half)} {np.sin(half)} 0 0">
-      <inertial mass="{link.mass_kg}" pos="{_text(link.centre_m)}" fullinertia="{_text(link.inertia_kg_m2)}"/>
-      <joint name="joint{number + 1}" axis="0 0 1" range="{_text(link.range_rad)}" damping="{link.damping}"/>
+    <body name="link{number + 1}" pos="{numbers(link.offset_m)}" quat="{np.cos(half)} {np.sin(half)} 0 0">
+      <inertial mass="{link.mass_kg}" pos="{numbers(link.centre_m)}" fullinertia="{numbers(link.inertia_kg_m2)}"/>
+      <joint name="joint{number + 1}" axis="0 0 1" range="{numbers(link.range_rad)}" damping="{link.damping}"/>
       {_arm(number + 1)}
     </body>"""
 
@@ -150,12 +151,8 @@ def _hand() -> str:
     </body>"""
 
 
-def _text(values: Sequence[float]) -> str:
-    return " ".join(map(str, values))
-
-
 def command(time_s: float) -> np.ndarray:
-    """Controls of arm and fingers while the object is picked up, and after it [rad, m], shape [8]."""
+    """Return the controls of arm and fingers while the object is picked up, and after it [rad, m], shape [8]."""
     over, down, closed, lifted = PHASES_S
     at = (0.0, over, down, closed, lifted)
     arm = [np.interp(time_s, at, joint) for joint in zip(READY, LIFTED, AT_OBJECT, AT_OBJECT, LIFTED, strict=True)]

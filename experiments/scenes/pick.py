@@ -2,30 +2,38 @@
 
 After Motphys' phys-bench (``grasp/``), whose scenes say nothing of cone, impratio or integrator, so that MuJoCo's own
 count: a pyramidal cone, impratio 1, Euler. Every two steps each joint of the arm gets a target at random about its
-pose, so that a longer step is another shake.
+pose, so that a longer step is another shake. Each setting is also held still, in C.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import Any
 
 import numpy as np
+from tqdm import tqdm
 
 from experiments.scenes import panda
-from experiments.simulation.mjcf_engines import ENGINES, STEPS, Contacts, Engine, InC
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.mjcf_engines import ENGINES, SOLIMP, STEPS, InC, numbers
+from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.creep import impedance_at, predicted_creep
 
 OBJECTS = {"cube": 'type="box" size="0.02 0.02 0.02"', "ball": 'type="sphere" size="0.02"'}
 TOUCHED_M = {"cube": 0.02, "ball": 0.0}
 """How far above its centre the pads touch an object at most: a ball in one point."""
-OBJECT_SOLREF, OBJECT_SOLIMP = (0.02, 1.0), (0.9, 0.95, 0.001, 0.5, 2.0)
+OBJECT_SOLREF = (0.02, 1.0)
 """MuJoCo's own."""
 SPREAD_RAD = 0.025
 """Standard deviation of the targets of a shake."""
 END_S = {"full": 20.0, "quick": 6.0}
+SEED_COUNT = {"full": 8, "quick": 2}
 LOST_M = 0.04
 """An object below this height after the lifting is dropped."""
 HOLD_S = (4.5, 5.5)
-"""When the creep of a grasp that is held still is measured."""
+"""Times between which the creep of a grasp that is held still is measured."""
+COUNTS, DROPS = ("lifted_count", "held_count"), ("first_drop_s", "median_drop_s", "last_drop_s")
+HELD = ("creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s", "normal_force_n", "margin_mm", "forecast_drop_s")
 
 
 @dataclass(frozen=True)
@@ -40,44 +48,91 @@ class Pick:
     impratio: float = 1.0
     integrator: str = "Euler"
     timeconst_s: float | None = None
-    """Of pads and object; None: as published."""
+    """Time constant of pads and object; None: as published."""
 
     def mjcf(self) -> str:
-        """The scene."""
+        """Write the scene."""
         pads, own = self.solrefs
         option = f'timestep="{self.timestep_s}" integrator="{self.integrator}"'
-        solimp = " ".join(map(str, OBJECT_SOLIMP))
         return panda.mjcf(
-            f'{OBJECTS[self.object]} solref="{own[0]} {own[1]}" solimp="{solimp}"',
+            f'{OBJECTS[self.object]} solref="{numbers(own)}" solimp="{numbers(SOLIMP)}"',
             f'{option} cone="{self.cone}" impratio="{self.impratio}"',
             pad_solref=pads,
         )
 
     @property
     def solrefs(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Of a pad and of the object."""
+        """Solrefs of a pad and of the object."""
         if self.timeconst_s is None:
             return panda.PAD_SOLREF, OBJECT_SOLREF
         return (self.timeconst_s, 1.0), (self.timeconst_s, 1.0)
 
 
-@dataclass(frozen=True)
-class Picked:
-    """What the shakes of a case show."""
-
-    lifted: np.ndarray
-    """Whether the object was up when the shake began, shape [shake]."""
-    drop_s: np.ndarray
-    """When it was dropped, nan where it was not [s], shape [shake]."""
+SETTINGS: dict[str, dict[str, Any]] = {
+    "published": {},
+    "elliptic": {"cone": "elliptic", "impratio": 10.0},
+    "short": {"timeconst_s": 0.004},
+}
 
 
-def shake(case: Pick, seeds: Sequence[int], end_s: float, device: str) -> Picked:
+def cases() -> list[Pick]:
+    """List every setting with either step in C and through Newton; and in C with another integrator."""
+    found = []
+    for kind, (step, step_s), name in product(OBJECTS, (("2ms", 0.002), ("10ms", 0.01)), SETTINGS):
+        case = Pick(f"{kind}-{step}-{name}", object=kind, timestep_s=step_s, **SETTINGS[name])
+        found += [replace(case, name=f"{case.name}-{engine}", engine=engine) for engine in ("c", "newton")]
+        if name != "short":
+            found.append(replace(case, name=f"{case.name}-implicitfast", integrator="implicitfast"))
+    return found
+
+
+def rows(conditions: Conditions) -> list[dict[str, object]]:
+    """Make a row for each case, and one for each setting with the grasp held still."""
+    found = [shaken(case, conditions) for case in tqdm(cases(), desc="pick", unit="case", delay=3.0)]
+    for kind, name in product(OBJECTS, SETTINGS):
+        case = Pick(f"{kind}-{name}-held", object=kind, **SETTINGS[name])
+        try:
+            found.append(described(case) | hold(case))
+        except RunFailed as failed:
+            found.append(described(case) | absent(HELD, str(failed)))
+    return found
+
+
+def described(case: Pick) -> dict[str, object]:
+    """Say what a case sets."""
+    row: dict[str, object] = {"case": case.name, "backend": case.engine, "object": case.object, "cone": case.cone}
+    row |= {"impratio": case.impratio, "integrator": case.integrator, "timestep": case.timestep_s}
+    return row | {"timeconst_s": case.solrefs[0][0]}
+
+
+def shaken(case: Pick, conditions: Conditions) -> dict[str, object]:
+    """Make the row of a case: how many shakes the grasp stood, and when it dropped the object in the others."""
+    seeds = range(SEED_COUNT[conditions.profile])
+    row = described(case) | {"seed_count": len(seeds)}
+    try:
+        return row | shake_columns(*shake(case, seeds, END_S[conditions.profile], conditions.device))
+    except RunFailed as failed:
+        return row | absent((*COUNTS, *DROPS), str(failed))
+
+
+def shake_columns(lifted: np.ndarray, drop_s: np.ndarray) -> dict[str, object]:
+    dropped = drop_s[~np.isnan(drop_s)]
+    row = dict(zip(COUNTS, (int(lifted.sum()), len(drop_s) - len(dropped)), strict=True))
+    if not len(dropped):
+        return row | absent(DROPS, "it was never dropped")
+    return row | dict(zip(DROPS, map(float, (dropped.min(), np.median(dropped), dropped.max())), strict=True))
+
+
+def shake(case: Pick, seeds: Sequence[int], end_s: float, device: str) -> tuple[np.ndarray, np.ndarray]:
     """Pick the object up and shake it, once with each seed, until the end or until all have dropped it.
 
+    Returns:
+        Whether the object was up when the shake began, and when it was dropped [s], nan where it was not; shape [seed].
+
     Raises:
-        RunFailed: Of an engine in one of the shakes.
+        RunFailed: An engine failed in one of the shakes.
     """
-    engine = _engine(case, len(seeds), device)
+    engine = ENGINES[case.engine](case.mjcf(), len(seeds), device)
     randoms = [np.random.default_rng(seed) for seed in seeds]
     pair_s = STEPS * case.timestep_s
     begin = round(panda.PHASES_S[-1] / pair_s)
@@ -99,66 +154,43 @@ def shake(case: Pick, seeds: Sequence[int], end_s: float, device: str) -> Picked
             drop_s[low & np.isnan(drop_s)] = time_s
             if not np.isnan(drop_s).any():
                 break
-    return Picked(lifted, drop_s)
+    return lifted, drop_s
 
 
-@dataclass(frozen=True)
-class Held:
-    """What a grasp shows that is held still."""
+def hold(case: Pick) -> dict[str, float]:
+    """Pick the object up in MuJoCo's C engine and hold it still: its creep, by its contacts' law and by the parameters.
 
-    creep_m_s: float
-    """How far the object sank against the hand, by the time."""
-    contacts: Contacts
-    law_m_s: float
-    """By R f = b v of its contacts."""
-    forecast_m_s: float
-    """By the parameters and the contacts' depth alone."""
-    margin_m: float
-    """How far it may still sink until the pads' lower edge has passed what they touch."""
-
-
-def hold(case: Pick) -> Held:
-    """Pick the object up in MuJoCo's C engine and hold it still."""
+    The margin is how far it may still sink until the pads' lower edge has passed what they touch.
+    """
     engine = InC(case.mjcf())
-    [world] = engine.worlds
+    model, [world] = engine.model, engine.worlds
     pair_s, height = STEPS * case.timestep_s, []
     for pair in range(1, round(HOLD_S[1] / pair_s) + 1):
         engine.command(panda.command(pair * pair_s)[None])
         engine.advance()
         if pair * pair_s >= HOLD_S[0]:
             height.append(world.body("object").xpos[2] - world.geom("pad1").xpos[2])
-    contacts = engine.contacts()
-    creep = (height[0] - height[-1]) / (pair_s * (len(height) - 1))
-    margin = height[0] + panda.PAD_HALF_SIZE_M[2] + TOUCHED_M[case.object]
-    law, forecast = contacts.creep_m_s(weight_n(engine)), forecast_m_s(case, engine, contacts)
-    return Held(float(creep), contacts, law, forecast, float(margin))
-
-
-def weight_n(engine: Engine) -> float:
-    """Of what is held."""
-    return float(-engine.model.opt.gravity[2] * engine.model.body_mass[-1])
-
-
-def forecast_m_s(case: Pick, engine: Engine, contacts: Contacts) -> float:
-    """The creep of the grasp held still, from what is authored, the masses and how deep the contacts are."""
+    contacts, weight_n = engine.contacts(), float(-model.opt.gravity[2] * model.body_mass[-1])
     pads, own = case.solrefs
-    solref = 0.5 * np.add(pads, own)
-    solimp = 0.5 * np.add((*panda.PAD_SOLIMP, 0.5, 2.0), OBJECT_SOLIMP)
-    finger, held = (engine.model.body_invweight0[body, 0] for body in (-2, -1))
-    return (
-        1e-3
-        * predicted_creep(
-            solref,
-            solimp[1],
-            timestep_s=case.timestep_s,
-            load_n=weight_n(engine) / contacts.count,
-            inverse_mass_1_kg=finger + held,
-            impedance=impedance_at(solimp, contacts.depth_m),
-            impratio=case.impratio,
-            cone=case.cone,
-        ).load_mm_s
+    solimp = 0.5 * np.add((*panda.PAD_SOLIMP, 0.5, 2.0), SOLIMP)
+    finger, held = (model.body_invweight0[body, 0] for body in (-2, -1))
+    forecast = predicted_creep(
+        0.5 * np.add(pads, own),
+        solimp[1],
+        timestep_s=case.timestep_s,
+        load_n=weight_n / contacts.count,
+        inverse_mass_1_kg=finger + held,
+        impedance=impedance_at(solimp, contacts.depth_m),
+        impratio=case.impratio,
+        cone=case.cone,
     )
-
-
-def _engine(case: Pick, world_count: int, device: str) -> Engine:
-    return ENGINES[case.engine](case.mjcf(), world_count, device)
+    margin_mm = 1e3 * float(height[0] + panda.PAD_HALF_SIZE_M[2] + TOUCHED_M[case.object])
+    return {
+        "creep_mm_s": 1e3 * float((height[0] - height[-1]) / (pair_s * (len(height) - 1))),
+        "predicted_creep_mm_s": 1e3 * contacts.creep_m_s(weight_n),
+        "forecast_creep_mm_s": forecast.load_mm_s,
+        "normal_force_n": contacts.normal_n,
+        "loaded_contact_count": contacts.count,
+        "margin_mm": margin_mm,
+        "forecast_drop_s": HOLD_S[0] + margin_mm / forecast.load_mm_s,
+    }

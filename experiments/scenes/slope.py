@@ -2,17 +2,16 @@
 
 import math
 from dataclasses import dataclass
+from itertools import product
 
-import numpy as np
-
-from experiments.simulation.mjcf_engines import STEPS, InC
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.mjcf_engines import GRAVITY_M_S2, SOLIMP, STEPS, InC
+from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.creep import impedance_at, predicted_creep
 
 TILT_RAD = 0.1
-GRAVITY_M_S2 = 9.81
 MASS_KG = 0.2
 FRICTION = 1.0
-SOLIMP = (0.9, 0.95, 0.001, 0.5, 2.0)
 SETTLE_S, SECONDS = 1.0, 0.5
 
 
@@ -26,7 +25,7 @@ class Slope:
     cone: str = "elliptic"
 
     def mjcf(self) -> str:
-        """The scene, in the slope's own axes."""
+        """Write the scene in the slope's own axes."""
         x, z = GRAVITY_M_S2 * math.sin(TILT_RAD), -GRAVITY_M_S2 * math.cos(TILT_RAD)
         contact = f'friction="{FRICTION} 0.005 0.0001" solref="{self.timeconst_s} 1"'
         return f"""
@@ -42,12 +41,31 @@ class Slope:
         </mujoco>"""
 
 
-def creep_mm_s(case: Slope) -> tuple[float, float]:
-    """How fast the box slides down in MuJoCo's C engine, and predicted from its parameters and depth [mm/s].
+CASES = (
+    *(
+        Slope(f"slope-{1e3 * timeconst:g}ms-impratio-{impratio:g}", timeconst, impratio)
+        for timeconst, impratio in product((0.002, 0.02, 0.1), (1.0, 10.0, 100.0))
+    ),
+    Slope("slope-20ms-pyramidal", cone="pyramidal"),
+)
 
-    Raises:
-        RunFailed: Of the engine.
-    """
+
+def rows(_: Conditions) -> list[dict[str, object]]:
+    """Make a row for each run; they take a second, whatever the profile."""
+    found = []
+    for case in CASES:
+        row = {"case": case.name, "backend": "c", "cone": case.cone, "impratio": case.impratio}
+        row["timeconst_s"] = case.timeconst_s
+        names = ("creep_mm_s", "forecast_creep_mm_s")
+        try:
+            found.append(row | dict(zip(names, creep_mm_s(case), strict=True)))
+        except RunFailed as failed:
+            found.append(row | absent(names, str(failed)))
+    return found
+
+
+def creep_mm_s(case: Slope) -> tuple[float, float]:
+    """Measure how fast the box slides down in MuJoCo's C engine, and predict it from parameters and depth [mm/s]."""
     engine = InC(case.mjcf())
     model, [world] = engine.model, engine.worlds
     pair_s = STEPS * model.opt.timestep
@@ -61,7 +79,7 @@ def creep_mm_s(case: Slope) -> tuple[float, float]:
         (case.timeconst_s, 1.0),
         SOLIMP[1],
         timestep_s=model.opt.timestep,
-        load_n=MASS_KG * GRAVITY_M_S2 * np.sin(TILT_RAD) / contacts.count,
+        load_n=MASS_KG * GRAVITY_M_S2 * math.sin(TILT_RAD) / contacts.count,
         inverse_mass_1_kg=1.0 / MASS_KG,
         impedance=impedance_at(SOLIMP, contacts.depth_m),
         impratio=case.impratio,

@@ -4,9 +4,9 @@ A scene has one free body, its last one, which is what is held, and actuators th
 run at a time, because Newton goes from one state into another and back.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import mujoco
 import mujoco_warp as mjw
@@ -23,11 +23,19 @@ STEPS = 2
 """Steps that ``advance`` runs."""
 CONTACT_MAX = 48
 CONSTRAINT_MAX = 256
+SOLIMP = (0.9, 0.95, 0.001, 0.5, 2.0)
+"""MuJoCo's own."""
+GRAVITY_M_S2 = 9.81
+
+
+def numbers(values: Sequence[float]) -> str:
+    """Write numbers as MJCF has them."""
+    return " ".join(map(str, values))
 
 
 @dataclass(frozen=True)
 class Contacts:
-    """The contacts of a world that carry force, together."""
+    """Contacts of a world that carry force, together."""
 
     count: int
     normal_n: float
@@ -41,7 +49,7 @@ class Contacts:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, rows, friction, solref, solimp, dist, force, stiffness) -> "Contacts":
-        """From the contacts' first rows, parameters and distance, and the rows' force and D, which is 1 / R."""
+        """Sum up contacts by their first rows, parameters and distance, and by force and D (1 / R) of all rows."""
         loaded = [index for index, row in enumerate(rows) if row >= 0 and force[row] > 0.0]
         if not loaded:
             return cls(0, 0.0, 0.0, 0.0, 0.0)
@@ -57,72 +65,51 @@ class Contacts:
         return cls(len(loaded), float(np.sum(normal)), float(1.0 / np.sum(stiff)), float(damping), float(depth))
 
     def creep_m_s(self, load_n: float) -> float:
-        """How fast what is held slides under a constant load [m/s]: each row yields R f = b v."""
+        """Predict how fast a held body slides under a constant load [m/s]: each row yields R f = b v."""
         return load_n * self.softness_1_kg / self.damping_per_s
 
 
-class Engine(Protocol):
-    """Worlds of one scene, all in its initial state to begin with."""
-
-    model: mujoco.MjModel
-    """As it is run, with what the way there made of the MJCF."""
-    world_count: int
-
-    def command(self, control: np.ndarray) -> None:
-        """Set the actuators' controls, shape [world, actuator]."""
-
-    def advance(self) -> None:
-        """Run two steps.
-
-        Raises:
-            RunFailed: What a world shows is no measurement any more.
-        """
-
-    def body(self) -> tuple[np.ndarray, np.ndarray]:
-        """Position [m] and velocity [m/s] of the free body, shape [world, 3] each."""
-
-    def contacts(self, world: int = 0) -> Contacts:
-        """What carries force after the last step."""
-
-
 def free_joint(model: mujoco.MjModel) -> tuple[slice, slice]:
-    """Where position and velocity of the one free body are in qpos and qvel."""
+    """Find position and velocity of the one free body in qpos and qvel."""
     [joint] = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
     qpos, qvel = model.jnt_qposadr[joint], model.jnt_dofadr[joint]
     return slice(qpos, qpos + 3), slice(qvel, qvel + 3)
 
 
 class InC:
-    """MuJoCo's C engine, in double precision."""
+    """Worlds of one scene in MuJoCo's C engine, in double precision; they begin in its initial state."""
 
     def __init__(self, mjcf: str, world_count: int = 1, device: str = "cpu"):
         self.model = mujoco.MjModel.from_xml_string(mjcf)
-        self.world_count = world_count
         self.worlds = [start(self.model) for _ in range(world_count)]
         self.free = free_joint(self.model)
 
     def command(self, control: np.ndarray) -> None:
+        """Set the actuators' controls, shape [world, actuator]."""
         for data, values in zip(self.worlds, control, strict=True):
             data.ctrl[:] = values
 
     def advance(self) -> None:
+        """Run two steps; RunFailed where a world shows no measurement any more."""
         for data in self.worlds:
             mujoco.mj_step(self.model, data, nstep=STEPS)
             refuse_warned(data)
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return position [m] and velocity [m/s] of the free body, shape [world, 3] each."""
         position, velocity = self.free
         return (
             np.array([data.qpos[position] for data in self.worlds]),
             np.array([data.qvel[velocity] for data in self.worlds]),
         )
 
-    def contacts(self, world: int = 0) -> Contacts:
-        return contacts_in_c(self.model, self.worlds[world])
+    def contacts(self) -> Contacts:
+        """Return what carries force in the first world after the last step."""
+        return contacts_in_c(self.model, self.worlds[0])
 
 
 class InWarp:
-    """MuJoCo Warp, in single precision."""
+    """The same in MuJoCo Warp, in single precision."""
 
     def __init__(self, mjcf: str, world_count: int = 1, device: str = "cpu"):
         self.model = mujoco.MjModel.from_xml_string(mjcf)
@@ -161,12 +148,12 @@ class InWarp:
         position, velocity = self.free
         return (self.data.qpos.numpy()[:, position].astype(float), self.data.qvel.numpy()[:, velocity].astype(float))
 
-    def contacts(self, world: int = 0) -> Contacts:
-        return contacts_in_warp(self.model, self.data, world)
+    def contacts(self) -> Contacts:
+        return contacts_in_warp(self.model, self.data)
 
 
 class ThroughNewton(InWarp):
-    """MuJoCo Warp as Newton's ``SolverMuJoCo`` sets it up from the same MJCF; the contacts are MuJoCo's."""
+    """The same as Newton's ``SolverMuJoCo`` sets MuJoCo Warp up from the MJCF; the contacts are MuJoCo's."""
 
     def _build(self, mjcf: str) -> None:
         newton.use_coord_layout_targets = True
@@ -199,8 +186,9 @@ class ThroughNewton(InWarp):
         self.solver.step(back, there, self.control, None, self.time_step)
 
 
-ENGINES: Mapping[str, Callable[[str, int, str], Engine]] = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
-"""By the name that a case says."""
+Engine = InC | InWarp
+ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
+"""Engines by the names that cases say."""
 
 
 def contacts_in_c(model: mujoco.MjModel, data: mujoco.MjData) -> Contacts:
@@ -209,18 +197,18 @@ def contacts_in_c(model: mujoco.MjModel, data: mujoco.MjData) -> Contacts:
     return Contacts.of(model, rows, found.friction, found.solref, found.solimp, found.dist, data.efc_force, data.efc_D)
 
 
-def contacts_in_warp(model: mujoco.MjModel, data: mjw.Data, world: int = 0) -> Contacts:
+def contacts_in_warp(model: mujoco.MjModel, data: mjw.Data) -> Contacts:
     found = data.contact
     count = int(data.nacon.numpy()[0])
-    mine = found.worldid.numpy()[:count] == world
+    mine = found.worldid.numpy()[:count] == 0
     kept = (found.efc_address, found.friction, found.solref, found.solimp, found.dist)
     rows, friction, solref, solimp, dist = (array.numpy()[:count][mine] for array in kept)
-    force, stiffness = data.efc.force.numpy()[world], data.efc.D.numpy()[world]
+    force, stiffness = data.efc.force.numpy()[0], data.efc.D.numpy()[0]
     return Contacts.of(model, rows[:, 0], friction, solref, solimp, dist, force, stiffness)
 
 
 def _in_newton(model: mujoco.MjModel) -> np.ndarray:
-    """The initial qpos as Newton has it: the free body's quaternion ends with its real part."""
+    """Return the initial qpos as Newton has it: the free body's quaternion ends with its real part."""
     qpos = start(model).qpos.copy()
     position, _ = free_joint(model)
     turn = slice(position.stop, position.stop + 4)
@@ -229,7 +217,7 @@ def _in_newton(model: mujoco.MjModel) -> np.ndarray:
 
 
 def start(model: mujoco.MjModel) -> mujoco.MjData:
-    """The initial state, which is that of the first keyframe where there is one."""
+    """Make the initial state, which is that of the first keyframe where there is one."""
     data = mujoco.MjData(model)
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)

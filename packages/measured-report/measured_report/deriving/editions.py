@@ -120,7 +120,7 @@ class Edition:
         known = {
             "release": self.project.release,
             "sections": _Names({name: chapter.names for name, chapter in self.chapters.items()}),
-            **_things(anchor, {**sections, **told}, partial(stale_mark, self.chapters.values())),
+            **_things(anchor, {**told, **sections}, partial(stale_mark, self.chapters.values())),
             "claim": _finder(anchor, "claim", {claim.name: self._html(claim, anchor) for claim in section.claims}),
         }
         return text.prose(anchor, {**known, **self.extras.names(section), **names}, level)

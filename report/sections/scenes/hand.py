@@ -12,12 +12,8 @@ from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, departure, difference, extreme, ratio, share
 from report.shared.drawing import TERM, mark_points
 
-order = 183
-page = "scenes"
-label = "a firm grasp"
-
 STEPS = ("0.5", "1", "2", "4", "8", "16", "32", "64")
-"""In ms, as cases have them."""
+"""Steps in ms, as cases have them."""
 CREEPING = ("implicitfast", "euler", "rk4", "pyramidal", "own-timeconst", "warp", "through-newton")
 SETTINGS = (*CREEPING, "term")
 ALIKE = ("euler", "warp", "through-newton")
@@ -32,7 +28,7 @@ DRAWN = {
 }
 COLOURS = dict(zip(DRAWN, (SERIES[0], SERIES[5], SERIES[5], SERIES[3], SERIES[4], TERM), strict=True))
 LAWS = ("implicitfast", "rk4", "own-timeconst")
-"""Those of the drawn settings that the law tells apart."""
+"""Drawn settings that the law tells apart."""
 MARKERS = ("o", "s", "D", "^", "v", "P")
 
 

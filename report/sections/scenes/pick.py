@@ -15,10 +15,6 @@ from report.names import name_of
 from report.shared.arithmetic import departure, difference, extreme, share, total
 from report.shared.drawing import mark_points, name_lines
 
-order = 182
-page = "scenes"
-label = "a Panda's shake"
-
 OBJECTS = ("cube", "ball")
 STEPS = ("2ms", "10ms")
 SETTINGS = ("published", "elliptic", "short")
@@ -29,7 +25,7 @@ RUNS = tuple(f"{kind}-{step}-{setting}" for kind, step, setting in product(OBJEC
 END_S = 20.0
 Rows = Mapping[str, Row]
 Times = Mapping[tuple[str, str], Value]
-"""Published times of a drop, by object and step."""
+"""Published times of a drop by object and step."""
 
 
 def derive(results: Results) -> Section:
@@ -59,11 +55,11 @@ def derive(results: Results) -> Section:
 
 
 def _fails_as_published(results: Results, rows: Rows) -> Claim:
-    """With both steps, in C and through Newton."""
+    """Tell whether no grasp holds, with both steps, in C and through Newton."""
     mine = [rows[f"{kind}-{step}-published-{engine}"] for kind, step in PUBLISHED_DROP_S for engine in ENGINES]
     formula = "shakes that a grasp stood as published"
     held = total(results, "published_held", formula, [row.held_count for row in mine])
-    count = total(results, "published_count", "shakes as published", [row.seed_count for row in mine])
+    count = total(results, "published_shakes", "shakes as published", [row.seed_count for row in mine])
     latest = extreme(results, "published_latest", "last drop as published", max, [row.last_drop_s for row in mine])
     passed = at_most(latest, END_S, why="published: what is held then has passed")
     outcome = all_of(at_most(held, 0.0, why="published: none"), passed)
@@ -80,7 +76,7 @@ def _elliptic_holds(results: Results, rows: Rows, engine: str) -> Claim:
 
 
 def _shorter_does_not(results: Results, rows: Rows) -> Claim:
-    """Some of the shakes end in a drop, and later than as published."""
+    """Tell whether some of the shakes end in a drop, and later than as published."""
     mine = [rows[f"{kind}-2ms-short-{engine}"] for kind in OBJECTS for engine in ENGINES]
     held = total(results, "short_held", "shakes stood with a timeconst of 4 ms", [row.held_count for row in mine])
     count = total(results, "short_count", "shakes with it", [row.seed_count for row in mine])
@@ -91,7 +87,7 @@ def _shorter_does_not(results: Results, rows: Rows) -> Claim:
 
 
 def _ball_creeps_out(results: Results, rows: Rows, held: Rows, published: Times) -> Claim:
-    """When the ball drops is told from the creep of a grasp that is not shaken at all."""
+    """Tell whether the creep of a grasp that is not shaken at all says when the ball drops."""
     found, row = held["ball"], rows["ball-2ms-published-c"]
     begin = results.chosen("hold_start", "when the creep began to be watched", 4.5, unit="s")
     formula = "time after which the ball has crept as far as it is from the edge"
@@ -129,7 +125,7 @@ def _long_step_lifts_nothing(results: Results, rows: Rows) -> Claim:
 
 
 def _implicitfast_shakes_harder(results: Results) -> Claim:
-    """With implicitfast the arm lifts with either step, and drops what an elliptic cone holds with Euler."""
+    """Tell whether the arm lifts with either step, and drops what an elliptic cone holds with Euler."""
     mine = [results.row[f"{kind}-{step}-elliptic-implicitfast"] for kind in OBJECTS for step in STEPS]
     formula = "grasps with implicitfast"
     lifts = [row.lifted_count for row in mine]
@@ -141,7 +137,7 @@ def _implicitfast_shakes_harder(results: Results) -> Claim:
 
 
 def _draw(rows: Rows, published: Times) -> Drawing:
-    """A line from the first drop to the last of each case; what is held ends at the right edge."""
+    """Draw a line from the first drop to the last of each case; what is held ends at the right edge."""
     runs = [run for run in RUNS if "2ms" in run]
     drawing, axes = new_figure(7.2, 1.2 + (0.5 if is_narrow() else 0.4) * len(runs))
     for number, (engine, label) in enumerate(ENGINES.items()):

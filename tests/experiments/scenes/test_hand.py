@@ -7,7 +7,6 @@ import mujoco
 import numpy as np
 import pytest
 
-from experiments import firm_grasp
 from experiments.scenes import hand
 from experiments.scenes.hand import Grasp, Look, Swung, rate_s, swing
 from experiments.simulation.mjcf_engines import Contacts, InC
@@ -90,22 +89,22 @@ def run_to(limit_ms: float):
 def test_the_largest_step_is_closed_in_upon_where_there_is_one():
     run = run_to(10.0)
     runs = {step: run(step) for step in (1.0, 4.0, 16.0, 64.0)}
-    row = firm_grasp.largest_columns(runs, run, 0.01)
+    row = hand.largest_columns(runs, run, 0.01)
     assert row["largest_step_ms"] <= 10.0 < row["failing_step_ms"] <= 1.01 * row["largest_step_ms"]
     assert row["predicted_largest_step_ms"] == pytest.approx(10.0)
     for limit_ms, reason in ((0.5, "no step"), (100.0, "16 ms")):
         run = run_to(limit_ms)
-        row = firm_grasp.largest_columns({step: run(step) for step in (1.0, 16.0)}, run, 0.01)
+        row = hand.largest_columns({step: run(step) for step in (1.0, 16.0)}, run, 0.01)
         assert row["largest_step_ms"] is None and reason in row["largest_step_ms_reason"]
 
 
 def test_a_run_that_fails_has_no_slip():
-    row = firm_grasp.run_columns(8.0, Swung("dropped", 0.1, 0.1, 0.5, TOUCHED))
+    row = hand.run_columns(8.0, Swung("dropped", 0.1, 0.1, 0.5, TOUCHED))
     assert row["is_held"] is False and row["slip_mm"] is None and "8 ms" in row["slip_mm_reason"]
-    row = firm_grasp.run_columns(8.0, Swung(None, 0.01, 0.02, 0.5, TOUCHED))
+    row = hand.run_columns(8.0, Swung(None, 0.01, 0.02, 0.5, TOUCHED))
     assert row["is_held"] and (row["slip_mm"], row["predicted_slip_mm"]) == (10.0, 20.0)
 
 
 def test_every_setting_is_one_of_its_own():
-    settings = firm_grasp.SETTINGS
+    settings = hand.SETTINGS
     assert len({grasp.name for grasp in settings}) == len({replace(grasp, name="") for grasp in settings})

@@ -1,7 +1,7 @@
-"""Creep as predicted and as measured, in every scene that there is."""
+"""The creep predicted and measured, in every scene that there is."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,25 +17,22 @@ from report.names import cases_html
 from report.shared.arithmetic import other_value
 from report.shared.drawing import mark_points
 
-order = 184  # after all SCENES, which it reads
-page = "scenes"
-label = "predicted creep"
-leads = True
-
 SCENES = {
-    "forecast": "box on a slope",
+    "slope": "box on a slope",
     "capsule": "pinched capsule",
     "pick": "Panda's grasps",
     "turntable": "box on a turntable",
     "contacts": "shake test",
 }
-"""Sections whose records have a creep and its prediction."""
+"""Scenes that have a creep and its prediction."""
+OTHERS = {"turntable": "cure", "contacts": "contacts"}
+"""Sections that have the rows of a scene, where another one has them."""
 COLUMNS = {
     "turntable": ("growth_per_s", "predicted_growth_per_s"),
     "contacts": ("slide_mm", "predicted_slide_mm"),
     "capsule": ("steady_creep_mm_s", "forecast_creep_mm_s"),
 }
-"""Of what is measured and what is predicted, where they are no creep, or one that comes in jolts as well."""
+"""Columns measured and predicted, where they are no creep, or one that comes in jolts as well."""
 MARKERS = ("o", "s", "^", "D", "v")
 SHAKE_S = 4.0
 """How long the slide of the shake test was watched: two periods of a motion that repeats every second cycle of 1 Hz."""
@@ -50,7 +47,7 @@ class Point:
     measured: Value
     predicted: Value
     factor: Value
-    """By how many times they differ, 1 or more."""
+    """Ratio of the larger to the smaller."""
 
 
 def derive(results: Results) -> Section:
@@ -68,12 +65,18 @@ def derive(results: Results) -> Section:
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
     resolution = other_value(results, "cure", "resolution", unit="%/s")
-    record = results if scene == "forecast" else results.others.get("cure" if scene == "turntable" else scene)
     formula = "the larger of measured and predicted creep, of the smaller"
-    for row in record.rows if record else ():
+    for row in _rows(results, scene):
         if found := _creep(results, scene, row, resolution):
             name = f"{scene}_{row.case}_factor"
             yield Point(scene, row.case, *found, results.value(name, formula, lambda a, b: max(a / b, b / a), *found))
+
+
+def _rows(results: Results, scene: str) -> Sequence[Row]:
+    if scene not in OTHERS:
+        return [row for row in results.rows if row.scene == scene]
+    other = results.others.get(OTHERS[scene])
+    return other.rows if other else []
 
 
 def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tuple[Value, Value] | None:

@@ -13,10 +13,6 @@ from report.names import name_of
 from report.shared.arithmetic import cell_count, departure, difference, extreme, ratio, share
 from report.shared.drawing import mark_cells, name_lines
 
-order = 180
-page = "scenes"
-label = "pinched capsule"
-
 ENGINES = ("c", "warp", "newton")
 VARIANTS = (
     *("recipe", "impratio-1", "impratio-100", "impratio-1000", "pyramidal"),
@@ -82,7 +78,7 @@ def _rates_agree(results: Results, rows: Rows, published: Mapping[str, Value]) -
 
 
 def _rest_is_jolts(results: Results, rows: Rows) -> Claim:
-    """The rate on average is more than the steady one, and for a capsule that ends between the pads it is not."""
+    """Tell whether the rate on average is more than the steady one, but for a capsule that ends between the pads."""
     formula = "rate on average less the steady one, of the latter"
     long, short = (
         departure(results, f"{name}_jolts", formula, row.creep_mm_s, row.steady_creep_mm_s)
@@ -111,7 +107,7 @@ def _noslip_helps(results: Results, rows: Rows, has_newton: bool) -> Iterator[Cl
 
 
 def _newton_changes_a_mass(results: Results, rows: Rows) -> Claim:
-    """Through Newton the steady rate is another, and so are the pads' inverse masses as the engine has them."""
+    """Tell whether the steady rate is another through Newton, and so are the pads' inverse masses."""
     plain, newton = rows["within-pads-warp"], rows["within-pads-newton"]
     formula = "steady rate through Newton less that in MuJoCo Warp, in size, of the latter"
     moved = departure(results, "newton_change", formula, newton.steady_creep_mm_s, plain.steady_creep_mm_s)
