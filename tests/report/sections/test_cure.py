@@ -10,7 +10,7 @@ from measured_report.parts.claim import FAILS, HOLDS, Claim
 from measured_report.parts.section import Section
 from measured_report.records.reading import load_record
 from measured_report.values.results import Results
-from report.sections import cure, cure_cost, firm_grasp, noise
+from report.sections import cure, cure_cost, noise
 from report.sections.cure.variants import FIRM, FIRM_EULER, STIFF_TERM, TERM, TESTED, Variant
 
 Change = Callable[[dict], Mapping]
@@ -119,10 +119,3 @@ def test_a_price_is_seen_beyond_the_noise_alone():
 
     assert (told(1.0).outcome, told(1.2).outcome) == (HOLDS, FAILS)
     assert told(1.2).numbers["worst"].value > told(1.0).numbers["unseen"].value
-
-
-def test_runs_that_a_claim_leaves_out_are_counted():
-    results = results_of("firm_grasp", lambda row: {}, {})
-    told = next(claim for claim in firm_grasp.derive(results).claims if claim.name == "slip_by_law")
-    count, others, kept = (told.numbers[name].value for name in ("count", "others", "kept"))
-    assert (count, others, count + others) == (30, 7, kept)
