@@ -14,7 +14,7 @@ from experiments.leave_out.stages import stage_rows
 from experiments.simulation.frame_benchmark import TIMED, time_cases
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
-from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
+from experiments.simulation.simulation import Simulation, simulate
 from experiments.simulation.timing import in_the_shake
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.pool import gather, processes, start
@@ -79,7 +79,7 @@ def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[s
     """Time frames of the variants in so many worlds on one kind of device; columns by case."""
     many = kind == "cuda" and world_count == WORLD_COUNTS[kind][-1]
     timed = variants(conditions.quick, ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT)
-    timed.sort(key=lambda case: case is not UNTRIMMED and case.contact_max == UNTRIMMED.contact_max)  # small ones first
+    timed.sort(key=lambda case: case is not UNTRIMMED and has_large_buffers(case))  # small ones first
     untimed = absent(TIMED, "not timed here, where it would take long")
     found = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
     return found | time_cases(timed, world_count, wp.get_device(kind))
@@ -97,30 +97,22 @@ def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
 def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> dict[str, dict[str, dict]]:
     """Run every variant to the end on each kind of device; columns by kind and case.
 
-    The CPU's runs have processes of their own, beside the GPU. The reference is the untrimmed scene. On the CPU, where
-    the large buffers take minutes, all cases are run without them, and the reference is the one that leaves out nothing
-    else.
+    The reference is the untrimmed scene. On the CPU, where the large buffers take minutes, all cases are run without
+    them, and the reference is the one that leaves out nothing else.
     """
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick)]
-    on_cpu = [
-        replace(case, **WITHOUT["buffers"]) if case.contact_max == UNTRIMMED.contact_max else case for case in cases[1:]
-    ]
-    groups = batches(on_cpu)
+    on_gpu = [case for case in cases for _ in range(RUN_COUNT)] if "cuda" in kinds else []
+    on_cpu = [replace(case, device="cpu") for case in cases[1:]]
+    on_cpu = [replace(case, **WITHOUT["buffers"]) if has_large_buffers(case) else case for case in on_cpu]
+    traces = simulate([*on_gpu, *on_cpu], device=conditions.device, title="leave_out")
     columns = {"cpu": {cases[0].name: absent(MEASURED, "not run to the end on the CPU, where it takes minutes")}}
-    with processes(len(groups)) as pool:
-        waiting = start(pool, run_batch, [([on_cpu[index] for index in members], "cpu") for members in groups])
-        if "cuda" in kinds:
-            worlds = [case for case in cases for _ in range(RUN_COUNT)]
-            columns["cuda"] = compared(cases, simulate(worlds, device="cuda", title="leave_out on cuda"), RUN_COUNT)
-        found = gather(waiting, "leave_out on cpu")
-    traces = {
-        index: world
-        for members, worlds in zip(groups, found, strict=True)
-        for index, world in zip(members, worlds, strict=True)
-    }
-    columns["cpu"] |= compared(on_cpu, [traces[index] for index in range(len(on_cpu))], 1)
-    return columns
+    columns["cpu"] |= compared(on_cpu, traces[len(on_gpu) :], 1)
+    return columns | ({"cuda": compared(cases, traces[: len(on_gpu)], RUN_COUNT)} if on_gpu else {})
+
+
+def has_large_buffers(case: Case) -> bool:
+    return case.contact_max == UNTRIMMED.contact_max
 
 
 def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> dict[str, dict[str, object]]:
