@@ -47,8 +47,12 @@ COUNTED: dict[str, tuple[str, Callable[..., bool]]] = {
     "open": ("remainder is above both bounds", lambda rest, slip, least, most: rest > max(least, most * slip)),
     "relative": ("remainder is below its share of the slip", lambda rest, slip, least, most: rest <= most * slip),
     "little": ("slip is no more than twice the absolute bound", lambda rest, slip, least, most: slip <= 2.0 * least),
+    "alike": (
+        "slip and predicted slip differ in size by no more than either bound",
+        lambda predicted, slip, least, most: abs(predicted - slip) <= max(least, most * slip),
+    ),
 }
-"""Runs that are counted, told of remainder, slip and both bounds [mm, mm, mm, share of the slip]."""
+"""Runs that are counted, told of remainder or prediction, slip and both bounds [mm, mm, mm, share of the slip]."""
 
 
 def derive(results: Results) -> Section:
@@ -59,19 +63,16 @@ def derive(results: Results) -> Section:
     runs = [row for row in rows_with(results, "kind", "pads", "shake") if row.kind == "run"]
     kept = [row for row in runs if row.slip_mm.value is not None and row.slip_mm.value < GRASP_MM]
     closes = _budget_closes(results, kept, (least, most))
-    formula, cells = "runs whose slip and predicted slip differ in size by no more than either bound", (least, most)
-    cells += tuple(cell for row in kept for cell in (row.predicted_slip_mm, row.slip_mm))
-    alike = results.value("alike_count", formula, _alike_count, *cells)
-    numbers = {name: closes.numbers[name] for name in ("count", "closed", "least", "most")} | {"alike": alike}
+    numbers = {name: closes.numbers[name] for name in ("count", "closed", "least", "most")}
+    numbers["alike"] = _count_of(results, "alike", kept, (least, most))
+    budget = Figure(
+        draw=lambda: _draw_budget(kept, least.value, 0.01 * most.value),
+        sources=[cell for row in kept for cell in (row.slip_mm, row.predicted_slip_mm)],
+        numbers=numbers | {"closes": closes.outcome == HOLDS},
+    )
     return Section(
         tables={"use": use_table(results), "budget": _budget_table(results)},
-        figures={
-            "budget": Figure(
-                draw=lambda: _draw_budget(kept, least.value, 0.01 * most.value),
-                sources=[cell for row in kept for cell in (row.slip_mm, row.predicted_slip_mm)],
-                numbers=numbers | {"closes": closes.outcome == HOLDS},
-            )
-        },
+        figures={"budget": budget},
         claims=[
             what_to_use(results, far),
             less_untested(results, runs),
@@ -97,7 +98,8 @@ def _each_takes_its_part(results: Results) -> Claim:
 
 def _budget_closes(results: Results, kept: Sequence[Row], bounds: Bounds) -> Claim:
     """Tell whether the parts add up to the slip, and in how many runs the absolute tolerance is what lets them."""
-    numbers = {"count": _run_count(results, "kept_count", kept)}
+    slips = [row.slip_mm for row in kept]
+    numbers = {"count": cell_count(results, "kept_count", "runs that keep the cube", slips)}
     numbers |= {name: _count_of(results, name, kept, bounds) for name in ("closed", "relative", "little")}
     closed, count = numbers["closed"], numbers["count"]
     part = share(results, "closed_share", "of the runs that keep the cube, those of them", closed, count)
@@ -107,7 +109,7 @@ def _budget_closes(results: Results, kept: Sequence[Row], bounds: Bounds) -> Cla
 
 
 def _term_uncovers_step(results: Results) -> Claim:
-    """The error of the step goes against what the term would have added, so that it shows once that is gone."""
+    """Tell whether the error of the step goes against what the term would have added, and shows without it."""
     plain, term = (variant.row(results, "3cm") for variant in (SHIPPED, TERM))
     turned = results.value(
         "turned",
@@ -159,29 +161,22 @@ def _rest_is_far_shake(results: Results, kept: Sequence[Row], bounds: Bounds, am
     return Claim("rest_is_far_shake", at_least(part, 50.0, why="most of them"), numbers)
 
 
-def _alike_count(least: float, most: float, *found: float) -> int:
-    pairs = zip(found[::2], found[1::2], strict=True)
-    return sum(abs(predicted - slip) <= max(least, 0.01 * most * slip) for predicted, slip in pairs)
-
-
 def _count_of(results: Results, what: str, runs: Sequence[Row], bounds: Bounds, of: str = "") -> Value:
     """Count the runs of which what ``COUNTED`` names is so; ``of`` tells them from all others in the value's name."""
-    formula, is_so = COUNTED[what]
+    words, is_so = COUNTED[what]
+    column = "predicted_slip_mm" if what == "alike" else "remainder_mm"
 
     def count(least: float, most: float, *found: float) -> int:
         pairs = zip(found[::2], found[1::2], strict=True)
-        return sum(is_so(remainder, slip, least, 0.01 * most) for remainder, slip in pairs)
+        return sum(is_so(value, slip, least, 0.01 * most) for value, slip in pairs)
 
-    cells = (cell for row in runs for cell in (row.remainder_mm, row.slip_mm))
-    return results.value("_".join(filter(None, (what, of, "count"))), f"runs whose {formula}", count, *bounds, *cells)
-
-
-def _run_count(results: Results, name: str, runs: Sequence[Row]) -> Value:
-    return cell_count(results, name, "runs that keep the cube", [row.slip_mm for row in runs])
+    cells = (cell for row in runs for cell in (row[column], row.slip_mm))
+    name = "_".join(filter(None, (what, of, "count")))
+    return results.value(name, f"runs whose {words}", count, *bounds, *cells)
 
 
 def _parts_of(results: Results, variant: Variant) -> dict[str, Value]:
-    """Derive the parts of a way at 3 cm along the direction in which its cube went, their sum, and how far it went."""
+    """Derive the parts of a variant at 3 cm along the way of its cube, their sum, and how far it went."""
 
     def along(x: float, z: float, slip_x: float, slip_z: float) -> float:
         return (x * slip_x + z * slip_z) / (slip_x**2 + slip_z**2) ** 0.5 + 0.0  # no negative zero
@@ -202,7 +197,7 @@ def _budget_table(results: Results) -> Table:
 
 
 def _draw_budget(runs: Sequence[Row], least: float, most: float) -> Drawing:
-    """The slip of each run over what is predicted of it, and in a band what counts as the same."""
+    """Draw the slip of each run over what is predicted of it, and in a band what counts as the same."""
     drawing, axes = new_figure(7.2, 4.4)
     line = np.geomspace(0.002, GRASP_MM, 60)
     low, high = np.minimum(line - least, line / (1.0 + most)), np.maximum(line + least, line / (1.0 - most))

@@ -1,4 +1,4 @@
-"""Ways to hold the cube, from the scene as shipped to the cure on stiff pads, and which of them to use."""
+"""Variants of the scene, from as shipped to the cure on stiff pads, and which of them to use."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,35 +19,33 @@ class Variant:
     """One combination of parts of the cure."""
 
     name: str
-    setting: str
-    """Kind of contacts, integrator and impratio, and pads."""
-    parts: str
-    """What is done about the term, and about positions."""
+    case: str
+    """Name of its case, with a gap for the shake: contacts, integrator, impratio, pads; term and positions."""
     tested: str = ""
     """Its name in section cure_cost and at the limits of the grasp, if it was tried in both."""
 
     def row(self, results: Results, shake: str) -> Row:
-        return results.row[f"{self.setting}-{shake}-{self.parts}"]
+        return results.row[self.case.format(shake)]
 
 
-SHIPPED = Variant("as shipped", "newton-implicitfast-50-shipped", "plain-rounded")
-STIFF = Variant("stiff pads, the fix", "newton-implicitfast-50-stiff", "plain-rounded")
-STIFF_TERM = Variant("stiff pads and the term", "newton-implicitfast-50-stiff", "term-rounded")
-TERM = Variant("the term", "newton-implicitfast-50-shipped", "term-rounded", tested="term")
-BEST = Variant("the whole cure, in normal rows too", "newton-euler-400-shipped", "full-kept", tested="best")
+SHIPPED = Variant("as shipped", "newton-implicitfast-50-shipped-{}-plain-rounded")
+STIFF = Variant("stiff pads, the fix", "newton-implicitfast-50-stiff-{}-plain-rounded")
+STIFF_TERM = Variant("stiff pads and the term", "newton-implicitfast-50-stiff-{}-term-rounded")
+TERM = Variant("the term", "newton-implicitfast-50-shipped-{}-term-rounded", tested="term")
+BEST = Variant("the whole cure, in normal rows too", "newton-euler-400-shipped-{}-full-kept", tested="best")
 STEPS = {
     "the term": TERM,
-    "centring": Variant("the term centred, Euler", "newton-euler-50-shipped", "centred-rounded"),
-    "impratio": Variant("the same, high impratio", "newton-euler-400-shipped", "centred-rounded"),
-    "compensated positions": Variant("the same, positions compensated", "newton-euler-400-shipped", "centred-kept"),
+    "centring": Variant("the term centred, Euler", "newton-euler-50-shipped-{}-centred-rounded"),
+    "impratio": Variant("the same, high impratio", "newton-euler-400-shipped-{}-centred-rounded"),
+    "compensated positions": Variant("the same, positions compensated", "newton-euler-400-shipped-{}-centred-kept"),
     "normal rows": BEST,
 }
 """One part more each time, by its name."""
-FIRM = Variant("stiff pads and the cure", "newton-implicitfast-400-stiff", "centred-kept", tested="firm")
-FIRM_EULER = Variant("the same, Euler", "newton-euler-400-stiff", "centred-kept", tested="firm_euler")
+FIRM = Variant("stiff pads and the cure", "newton-implicitfast-400-stiff-{}-centred-kept", tested="firm")
+FIRM_EULER = Variant("the same, Euler", "newton-euler-400-stiff-{}-centred-kept", tested="firm_euler")
 VARIANTS = (SHIPPED, STIFF, STIFF_TERM, *STEPS.values(), FIRM, FIRM_EULER)
 TESTED = [variant for variant in VARIANTS if variant.tested]
-KF_OFF = Variant("as shipped, kf off", "newton-implicitfast-50-shipped", "kf-off")
+KF_OFF = Variant("as shipped, kf off", "newton-implicitfast-50-shipped-{}-kf-off")
 """Where the release reads ``kf``."""
 
 
@@ -93,7 +91,7 @@ def less_untested(results: Results, runs: Sequence[Row]) -> Claim:
     """Tell how many of all recorded combinations slip less than the cure on stiff pads, and were not tested."""
     noise, best = noise_floor(results, "slip_floor"), FIRM.row(results, "3cm").slip_mm
     shaken = [row for row in runs if row.shake == "3cm"]
-    tested = [f"{variant.setting}-3cm-{variant.parts}" for variant in TESTED]
+    tested = [variant.case.format("3cm") for variant in TESTED]
     others = [row for row in shaken if row.slip_mm.value is not None and row.case not in tested]
     there = sorted(others, key=lambda row: row.slip_mm.value)
 

@@ -46,7 +46,7 @@ def claims() -> dict[str, Claim]:
 
 
 def at(variant: Variant, **cells: float) -> Change:
-    return lambda row: cells if row["case"] == f"{variant.setting}-3cm-{variant.parts}" else {}
+    return lambda row: cells if row["case"] == variant.case.format("3cm") else {}
 
 
 def at_limits(variant: str, *, kept: bool) -> Change:
@@ -57,8 +57,8 @@ def test_what_slips_less_without_having_been_tested_is_named_and_not_recommended
     shaken = [row for row in rows() if row["shake"] == "3cm"]
     slips = {row["case"]: row["slip_mm"] for row in shaken if row["slip_mm"] is not None}
     told, untested = claims["what_to_use"], claims["less_untested"]
-    assert (told.outcome, told.numbers["slip"].value) == (HOLDS, slips[f"{FIRM.setting}-3cm-{FIRM.parts}"])
-    tested = {f"{each.setting}-3cm-{each.parts}" for each in TESTED}
+    assert (told.outcome, told.numbers["slip"].value) == (HOLDS, slips[FIRM.case.format("3cm")])
+    tested = {each.case.format("3cm") for each in TESTED}
     least = min(slip for case, slip in slips.items() if case not in tested)
     assert (untested.outcome, untested.numbers["least"].value) == (FAILS, least)
     assert untested.numbers["total"].value == len(shaken)
