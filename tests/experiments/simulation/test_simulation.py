@@ -1,5 +1,6 @@
 """The real scene on the real engine: calibration, batching, and what happens when a run goes wrong."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -11,11 +12,13 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
 from experiments.facts.trace import Failure
 from experiments.simulation import simulation
-from experiments.simulation.simulation import Simulation, simulate
+from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
+from measured_report.measuring.pool import gather, processes, start
 from measured_report.records.reading import load_record
 from measured_report.values.noise import noise_floors
+from newton_lint.newton_models import compat
 from newton_lint.newton_models.compat import kf_is_read, warp_has_noslip
 
 SLIP_WITH_KF_MM = SLIP_MM | {"as-shipped": (0.32, 0.01)}
@@ -147,3 +150,22 @@ def test_noslip_reaches_the_engine(backend):
     else:
         one, other = simulate([plain, treated], device="cpu")
         assert not np.array_equal(one.poses, other.poses)
+
+
+def test_buffers_from_the_device_are_those_from_the_host(monkeypatch):
+    case = replace(AS_SHIPPED, contact_max=100, constraint_max=200, cube_in_hand=True, frame_count=20)
+    [found] = simulate([case], device="cpu")
+    monkeypatch.setattr(compat, "_buffers_on_the_device", nullcontext)
+    [expected] = simulate([case], device="cpu")
+    assert np.array_equal(found.poses, expected.poses)
+    assert np.array_equal(found.contacts, expected.contacts, equal_nan=True)
+    assert expected.peak_constraint_count > 20
+
+
+def test_a_run_in_a_process_of_its_own_is_the_run_here():
+    cases = [replace(AS_SHIPPED, backend=backend, frame_count=30) for backend in ("mujoco", "warp")]
+    groups = [[cases[index] for index in members] for members in batches(cases)]
+    with processes(1) as pool:
+        away = gather(start(pool, run_batch, [(group, "cpu") for group in groups]), "")
+    for [one], other in zip(away, simulate(cases, device="cpu"), strict=True):
+        assert np.array_equal(one.poses, other.poses)
