@@ -9,10 +9,9 @@ from experiments.simulation.measurement import Conditions
 from measured_report.editions.devices import NO_CUDA
 from measured_report.files.errors import ReportError
 from measured_report.measuring.error_text import NOT_COMPILED
-from measured_report.measuring.host import Device
 from measured_report.records.provenance import package_versions
 
-__all__ = ["Conditions", "be_quiet", "device", "explained", "prepare"]
+__all__ = ["Conditions", "be_quiet", "explained", "gpu", "prepare"]
 
 
 def warp_device(kind: str | None) -> wp.Device:
@@ -30,10 +29,10 @@ def warp_device(kind: str | None) -> wp.Device:
     return wp.get_device("cuda:0" if kind == "cuda" else "cpu")
 
 
-def device(kind: str | None) -> Device:
-    """Return the device to measure on; see ``warp_device``."""
+def gpu(kind: str) -> tuple[str | None, str | None]:
+    """Return name and uuid of the GPU to measure on; see ``warp_device``."""
     found = warp_device(kind)
-    return Device("cuda", found.name, found.uuid) if found.is_cuda else Device("cpu")
+    return (found.name, found.uuid) if found.is_cuda else (None, None)
 
 
 def prepare(kind: str) -> None:

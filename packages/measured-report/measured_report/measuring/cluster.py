@@ -1,6 +1,5 @@
 """The workers of a Dask cluster as pools: who may measure, and by which code."""
 
-import argparse
 import contextlib
 import logging
 import pickle
@@ -23,7 +22,7 @@ from measured_report.files.processes import KILLED
 from measured_report.files.root import ROOT
 from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import MPS, gpus, kind_of, machine, share_count
+from measured_report.measuring.machine import MPS, gpus, machine, share_count
 from measured_report.records.provenance import package_versions
 
 SHARED, EXCLUSIVE = "shared", "exclusive"
@@ -65,29 +64,21 @@ def connected(asked: str, device: str, count: int = 1) -> Iterator[Client]:
 
 def _on_this_host(device: str, count: int) -> SpecCluster:
     """Start so many workers on the CPU, or as many as share each GPU, and one for what is exclusive."""
-    there = gpus() if device == "cuda" else []
-    shared = {str(number): _worker({SHARED: 1}) for number in range(0 if there else count)}
-    for gpu in there:
-        own = {"CUDA_VISIBLE_DEVICES": gpu.uuid}
-        shared |= {f"{gpu.uuid}/{n}": _worker({SHARED: 1}, **own) for n in range(share_count(gpu, len(there)))}
-    own = {"CUDA_VISIBLE_DEVICES": there[0].uuid, MPS: "/nonexistent"} if there else {}
-    workers = {**shared, EXCLUSIVE: _worker({EXCLUSIVE: 1}, **own)}
     security = Security.temporary()  # others on this host are not let in
+    there = gpus() if device == "cuda" else []
+    workers: dict[Any, dict] = {number: _worker(SHARED, security) for number in range(0 if there else count)}
+    for gpu in there:
+        for number in range(share_count(gpu, len(there))):
+            workers[f"{gpu.uuid}/{number}"] = _worker(SHARED, security, CUDA_VISIBLE_DEVICES=gpu.uuid)
+    own = {"CUDA_VISIBLE_DEVICES": there[0].uuid, MPS: "/nonexistent"} if there else {}
+    workers[EXCLUSIVE] = _worker(EXCLUSIVE, security, **own)
     scheduler = {"cls": Scheduler, "options": {**LOCAL, "security": security}}
-    for worker in workers.values():
-        worker["options"]["security"] = security
     return SpecCluster(workers, scheduler, security=security, silence_logs=logging.CRITICAL, name="local")
 
 
-def _worker(resources: Mapping[str, float], **settings: str) -> dict[str, Any]:
-    options = {
-        "nthreads": 1,
-        "resources": resources,
-        "memory_limit": 0,
-        "silence_logs": logging.CRITICAL,
-        "env": {**settings, "TQDM_DISABLE": "1"},
-    }
-    return {"cls": Nanny, "options": {**LOCAL, **options}}
+def _worker(resource: str, security: Security, **settings: str) -> dict[str, Any]:
+    options = {"nthreads": 1, "resources": {resource: 1}, "memory_limit": 0, "silence_logs": logging.CRITICAL}
+    return {"cls": Nanny, "options": {**LOCAL, **options, "env": settings, "security": security}}
 
 
 @contextlib.contextmanager
@@ -96,18 +87,15 @@ def cluster_pools(
 ) -> Iterator[tuple["ClusterPool", "ClusterPool"]]:
     """Open pools for what shares a GPU and for what is exclusive; ReportError where the workers are unfit.
 
-    All are to be of one kind, with this code; a GPU must be called ``processor`` in a label, unless that is None. The
+    All are to have this code; a GPU must be called ``processor`` in a label, unless that is None. The
     kernels are compiled by the first worker of each host.
     """
     with connected(asked, device, count) as client:
         workers = client.scheduler_info(n_workers=-1)["workers"]
         try:
             found = dict(zip(workers, _asked(client, introduce, device, workers), strict=True))
-            kinds = {kind for _, _, kind, _ in found.values()}
-            for node, code, kind, gpu in found.values():
+            for node, code, gpu in found.values():
                 _refuse_unfit(node, code, gpu, processor)
-                if len(kinds) > 1:
-                    raise ReportError(f"workers are of different kinds: {node} is {', '.join(map(str, kind))}")
             first = {node: address for address, (node, *_) in found.items()}
             _asked(client, prepare, device, first.values())
         except KilledWorker:
@@ -156,14 +144,14 @@ def call_here(digest: str, call: bytes) -> Any:
     return function(*arguments)
 
 
-def introduce(device: str) -> tuple[str, Mapping[str, str], tuple, str | None]:
-    """Return what this worker's host is called, its code and packages, its kind of machine and its GPU."""
+def introduce(device: str) -> tuple[str, Mapping[str, str], str | None]:
+    """Return what this worker's host is called, its code and packages, and its GPU."""
     host().be_quiet()
     try:
         here = machine(device)
     except ReportError as error:
         raise ReportError(f"{platform.node()}: {error}") from None
-    return platform.node(), code_here(), kind_of(here), here["gpu"]
+    return platform.node(), code_here(), here["gpu"]
 
 
 def prepare(device: str) -> None:
@@ -185,19 +173,8 @@ def digest_here() -> str:
     return sha256(repr(sorted(code_here().items())).encode()).hexdigest()
 
 
-def main() -> int:
-    """Print the GPU that most workers of a cluster have."""
-    parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.cluster", description=main.__doc__)
-    parser.add_argument("cluster", metavar="CLUSTER")
-    try:
-        with connected(parser.parse_args().cluster, "cuda") as client:
-            names = sorted(gpu.name for found in client.run(gpus).values() for gpu in found)
-    except ReportError as error:
-        print(error, file=sys.stderr)
-        return 2
-    print(max(names, key=names.count, default=""))
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+def gpu_of(asked: str) -> str:
+    """Return what the GPU that most workers of a cluster have is called in a label; empty where they have none."""
+    with connected(asked, "cuda") as client:
+        names = sorted(gpu.name for found in client.run(gpus).values() for gpu in found)
+    return slug(max(names, key=names.count, default=""))

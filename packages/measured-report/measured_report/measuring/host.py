@@ -4,7 +4,6 @@
 nothing to prepare.
 """
 
-from dataclasses import dataclass
 from importlib import import_module
 from types import ModuleType
 
@@ -12,25 +11,14 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions
 
-__all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "prepare"]
+__all__ = ["Conditions", "be_quiet", "explained", "gpu", "host", "prepare"]
 
 
-@dataclass(frozen=True)
-class Device:
-    """A device that measures."""
-
-    kind: str
-    """``cuda`` or ``cpu``."""
-    name: str | None = None
-    uuid: str | None = None
-    """Of a GPU."""
-
-
-def device(kind: str | None) -> Device:
-    """Find the device to measure on, or, without a ``kind``, the best; ReportError where there is none."""
+def gpu(kind: str) -> tuple[str | None, str | None]:
+    """Return name and uuid of the GPU to measure on, nothing of a CPU; ReportError where there is no such device."""
     if kind == "cuda":
         raise ReportError("DEVICE=cuda: this report measures on the CPU; DEVICE=cpu does")
-    return Device("cpu")
+    return None, None
 
 
 def prepare(kind: str) -> None:

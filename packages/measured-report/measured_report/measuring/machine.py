@@ -34,18 +34,18 @@ class Gpu:
 @cache
 def machine(kind: str) -> dict[str, str | None]:
     """The machine that measures; host and GPU, with the times of two records, tell whether they ran side by side."""
-    device, driver = host().device(kind), None
+    (gpu, uuid), driver = host().gpu(kind), None
     if kind == "cuda":
         driver = said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
     return {
         "device": kind,
-        "gpu": device.name,
+        "gpu": gpu,
         "driver": driver,
         "cpu": cpu_name(),
         "cores": str(os.cpu_count()),
         "python": platform.python_version(),
         "host": hashlib.sha256(platform.node().encode()).hexdigest()[:12],
-        "gpu_uuid": device.uuid,
+        "gpu_uuid": uuid,
         "system": f"{platform.system()} {platform.machine()}",
     }
 

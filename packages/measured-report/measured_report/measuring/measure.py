@@ -5,6 +5,7 @@ import os
 import re
 import signal
 import subprocess
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -13,7 +14,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from measured_report.editions.devices import machine_name, machine_of, needs_gpu, slug
+from measured_report.editions.devices import machine_name, machine_of, needs_gpu
 from measured_report.editions.environment import add_cluster, python_of
 from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
 from measured_report.editions.release import Release, release_date
@@ -40,11 +41,10 @@ def measure(
     """
     machine, options = "cpu", ["--profile", project.profile, "--aside", project.aside]
     if cluster:
-        python = python_of(release, expected_packages(project), project.root)
-        add_cluster(python, project.root)
+        add_cluster(python_of(release, expected_packages(project), project.root), project.root)
         options += ["--cluster", cluster]
     if device == "cuda":
-        machine = _gpu_of(cluster, python, project.root) if cluster not in (None, "local") else machine_name(device)
+        machine = _gpu_of(cluster, project.root) if cluster not in (None, "local") else machine_name(device)
         options += ["--processor", machine]
     kept = kept_by(project, machine, sections)
     refuse_unwritable(kept.results)
@@ -95,9 +95,8 @@ def seconds_each(project: Project, device: str) -> Mapping[str, Mapping[str, flo
 def _batches_at_once(project: Project, device: str) -> int:
     """Return how many batches are measured at once: on a CPU quick ones and those that need no GPU take a core each."""
     if device == "cuda":
-        return min(map(share_count, gpus()[:1]), default=1)
-    is_light = project.profile == "quick" or not config().needs_gpu
-    return (os.cpu_count() or 1) if is_light else 1
+        return share_count(gpus()[0]) if gpus() else 1
+    return (os.cpu_count() or 1) if project.profile == "quick" or not config().needs_gpu else 1
 
 
 def _run(project: Project, release: Release, module: str, device: str, *options: str) -> None:
@@ -127,15 +126,14 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
         raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
 
 
-def _gpu_of(cluster: str, python: Path, root: Path) -> str:
-    """What the GPUs of a cluster elsewhere are called in a label."""
-    command = [str(python), "-m", "measured_report.measuring.cluster", cluster]
-    said = subprocess.run(command, cwd=root, check=False, stdout=subprocess.PIPE, text=True)
-    if said.returncode:
-        raise UsageError("")  # it has said why
-    if not said.stdout.strip():
-        raise UsageError(f"CLUSTER={cluster}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
-    return slug(said.stdout)
+def _gpu_of(cluster: str, root: Path) -> str:
+    """Return what the GPUs of a cluster elsewhere are called in a label."""
+    add_cluster(Path(sys.executable), root)
+    from measured_report.measuring.cluster import gpu_of
+
+    if found := gpu_of(cluster):
+        return found
+    raise UsageError(f"CLUSTER={cluster}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:

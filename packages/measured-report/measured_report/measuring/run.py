@@ -27,6 +27,7 @@ from measured_report.files.errors import ReportError
 from measured_report.files.processes import KILLED
 from measured_report.measuring.host import host
 from measured_report.measuring.loop import Loop, Pool
+from measured_report.measuring.machine import machine
 from measured_report.measuring.pool import end_processes, host_pools
 from measured_report.measuring.section import Section, section_of
 from measured_report.records.identity import sections
@@ -101,6 +102,8 @@ def pools(arguments: argparse.Namespace, devices: set[str]) -> Iterator[tuple[Po
         with cluster_pools(arguments.cluster, arguments.device, arguments.processor, arguments.processes) as opened:
             yield opened
         return
+    if arguments.device == "cpu":
+        machine("cpu")  # once for all forks, which inherit what has no GPU
     with host_pools(arguments.processes) as (shared, exclusive):
         try:
             for device in sorted(devices):
