@@ -171,16 +171,9 @@ def growth_columns(model: Model, scene: dict, step_s: float, result: dict) -> di
     if not model.law:
         return row | absent(["predicted_growth_per_s"], "it is MuJoCo's, which section cure has")
     middle = float(np.exp(np.mean(np.log(radius))))
-    load = load_on(
-        model,
-        scene,
-        step_s,
-        result,
-        force_n=MASS_KG * TURN_RAD_S**2 * middle,
-        direction=(1.0, 0.0, 0.0),
-        normal_n=MASS_KG * GRAVITY_M_S2,
-        support_inverse_mass_1_kg=np.zeros((3, 3)),
-    )
+    carried = {"force_n": MASS_KG * TURN_RAD_S**2 * middle, "normal_n": MASS_KG * GRAVITY_M_S2}
+    carried |= {"direction": (1.0, 0.0, 0.0), "support_inverse_mass_1_kg": np.zeros((3, 3))}
+    load = load_on(model, scene, step_s, result, carried)
     return row | {"predicted_growth_per_s": walk_per_s(model.law, load, TURN_RAD_S, middle)}
 
 
@@ -192,21 +185,14 @@ def creep_columns(model: Model, scene: dict, step_s: float, result: dict) -> dic
         raise ValueError("the capsule is lost")
     if not model.law:
         return row | absent(["predicted_creep_mm_s"], "it is MuJoCo's, which section scenes has")
-    load = load_on(
-        model,
-        scene,
-        step_s,
-        result,
-        force_n=capsule.MASS_KG * GRAVITY_M_S2,
-        direction=(0.0, 0.0, 1.0),
-        normal_n=2.0 * PRESS_N,
-        support_inverse_mass_1_kg=np.diag([1.0 / capsule.PAD_MASS_KG, 0.0, 0.0]),
-    )
+    carried = {"force_n": capsule.MASS_KG * GRAVITY_M_S2, "normal_n": 2.0 * PRESS_N, "direction": (0.0, 0.0, 1.0)}
+    carried |= {"support_inverse_mass_1_kg": np.diag([1.0 / capsule.PAD_MASS_KG, 0.0, 0.0])}
+    load = load_on(model, scene, step_s, result, carried)
     return row | {"predicted_creep_mm_s": 1e3 * model.law(load)}
 
 
-def load_on(model: Model, scene: dict, step_s: float, result: dict, **carried) -> Load:
-    """Return what friction carries, by the scene and by what the run shows of its contacts."""
+def load_on(model: Model, scene: dict, step_s: float, result: dict, carried: Mapping[str, object]) -> Load:
+    """Return the load ``carried``, with what the scene says and the run shows of its contacts."""
     return Load(
         step_s=step_s,
         stiction_m_s=model.options.get("stiction_m_s", STICTION_M_S),

@@ -184,7 +184,7 @@ def hold(case: Pick) -> dict[str, float]:
         impratio=case.impratio,
         cone=case.cone,
     )
-    margin_mm = 1e3 * float(height[0] + panda.PAD_HALF_SIZE_M[2] + TOUCHED_M[case.object])
+    margin_mm = 1e3 * float(height[0] + panda.PAD_HEIGHT_M + TOUCHED_M[case.object])
     return {
         "creep_mm_s": 1e3 * float((height[0] - height[-1]) / (pair_s * (len(height) - 1))),
         "predicted_creep_mm_s": 1e3 * contacts.creep_m_s(weight_n),

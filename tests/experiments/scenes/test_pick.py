@@ -38,7 +38,7 @@ def test_the_ball_is_dropped_as_published_and_creeps_as_predicted():
     assert np.isnan(drop_s).all()
     row = hold(Pick("", object="ball"))
     assert row["creep_mm_s"] == pytest.approx(row["forecast_creep_mm_s"], rel=0.05)
-    assert 0.0 < row["margin_mm"] < 2e3 * panda.PAD_HALF_SIZE_M[2]
+    assert 0.0 < row["margin_mm"] < 2e3 * panda.PAD_HEIGHT_M
 
 
 def test_shakes_are_counted_or_have_a_reason(tmp_path, monkeypatch):
