@@ -4,7 +4,9 @@ Packaging alone: a small repository that is named newton stands for a checkout, 
 """
 
 import json
+from contextlib import nullcontext
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from conftest import Toy, git
@@ -14,7 +16,7 @@ from measured_report.editions import devices, environment
 from measured_report.editions.environment import environment_of, python_of
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import Release, read_label, release_of
-from measured_report.editions.status import expected_packages, states_of, status_matrix
+from measured_report.editions.status import expected_packages
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
@@ -223,17 +225,6 @@ def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy):
     assert measure.kept_by(toy.project, "nvidia-h200", ["toy", "other"]) == toy.project
 
 
-def test_what_needs_a_version_is_missing_only_where_that_is_and_measured_nowhere_else(toy):
-    pinned = "1.4.0+mujoco-warp-99.0"
-    toy.write("report/sections/other.py", "order = 2\n")
-    toy.write("experiments/other.py", 'NEEDS = "mujoco-warp==99.0"\n')
-    found = {name: {state.section for state in states_of(toy.of(name).project)} for name in ("1.4.0", pinned)}
-    assert found == {"1.4.0": {"toy"}, pinned: {"toy", "other"}}
-    assert "–" in status_matrix(toy.project).splitlines()[1]
-    toy.project.record_path("other").write_text("{}")  # one that is there is shown, whatever is wrong with it
-    assert {state.section: state.kind for state in states_of(toy.project)}["other"] == "damaged"
-
-
 def test_the_command_that_is_shown_names_what_make_can_find(toy):
     side = toy.project.of("1.9.0+g1234567.edited")
     write_manifest(side.results, Manifest("/a place/newton"))
@@ -262,16 +253,14 @@ def test_what_does_not_come_out_with_the_edition_stays_as_the_project_asks_for_i
 
 def test_an_environment_is_made_once(tmp_path, monkeypatch):
     made = []
-    monkeypatch.setattr(environment, "_run", lambda command, name, **settings: made.append(list(command)))
 
-    class NoUv:
-        def __enter__(self):
-            return "uv"
+    def note(command, name, **settings):
+        made.append(list(command))
+        if "venv" in command:
+            Path(command[-1]).mkdir()
 
-        def __exit__(self, *_):
-            (tmp_path / ".venv-one.new").mkdir(exist_ok=True)
-
-    monkeypatch.setattr(environment, "_installer", lambda *_: NoUv())
+    monkeypatch.setattr(environment, "_run", note)
+    monkeypatch.setattr(environment, "_installer", lambda *_: nullcontext("uv"))
     python = environment.python_with("one", ["a==1"], tmp_path)
     assert (python, len(made)) == (tmp_path / ".venv-one/bin/python", 2)
     assert made[1][-1] == "a==1"

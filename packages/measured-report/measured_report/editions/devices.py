@@ -2,10 +2,8 @@
 
 import re
 import subprocess
-from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
@@ -31,20 +29,9 @@ def _gpus() -> list[str]:
 
 def needs_gpu(section: str, root: Path = ROOT) -> bool:
     """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with those of a GPU."""
-    return bool(_told(section, root).get("NEEDS_GPU", config().needs_gpu))
-
-
-def is_about(section: str, packages: Mapping[str, str], root: Path = ROOT) -> bool:
-    """Tell whether a section is about these packages: one with ``NEEDS = "name==version"`` is about no others."""
-    name, _, version = _told(section, root).get("NEEDS", "").partition("==")
-    return not name or packages.get(name) == version
-
-
-def _told(section: str, root: Path) -> Mapping[str, Any]:
-    """Read the constants of the module that measures a section."""
     graph = files().graph(roots_of(root))
     file = graph.module(["experiments", section]) or f"{root}/experiments/{section}.py"
-    return graph.source(file).top
+    return bool(graph.source(file).top.get("NEEDS_GPU", config().needs_gpu))
 
 
 def measuring_device(asked: str | None, profile: str) -> str | None:

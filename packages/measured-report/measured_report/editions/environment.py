@@ -25,6 +25,8 @@ from measured_report.files.config import config, read_toml
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import end_with
 from measured_report.files.root import ROOT
+from measured_report.files.staging import replace as exchange
+from measured_report.files.staging import staging_folder
 from measured_report.records.provenance import EDITED, MISSING, package_versions
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
@@ -155,29 +157,20 @@ def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
 def _make(folder: Path, name: str, source: bytes, commands: Callable[[str, Path], list[list[str]]], root: Path) -> None:
     """Make the environment ``folder``, asked for as ``name``: aside, and then put in place, unless it is there, made
     from the same ``source``. ``commands`` install what it needs."""
-    digest = hashlib.sha256(source).hexdigest()
-    new, old = (folder.with_name(f"{folder.name}{ending}") for ending in (".new", ".old"))
-    with locked(root):
-        ready = folder / READY
-        if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
-            return
-        try:
-            remove(new)  # of one that was killed
+    digest, ready = hashlib.sha256(source).hexdigest(), folder / READY
+    try:
+        with staging_folder(folder) as new:
+            if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
+                return
             with _installer(root, name) as uv:
                 # Its programs are found from where they lie, so that it can be moved.
                 _run([uv, "venv", "--relocatable", "--python", sys.executable, str(new)], name)
                 for command in commands(uv, new):
                     _run(command, name, UV_PROJECT_ENVIRONMENT=str(new))
             (new / READY).write_text(digest, encoding="utf-8")
-            remove(old)
-            if os.path.lexists(folder):
-                os.rename(folder, old)
-            os.rename(new, folder)
-        except OSError as error:
-            raise UsageError(f"{name} cannot be installed: {folder}: {error.strerror}") from None
-        finally:
-            remove(new)
-            remove(old)
+            exchange(folder, new)
+    except OSError as error:
+        raise UsageError(f"{name} cannot be installed: {folder}: {error.strerror}") from None
 
 
 @contextmanager

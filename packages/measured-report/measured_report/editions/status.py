@@ -5,7 +5,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from measured_report.editions.devices import is_about
 from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.files.cache import Cache
@@ -40,11 +39,10 @@ class State:
 
 
 def states_of(project: Project) -> list[State]:
-    """Return the state of every section of one release that is about it."""
+    """Return the state of every section of one release."""
     with unchanged_files():
         states = [_read_state(project, section) for section in sections(project.root)]
         packages = expected_packages(project, [state.record for state in states if state.record])
-        states = [each for each in states if each.kind != "missing" or is_about(each.section, packages, project.root)]
         for index, state in enumerate(states):
             if state.record:
                 now = identity_of(state.section, project.profile, project.root, packages)
@@ -105,7 +103,7 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def status_matrix(project: Project) -> str:
-    """Write the state of every section, in a column for each release; a dash where it is not about it."""
+    """Write the state of every section, in a column for each release."""
     with unchanged_files():
         columns = {
             release: {state.section: state.summary for state in states_of(project.of(release))}
@@ -113,7 +111,7 @@ def status_matrix(project: Project) -> str:
         }
     lines = [("section", *(f"{config().package} {release}" for release in columns))]
     for section in sections(project.root):
-        lines.append((section, *(column.get(section, "–") for column in columns.values())))
+        lines.append((section, *(column[section] for column in columns.values())))
     return aligned(lines)
 
 

@@ -19,7 +19,7 @@ from types import ModuleType
 
 from tqdm import tqdm
 
-from measured_report.editions.devices import has_cuda, is_about
+from measured_report.editions.devices import has_cuda
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.config import config
@@ -83,8 +83,6 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     """Return the sections that were asked for; ReportError where they can't be measured here."""
     label = edition_of(arguments.edition)
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
-    if others := [name for name in arguments.section if not is_about(name, package_versions())]:
-        raise ReportError(f"{', '.join(others)}: what NEEDS names there is not what is installed here")
     gc.disable()  # looking for garbage takes half the time of loading a simulator
     host().be_quiet()
     modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)

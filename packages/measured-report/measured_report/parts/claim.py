@@ -85,8 +85,6 @@ class Claim:
     """Quantities, and texts and flags."""
     wording: Wording | None = None
     """The words of the section's template, once they are known."""
-    says_missing: bool = False
-    """Says that its words say what is missing, so that they can stand with a number that is not there."""
     effect: Outcome = HOLDS
     """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
     mark: Markup = field(default=Markup(""), compare=False)
@@ -109,7 +107,7 @@ class Claim:
     def checked(self) -> "Claim":
         """Return the same; where its sentence would print a number that is not there, it can't tell, and says why."""
         lost = LOST.search(self.sentence) if self.outcome.name != "unknown" else None
-        if not lost or self.says_missing:
+        if not lost:
             return self
         reason = Markup(lost[1]).unescape()
         return replace(self, outcome=replace(self.outcome, name="unknown", reason=reason, is_opposite=False))
