@@ -8,6 +8,7 @@ import warp as wp
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
+from experiments.facts.kept import CUBE_PLACE, CUBE_TURN, JOINTS
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
 from experiments.simulation.scene import ROBOT_POSITION
@@ -25,9 +26,7 @@ HELD = replace(HOLD, name="hold-60s", frame_count=SETUP_FRAME_COUNT + 60 * FRAME
 HELD_FRAME_STEP = 6
 """Frames between two that are kept of the held arm, which hardly moves."""
 
-JOINTS = (*(f"joint_{number}_rad" for number in range(1, 8)), "left_finger_m", "right_finger_m")
-CUBE_POSE = (*(f"cube_{axis}_m" for axis in "xyz"), *(f"cube_q{part}" for part in "xyzw"))
-"""Position and quaternion in the world."""
+COORDINATES = (*JOINTS, *CUBE_PLACE, *CUBE_TURN)
 
 
 def measure(conditions: Conditions) -> Measurement:
@@ -90,7 +89,7 @@ def pose_table(trace: Trace, coordinates: np.ndarray, frame_step: int) -> dict[s
     moved = np.full((len(trace.phase), 3), np.nan)
     moved[trace.phase == metrics.SHAKE] = 1e3 * metrics.displacement(trace).vector_m
     table = {"frame": frames, "phase": trace.phase[frames]}
-    table |= dict(zip(JOINTS + CUBE_POSE, coordinates[frames].T, strict=True))
+    table |= dict(zip(COORDINATES, coordinates[frames].T, strict=True))
     table |= {f"{axis}_mm": moved[frames, column].round(6) for column, axis in enumerate("xyz")}
     table |= {name: trace.column(name)[frames].round(3) for name in ("normal_force_n", "tangential_force_n")}
     return table | {"penetration_mm": (1e3 * trace.column("penetration_m")[frames]).round(5)}

@@ -75,8 +75,6 @@ class Case:
     hand_collides: bool = True
     visuals: bool = True
     """Whether the robot keeps its shapes for looking at."""
-    asset: str = "assets/fr3.urdf"
-    """Robot description below the project's root, or ``upstream`` for the one that newton downloads."""
     backend: str = "warp"
     """``warp`` (MuJoCo Warp) or ``mujoco`` (MuJoCo's C engine, always on the CPU)."""
     device: str | None = None

@@ -8,13 +8,11 @@ import numpy as np
 import warp as wp
 
 from experiments.facts.case import Case
-from experiments.facts.trace import FRAME_COLUMNS, Trace
+from experiments.facts.trace import Trace
 from experiments.simulation import contact_bias_c
-from experiments.simulation.c_warnings import failure_of
 from experiments.simulation.reference import NativeShake, Start
 from experiments.simulation.scene import ROBOT_DOF_COUNT
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.task import FRAME_RATE
 
 
 class DoubleShake(NativeShake):
@@ -33,21 +31,14 @@ class DoubleShake(NativeShake):
         self.newton_bodies = self.simulation.solver.mjc_body_to_newton.numpy()[0]
 
     def run(self) -> Trace:
-        """Return all frames: poses and cone use."""
-        frame_count = self.case.frame_count
-        poses, phase = np.zeros((frame_count, len(self.bodies), 7)), np.zeros(frame_count, dtype=int)
-        contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)
-        failure = None
         mujoco.set_mjcb_control(self.term)  # one for all models, so only for as long as this one is stepped
         try:
-            for frame in range(frame_count):
-                self.frame()
-                poses[frame], phase[frame] = self._poses(), self.simulation.task.phase.numpy()[0]
-                contacts[frame, FRAME_COLUMNS.index("cone_use")] = self._cone_use()
-                failure = failure or failure_of(self.data, frame)
+            return super().run()
         finally:
             mujoco.set_mjcb_control(None)
-        return Trace(1.0 / FRAME_RATE, phase, poses, contacts, failure)
+
+    def _phase(self) -> int:
+        return int(self.simulation.task.phase.numpy()[0])
 
     def frame(self) -> None:
         """Plan, and step all substeps; the planner sees where the bodies are, in single precision."""

@@ -2,7 +2,6 @@
 
 python -m experiments.shake --viewer gl
 python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json summary.json
-python -m experiments.shake --viewer gl --replay results/newton-1.4.0/poses.as-shipped.csv.gz
 """
 
 import sys

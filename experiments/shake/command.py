@@ -11,7 +11,6 @@ import newton.examples
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
-from experiments.media.replay import Replay, load_poses
 from experiments.shake.example import Example, TestFailed, headline, plain
 
 LARGEST = {"world_count": 65536, "substeps": 4096, "num_frames": 1_000_000}
@@ -23,7 +22,6 @@ def create_parser():
     parser = newton.examples.create_parser()
     newton.examples.add_world_count_arg(parser)
     parser.set_defaults(num_frames=AS_SHIPPED.frame_count)
-    parser.add_argument("--asset", choices=("own", "upstream"), default="own", help="robot description")
     parser.add_argument("--shake-amplitude", type=float, default=AS_SHIPPED.shake_amplitude_m, help="[m]")
     parser.add_argument("--shake-frequency", type=float, default=AS_SHIPPED.shake_frequency_hz, help="[Hz]")
     parser.add_argument("--pad-ke", type=float, default=AS_SHIPPED.pad_ke, help="authored pad stiffness")
@@ -35,9 +33,6 @@ def create_parser():
         "--backend", choices=("warp", "mujoco"), default="warp", help="MuJoCo Warp or MuJoCo's C engine"
     )
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the measured summary there")
-    parser.add_argument(
-        "--replay", type=Path, metavar="FILE", help="show the kept poses of a run, and simulate nothing"
-    )
     return parser
 
 
@@ -52,7 +47,6 @@ def case_of(args) -> Case:
     return replace(
         AS_SHIPPED,
         name="shake",
-        asset="upstream" if args.asset == "upstream" else AS_SHIPPED.asset,
         shake_amplitude_m=args.shake_amplitude,
         shake_frequency_hz=args.shake_frequency,
         pad_ke=args.pad_ke,
@@ -115,14 +109,10 @@ def run(parser) -> int:
     check_device(args.device)
     check_viewer(args.viewer)
     check_json(args.json)
-    poses = load_poses(args.replay) if args.replay else None
     try:
         viewer, args = newton.examples.init(parser)
     except (ImportError, ValueError, RuntimeError) as error:
         raise CaseError(f"--viewer {args.viewer}: {' '.join(str(error).split())}") from None
-    if poses is not None:
-        newton.examples.run(Replay(viewer, poses), args)
-        return 0
     example = Example(viewer, case, args.world_count)
     status = 0
     try:

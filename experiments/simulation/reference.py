@@ -99,18 +99,18 @@ class NativeShake:
         """Return the next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each frame's last
         substep."""
         frame_count = self.case.frame_count
-        poses = np.zeros((frame_count, len(BODIES), 7))
+        poses, phase = np.zeros((frame_count, len(BODIES), 7)), np.zeros(frame_count, dtype=int)
         contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)
         failure, peak_iteration = None, 0
         for frame in range(frame_count):
             self.frame()
-            poses[frame] = self._poses()
+            poses[frame], phase[frame] = self._poses(), self._phase()
             contacts[frame, FRAME_COLUMNS.index("cone_use")] = self._cone_use()
             peak_iteration = max(peak_iteration, int(self.data.solver_niter.max()))
             failure = failure or failure_of(self.data, frame)
         return Trace(
             frame_dt=1.0 / FRAME_RATE,
-            phase=np.full(frame_count, metrics.SHAKE),
+            phase=phase,
             poses=poses,
             contacts=contacts,
             failure=failure,
@@ -121,6 +121,9 @@ class NativeShake:
     def pad_timeconst_s(self) -> float:
         """Return the time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
         return float(self.model.geom_solref[self.pad, 0])
+
+    def _phase(self) -> int:
+        return metrics.SHAKE
 
     def _poses(self) -> np.ndarray:
         # A step ends with new joint positions; the bodies are still where they were before it.

@@ -13,6 +13,7 @@ from experiments.facts.case import CUBE_GAP_DEFAULT, Case
 from experiments.simulation.worlds import model_of
 from measured_report.files.root import ROOT
 
+ROBOT = ROOT / "assets/fr3.urdf"
 ROBOT_POSITION = (-0.5, -0.5, 0.0)
 READY_POSE = (0.0, 0.5, 0.0, -1.5, 0.0, 2.0, np.pi / 4.0, 0.035, 0.035)
 """Joint coordinates [rad, rad, …, m, m] from which the approach pose is solved."""
@@ -300,13 +301,9 @@ def _set(builder: ModelBuilder, name: str, values: dict[int, object]) -> None:
 
 
 def _robot_source(case: Case) -> str:
-    if case.asset == "upstream":
-        path = newton.utils.download_asset("franka_emika_panda") / "urdf/fr3_franka_hand.urdf"
-    else:
-        path = ROOT / case.asset
     if case.visuals:
-        return str(path)
-    robot = ElementTree.parse(path).getroot()
+        return str(ROBOT)
+    robot = ElementTree.parse(ROBOT).getroot()
     for link in robot.iter("link"):
         for visual in link.findall("visual"):
             link.remove(visual)

@@ -26,6 +26,7 @@ from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS
 from experiments.facts.fix_files import fix_files, without_patch
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import SETUP_FRAME_COUNT
+from experiments.simulation.scene import ROBOT
 from experiments.simulation.simulation import Simulation, run, simulate
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
@@ -139,7 +140,7 @@ def test_the_script_needs_newton_alone_and_holds_the_robot_of_this_report():
     outside = {name.partition(".")[0] for name in imported} - sys.stdlib_module_names
     assert outside == {"newton", "numpy", "warp"}
     strings = [ast.literal_eval(node.value) for node in tree.body if ast.unparse(node).startswith("URDF = ")]
-    assert strings == [(ROOT / AS_SHIPPED.asset).read_text(encoding="utf-8")]
+    assert strings == [ROBOT.read_text(encoding="utf-8")]
 
 
 CODE = re.compile(r"<pre[^>]*><code[^>]*>(.*?)</code></pre>", re.DOTALL)

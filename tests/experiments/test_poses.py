@@ -1,14 +1,15 @@
 """The kept poses: measured, written and read again, they say where the cube is in the grasp."""
 
+import newton
 import numpy as np
 import pytest
-from newton.viewer import ViewerNull
+import warp as wp
 
-from experiments.facts.kept import kept_run
+from experiments.facts.case import AS_SHIPPED
+from experiments.facts.kept import CUBE_PLACE, CUBE_TURN, JOINTS, kept_run
 from experiments.facts.kinematics import quaternion_matrices
-from experiments.media.replay import Replay, load_poses
 from experiments.poses import HELD, SHAKEN
-from experiments.simulation.scene import body_index
+from experiments.simulation.scene import body_index, build_scene
 from measured_report.records.reading import load_record
 from measured_report.records.traces import load_trace, trace_path
 
@@ -43,14 +44,15 @@ def test_which_frames_are_kept(kept):
         assert poses["frame"].iloc[0] < step
 
 
-def test_newton_shows_the_run_as_it_was_kept(kept, poses_path):
+def test_newton_has_the_links_where_the_forward_kinematics_has_them(kept):
     row, poses = kept["as-shipped"]
-    replay = Replay(ViewerNull(num_frames=1), load_poses(trace_path(poses_path, "as-shipped")).tail(3))
-    for _ in range(3):
-        replay.step()
-        replay.render()
-    shown, run = replay.state_0.body_q.numpy(), kept_run(row, poses)
+    newton.use_coord_layout_targets = True
+    model = build_scene([AS_SHIPPED], wp.get_device("cpu")).model
+    state, run = model.state(), kept_run(row, poses)
+    state.joint_q.assign(poses[[*JOINTS, *CUBE_PLACE, *CUBE_TURN]].to_numpy("float32")[-1])
+    newton.eval_fk(model, state.joint_q, state.joint_qd, state)
+    shown = state.body_q.numpy()
     for body in ("fr3_link4", "fr3_hand_tcp", "fr3_rightfinger"):
-        position, quaternion = np.split(shown[None, body_index(replay.model, body)], [3], axis=1)
+        position, quaternion = np.split(shown[None, body_index(model, body)], [3], axis=1)
         np.testing.assert_allclose(run.links[body][-1], quaternion_matrices(position, quaternion)[0], atol=1e-5)
-    np.testing.assert_allclose(run.cube[-1, :3, 3], shown[body_index(replay.model, "cube"), :3], atol=1e-6)
+    np.testing.assert_allclose(run.cube[-1, :3, 3], shown[body_index(model, "cube"), :3], atol=1e-6)

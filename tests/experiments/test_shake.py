@@ -6,7 +6,6 @@ import math
 import pytest
 
 from experiments.shake import command as shake
-from measured_report.files.root import ROOT
 
 CONTRACT = ("slip_mm", "drift_mm_s", "cube_height_m", "dropped")
 
@@ -41,8 +40,6 @@ def test_every_option_of_the_contract_is_there():
         (["--device", "cuda:99"], "--device cuda:99"),
         (["--viewer", "gl"], "--viewer gl needs pyglet"),
         (["--json", "/no/where/summary.json"], "--json /no/where/summary.json"),
-        (["--replay", "/no/where/poses.csv.gz"], "--replay /no/where/poses.csv.gz"),
-        (["--replay", str(ROOT / "results/newton-1.4.0/hold.hold.csv.gz")], "holds no poses"),
     ],
 )
 def test_bad_input_gets_one_line_and_status_2(monkeypatch, capsys, arguments, message):
