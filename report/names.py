@@ -61,7 +61,6 @@ NAMED_COUNT = 6
 
 
 def _rules() -> list[tuple[re.Pattern, str]]:
-    """Read what the parts are called, the longest first."""
     entries = (entry.split(": ", 1) for entry in re.split("; |\n", PARTS.strip()))
     pairs = [(code, words) for codes, words in entries for code in codes.split(", ")]
     named = {re.escape(code).replace(r"\#", NUMBER): words for code, words in sorted(pairs, key=lambda it: -len(it[0]))}

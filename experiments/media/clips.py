@@ -249,7 +249,6 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
 
 
 def _magnified(run: KeptRun, start: int, frame: int) -> dict[str, np.ndarray]:
-    """Return the links as at ``start``, and the cube, with its edges, where it is in the hand at ``frame``."""
     in_hand = run.cube_in_hand[frame].copy()
     origin = run.begin_in_hand[:3, 3]
     in_hand[:3, 3] = origin + MAGNIFIED * (in_hand[:3, 3] - origin)

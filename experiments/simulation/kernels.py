@@ -21,8 +21,6 @@ from experiments.simulation import recorder
 from experiments.simulation import simulation as simulations
 from experiments.simulation.compiling import load_all
 from experiments.simulation.scene import build_scene
-from experiments.simulation.worlds import WORLDS_BUILT
-from newton_lint.newton_models.compat import release
 
 OLDEST = (1, 4, 0)
 """The oldest release that can run the scene."""
@@ -37,16 +35,6 @@ LONGEST_FIRST = (
     "_tile_cholesky",
 )
 """How the modules begin that take the longest: large ones, and those with matrices in tiles."""
-
-
-def too_old(device: wp.Device) -> str:
-    """Return why a release older than the oldest can't build the scene, before minutes go into its kernels."""
-    try:
-        if release() < OLDEST:
-            build_scene([AS_SHIPPED] * (WORLDS_BUILT + 1), device)
-    except Exception as error:  # each of them for a reason of its own
-        return " ".join(str(error).split())[:200]
-    return ""
 
 
 def compile_first(device: wp.Device) -> str:

@@ -136,7 +136,6 @@ class NativeShake:
         return poses
 
     def _cone_use(self) -> float:
-        """Return the largest tangential force over friction times normal force of a contact (1 = sliding)."""
         force, largest = np.zeros(6), 0.0
         for index in range(self.data.ncon):
             mujoco.mj_contactForce(self.model, self.data, index, force)

@@ -181,7 +181,6 @@ class _World:
 
 
 def _world_builder(case: Case) -> _World:
-    """Return the arm and the cube; ``_apply_world_parameters`` then says what each case has for itself."""
     robot, links = robot_builder(case)
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
@@ -223,7 +222,6 @@ class _Worlds:
 
 
 def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> None:
-    """Write what each case has for itself into its world's part of the model's arrays."""
     model, worlds = scene.model, _Worlds(cases)
     column, write = worlds.column, worlds.write
     pads, cube = scene.pads, (scene.cube,)
@@ -255,8 +253,6 @@ def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> 
 
 
 def _scale_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
-    """Scale size, mass and inertia: the builder made the cube with the edge and the density of the scene as
-    shipped."""
     model, shape = scene.model, (scene.cube,)
     size = worlds.column("cube_edge_m") / np.float32(CUBE_EDGE)
     mass = worlds.column("cube_density_kg_m3") / Case(name="").cube_density_kg_m3 * size**3
@@ -273,7 +269,6 @@ def _scale_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
 
 
 def _place_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
-    """Put every cube where it starts; where that is in the hand, close the fingers on it."""
     model = scene.model
     place = np.array([cube_start(case) for case in worlds.cases])
     poses = worlds.rows(model.body_q)[:, cube_body]

@@ -139,7 +139,6 @@ class Simulation:
         return solver
 
     def _set_flags(self, solver: SolverMuJoCo) -> None:
-        """Switch each stage of the engine off or on, as the case says."""
         bits = mujoco.mjtDisableBit
         stages = {"refsafe": bits.mjDSBL_REFSAFE, "sensors": bits.mjDSBL_SENSOR, "limits": bits.mjDSBL_LIMIT}
         for option in _options(solver):

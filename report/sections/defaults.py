@@ -26,7 +26,6 @@ def derive(results: Results) -> Section:
 
 
 def _leaves_it_to_mujoco(results: Results) -> Claim:
-    """Tell whether a solver that is given no options has MuJoCo find the contacts, and the pyramidal cone."""
     cells = {name: cell_or_absent(results.row[f"solver-{name}"], "value", "1") for name in MUJOCO}
     return Claim(
         "leaves_it_to_mujoco", all_of(*(decided(cell.value == MUJOCO[name], cell) for name, cell in cells.items()))

@@ -91,7 +91,6 @@ def _run(results: Results, law: Row, measured: Row, kind: str) -> Run:
 
 
 def _by_hand(results: Results) -> Claim:
-    """Work out the law in shipped pads, without its small parts, from what is given."""
     row, dmax = results.row[SHIPPED], other_cell(results, "stiffness", SHIPPED, "dmax", unit="1")
     substep = other_value(results, "stiffness", "substep", unit="s")
     step = results.value("step_ms", "substep in ms", lambda seconds: 1e3 * seconds, substep, unit="ms")
@@ -172,7 +171,6 @@ def _table(runs: Sequence[Run]) -> Table:
 
 
 def _draw(runs: Sequence[Run]) -> Drawing:
-    """Draw the measured drift over the response time, a mark for each run, and the line that the law gives."""
     drawing, axes = new_figure(7.2, 3.2)
     by_response = sorted(runs, key=lambda run: run.law.response_s.value)
     law = [(1e3 * run.law.response_s.value, run.law.predicted_drift_mm_s.value) for run in by_response]

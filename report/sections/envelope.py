@@ -63,7 +63,6 @@ def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value
 
 
 def _drops(results: Results, trace: Series, lost: Mapping[str, Value], held: Value) -> tuple[Claim, Claim]:
-    """Tell whether cubes are dropped as shipped, and whether none is with stiff pads."""
     shipped, stiff = (lost[side] for side in SIDES)
     cells = results.value("cells", "cells of the map on each side", lambda frame: len(frame) // len(SIDES), trace)
     drops = decided(bool(shipped.value), shipped)
@@ -125,7 +124,6 @@ def _gains(frame: pd.DataFrame) -> np.ndarray:
 
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
-    """Take the slips of every cell that is held on both sides, as shipped and with stiff pads, shape [cells] each."""
     shipped, stiff = (held_slip(frame, side).to_numpy(dtype=float) for side in SIDES)
     is_there = np.isfinite(shipped / stiff)
     return shipped[is_there], stiff[is_there]

@@ -44,7 +44,6 @@ def _not_the_cause(results: Results, rows: list[Row]) -> Claim:
 
 
 def _contact_claims(rows: list[Row]) -> tuple[Claim, Claim]:
-    """Tell what a gap adds: contacts, but none that carries force."""
     default, small, zero = listed = [row.mean_row_count for row in rows]
     more = decreases(listed, noise=0.5, why="a number of contacts that differs")
     loaded = [row.mean_loaded_row_count for row in rows]

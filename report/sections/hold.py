@@ -52,7 +52,6 @@ def derive(results: Results) -> Section:
 
 
 def _creep_goes_on(results: Results, long: Row) -> Claim:
-    """Tell whether the creep with the arm held still does not die out."""
     slip, duration, last = long.slip_mm, long.shake_duration_s, long.increment_final_mm
     formula, cells = "motion in the last second of the long hold, of its mean per second", (last, slip, duration)
     final = results.value("creep_final_share", formula, lambda last, slip, s: 100 * last * s / slip, *cells, unit="%")
@@ -69,7 +68,6 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
 
 
 def _faster_when_stiff(results: Results, stiff: Row) -> Claim:
-    """Tell whether the cube in stiff pads moves faster held still than shaken, for a shorter time."""
     slip = other_cell(results, "reproduction", "stiff-pads", "slip_mm", unit="mm")
     shorter = other_cell(results, "reproduction", "stiff-pads", "shake_duration_s", unit="s")
     formula, duration = "slip over its time, stiff pads", stiff.shake_duration_s
@@ -91,7 +89,6 @@ def _faster_when_stiff(results: Results, stiff: Row) -> Claim:
 
 
 def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Iterator[Claim]:
-    """Tell whether double precision takes the creep away, and joints stand still without it."""
     numbers = {"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s}
     formula = "creep with positions in double precision, of that with positions rounded to single precision"
     remaining = share(results, "double_share", formula, numbers["double"], numbers["single"])

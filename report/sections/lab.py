@@ -41,7 +41,6 @@ def _repeats(results: Results) -> Claim:
 
 
 def _loses_contacts(results: Results) -> Claim:
-    """Tell whether the cube is lost with the engine's midphase on, where it is kept with it off."""
     off, on = results.row["impratio-1"], results.row[MIDPHASE]
     slip = _cell(results, "impratio-1", "slip_mm", "mm")
     kept, lost = decided(bool(off) and not off.dropped, slip), decided(bool(on) and on.dropped, slip)

@@ -41,7 +41,6 @@ def derive(results: Results) -> Section:
 
 
 def _shaken_farther(results: Results) -> list[Claim]:
-    """Return a cube that is no more than its edge from where it was held is still between the pads."""
     shipped, stiff = results.row["as-shipped-10cm"], results.row["stiff-pads-10cm"]
     metres, edge = shipped.shake_amplitude_m, shipped.cube_edge_m
     numbers = {"amplitude": results.value("amplitude", "in whole mm", lambda m: round(1e3 * m), metres, unit="mm")}

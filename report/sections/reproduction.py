@@ -64,7 +64,6 @@ def derive(results: Results) -> Section:
 
 
 def _scene(results: Results, shipped: Row, stiff: Row) -> None:
-    """Say what is simulated, for pages that tell it; what no record says is as in ``experiments/``."""
     for name, value, unit in SCENE:
         results.value(name, "set in the scene", lambda value=value: value, unit=unit)
     amplitude = shipped.shake_amplitude_m
@@ -118,8 +117,6 @@ def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
 
 
 def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
-    """Compare each engine, and MuJoCo Warp on each device, that was measured; one without a slip can't be told
-    to agree."""
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     places |= {suffix: name for suffix, name in OTHER_PLACES.items() if f"as-shipped{suffix}" in results.row}
 

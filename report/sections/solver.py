@@ -53,7 +53,6 @@ def _converged(results: Results, variants: Variants) -> Claim:
 
 
 def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
-    """Tell whether the slip of a case is less than the baseline's; its wording can name what ``column`` says."""
     row, formula = results.row[case], f"slip of the baseline less that of {case}"
     reduction = results.value(f"{case}_reduction", formula, lambda a: -a, variants.difference[case], unit="mm")
     numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}

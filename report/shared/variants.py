@@ -89,7 +89,6 @@ def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: 
 
 
 def _draw_variants(variants: Variants) -> Drawing:
-    """Draw the slip of each case; the line is that of the baseline, which comes first."""
     rows = [row for row in variants.all_rows if row.slip_mm.value is not None]
     drawing, axes = new_figure(7.2, 0.8 + 0.28 * len(rows))
     for place, row in enumerate(rows):

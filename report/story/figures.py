@@ -32,7 +32,6 @@ def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> D
 
 
 def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
-    """Draw cube at the start and in the end, behind a finger; [mm], the tool points down."""
     half, (x, y) = EDGE_MM / 2, end
     corner, edges = (x - half, y - half), (EDGE_MM, EDGE_MM)
     axes.add_patch(Rectangle(corner, *edges, facecolor=colour, alpha=0.28, linewidth=0))
@@ -119,7 +118,6 @@ def _draw_arc(axes: Axes) -> None:
 
 
 def _draw_brake(axes: Axes) -> None:
-    """Draw pad and cube with the friction row between them, which is a damper and no spring."""
     axes.set_title("2. Friction brakes, and nothing pulls back")
     axes.add_patch(Rectangle((0.0, 2.1), 2.4, 0.75, facecolor=SERIES[0], alpha=0.3, edgecolor=SERIES[0]))
     axes.annotate("pad, on its curve", (1.2, 2.47), fontsize=9, ha="center", va="center")

@@ -72,7 +72,6 @@ def _suspects(found: Found) -> Figure:
 
 
 def _mechanism(found: Found) -> Figure:
-    """Return a drawing, of which the measured part is what the left-out acceleration makes of slide."""
     slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")
     return Figure(draw=draw_mechanism, sources=[slide])
 
@@ -87,7 +86,6 @@ def _needed(every: Mapping[str, Found], bound: Quantity) -> Table:
 
 
 def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
-    """Say what to do where the cube slips so far with shipped pads, and so far with stiff ones."""
     before, after = slips
     if None in (before.value, bound.value):
         return FAILED if before.source else UNSEEN
@@ -101,7 +99,6 @@ def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
 
 
 def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:
-    """Return the releases in which the cube slips come first, and those in which it stays behind them."""
     slips = {release: _slips(found, NEWTON)[0] for release, found in every.items()}
     there = {release: slip for release, slip in slips.items() if slip.source}
     slipping = [release for release, slip in there.items() if at_least(slip, bound) == HOLDS]
@@ -114,8 +111,6 @@ def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:
 
 
 def _still_needed(every: Mapping[str, Found], bound: Quantity) -> Claim:
-    """Claim that with contacts that MuJoCo finds, and with a pyramidal cone, the cube slips in every release that was
-    measured."""
     slips = {way: [_slips(found, way)[0] for found in every.values()] for way in (MUJOCO, PYRAMID)}
     there = {way: [slip for slip in cells if slip.source] for way, cells in slips.items()}
     seen = [at_least(slip, bound) for cells in there.values() for slip in cells]
@@ -130,8 +125,6 @@ def _with_mujoco(found: Found, bound: Quantity) -> Claim:
 
 
 def _with_both(found: Found) -> Claim:
-    """Claim that with a pyramidal cone and contacts that MuJoCo's C engine finds, stiff pads take most of the
-    motion."""
     cases, column = (f"{pads}/c/cone-pyramidal" for pads in ("as-shipped", "stiff")), "grasp_error_mm_per_cycle"
     before, after = (found.cell("error_runtime", case, column, "mm/cycle") for case in cases)
     is_half = None not in (before.value, after.value) and 2.0 * after.value <= before.value
@@ -139,8 +132,6 @@ def _with_both(found: Found) -> Claim:
 
 
 def _coarser_moves(found: Found) -> Claim:
-    """Claim that friction as soft as pressing, and steps four times as long, each move the slip as far as a cause
-    would."""
     shipped, *coarse = (found.cell("lab", case, "slip_mm", "mm") for case in ("as-shipped", "impratio-1", "substeps-4"))
     bound = found.value("friction", "cause_bound", "%")
     there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))

@@ -72,7 +72,6 @@ def _far_inside_cone(results: Results, runs: Mapping[str, Row]) -> Claim:
 
 
 def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> Iterator[Claim]:
-    """Tell whether friction rows have a position residual, and a time constant of their own, which 0 says they lack."""
     formula = "largest position residual of a loaded contact's friction rows, over all looks"
     cells = [row.friction_residual_mm for row in frames]
     largest = results.value("friction_residual", formula, max, *cells, unit="mm")
@@ -86,7 +85,6 @@ def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> 
 
 
 def _slide_claims(results: Results, runs: Mapping[str, Row]) -> Iterator[Claim]:
-    """Tell whether the velocity that is left in the friction rows accounts for the motion, with either pads."""
     bound = results.chosen("slide_departure_bound", "the same motion", 15.0, unit="%")
     formula = "what the velocities of the loaded friction rows add up to, less the motion measured along the same axis"
     gaps = {
@@ -103,7 +101,6 @@ def _slide_claims(results: Results, runs: Mapping[str, Row]) -> Iterator[Claim]:
 
 
 def _step_closes_account(results: Results, stiff: Row, drift: Quantity) -> Claim:
-    """Tell whether slide and the drift that is there without any slide add up to the motion, with stiff pads."""
     whole = results.value(
         "slide_and_step",
         "slide of the friction rows, and the drift in MuJoCo C with the left-out acceleration put back over as long",
@@ -145,7 +142,6 @@ def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -
 
 
 def _is_smaller(results: Results, name: str, small: Quantity, large: Quantity) -> Outcome:
-    """Tell whether one of two lengths is smaller than the other in size, by more than the noise."""
     less, more = (
         results.value(f"{name}_{which}_size", "its size", abs, found, unit="mm")
         for which, found in (("small", small), ("large", large))
@@ -154,7 +150,6 @@ def _is_smaller(results: Results, name: str, small: Quantity, large: Quantity) -
 
 
 def _rest_is_creep(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    """Claim that what the rows' slide leaves over is the motion that is there without any slide."""
     formula = "size of: measured displacement less slide of the rows, less the displacement with the term put back"
     rests = [
         results.value(
@@ -175,7 +170,6 @@ def _rest_is_creep(results: Results, left_out: list[Row], restored: list[Row]) -
 
 
 def _rest_goes_with_step(results: Results, shipped: Row) -> Claim:
-    """Tell whether what moves the cube when nothing slides is proportional to the time step."""
     single, double = shipped.along_mm, results.row["double-step-term-restored"].along_mm
     formula = "displacement with a step twice as long over that with the shipped one, both with the term put back"
     growth = ratio(results, "rest_growth", formula, double, single)
@@ -185,8 +179,6 @@ def _rest_goes_with_step(results: Results, shipped: Row) -> Claim:
 
 
 def _slide_falls_with_timeconst(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    """Return what stiff pads really gain: the displacement also has the creep, which hides a part of what still
-    slides."""
     (shipped, stiff), (_, creep) = left_out, restored
     formula = "slide of the friction rows as shipped, over that with stiff pads"
     slide = ratio(results, "slide_gain", formula, shipped.slide_mm, stiff.slide_mm)

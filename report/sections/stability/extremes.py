@@ -96,7 +96,6 @@ def overlap(results: Results) -> Claim:
     formula = "exit speed over that of an undamped spring"
     shares = [share(results, f"exit_share_{r.case}", formula, r.exit_speed_mm_s, r.exit_bound_mm_s) for r in rows]
     largest = extreme(results, "exit_share_most", "largest share", max, shares)
-    most(results, "exit_fastest", "largest exit speed", rows, "exit_speed_mm_s")
     deepest = most(results, "overlap_deepest", "deepest start", rows, "overlap_mm")
     also = at_most(largest, 100.0, why="no faster than an undamped spring")
     return family_claim(results, "overlaps", rows, also, deepest=deepest, most=largest)
@@ -121,7 +120,6 @@ def gravity(results: Results) -> Iterator[Claim]:
 
 
 def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -> Claim:
-    """Tell whether the hand sinks farther where gravity takes a cube than with any that is held, friction to spare."""
     sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
     held_sink = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
     needed = "largest share of the friction that is needed there"

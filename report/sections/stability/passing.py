@@ -133,7 +133,6 @@ def near_limit() -> tuple[float, float]:
 
 
 def _is_near(value: float, other: float) -> bool:
-    """Tell whether one is within the factor of the other, and on the same side of zero."""
     return value * other > 0.0 and abs(other) / NEAR_FACTOR <= abs(value) <= NEAR_FACTOR * abs(other)
 
 

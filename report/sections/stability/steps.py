@@ -25,8 +25,6 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     safe_ke = least(results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke")
-    most(results, "safe_ke_most", "largest of these ke", safe, "pad_ke")
-    most(results, "safe_creep", "largest creep of these runs", safe, "creep_mm_s")
     step = most(results, "largest_step_tried", "largest step of these runs", safe, "step_ms")
     stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
     margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, safe_ke)

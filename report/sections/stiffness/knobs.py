@@ -40,7 +40,6 @@ def ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     held = list(filter(is_held, runs.ke_alone))
     slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
     low = extreme(results, "ke_alone_least", "least slip of the runs with kd at its default", min, slips)
-    extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
     formula = "least slip with kd at its default, of the slip as shipped"
     of_shipped = share(results, "ke_alone_share", formula, low, results.row[SHIPPED].slip_mm)
     first = extreme(results, "ke_alone_first", "least ke of these runs", min, stiffnesses)

@@ -68,7 +68,6 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
 
 
 def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
-    """Compare the release of the page, which is neither the oldest nor the newest, with the newest."""
     own = results.edition
     before, after = tables.SLIP.cell(ends.releases[own], own), tables.SLIP.cell(ends.releases[ends.new], ends.new)
     moved = change(results, "slip_change_from_here", before, after)

@@ -69,7 +69,6 @@ def _pyramid_as_before(results: Results, ends: Ends) -> Claim:
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:
-    """Derive how far a switched case is from going all the way to the slip of the other release."""
     formula = "how far the switched case goes from the slip of its own release to that of the other"
     share = results.value(
         name, formula, lambda a, b, whole: 100 * (b - a) / (whole - a), start, end, goal, unit="%", across=True

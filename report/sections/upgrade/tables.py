@@ -68,7 +68,6 @@ DRAWN = {
 
 
 def _table(headlines: Sequence[Query], columns: Mapping[str, Sequence]) -> Table:
-    """Make a table with a line for each headline, with its unit, which the cells of a line share."""
     labels = [f"{headline.label} [{unit_label(headline.unit)}]".removesuffix(" []") for headline in headlines]
     return table_of("", labels, columns)
 
@@ -104,7 +103,6 @@ def tried_table(releases: Releases) -> Table:
 
 
 def _cells(releases: Releases, asked: Sequence[Query]) -> Iterator[tuple[str, list[Quantity]]]:
-    """Yield a column for each release."""
     for release, chapters in releases.items():
         yield f"Newton {release}", [each.cell(chapters, release) for each in asked]
 
@@ -147,7 +145,6 @@ def _apart(values: Sequence[float], step: float = 1.3) -> list[float]:
 
 
 def _draw_slips(releases: Releases) -> Drawing:
-    """Draw a line for each way, with its name and its last slip at its end."""
     drawing, axes = new_figure(7.2, 3.4)
     ends: list[tuple[int, Quantity, str, str]] = []
     for headline, (name, colour, dashes) in DRAWN.items():
