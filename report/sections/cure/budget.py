@@ -12,7 +12,6 @@ from measured_report.parts.figures import FAINT, INK, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import listed
 from report.sections.cure.variants import (
     BEST,
     GRASP_MM,
@@ -93,7 +92,8 @@ def _each_takes_its_part(results: Results) -> Claim:
     idle = [after for before, after in pairwise(slips) if greater(slips[before], slips[after], noise=noise) != HOLDS]
     numbers = dict(zip(("shipped", "term", "centred", "impratio", "kept", "best"), slips.values(), strict=True))
     outcome = decided(not idle, *slips.values(), noise)
-    return Claim("each_takes_its_part", outcome, {**numbers, "idle": listed(idle)})
+    listed = " and ".join(filter(None, [", ".join(idle[:-1]), *idle[-1:]]))
+    return Claim("each_takes_its_part", outcome, {**numbers, "idle": listed})
 
 
 def _budget_closes(results: Results, kept: Sequence[Row], bounds: Bounds) -> Claim:

@@ -7,19 +7,29 @@ from statistics import median
 from typing import Any
 
 import pandas as pd
+from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import HOLDS, OPPOSITE, Claim, Outcome, at_least, at_most, greater
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section, Table
+from measured_report.values.labels import label_of
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import case_html, some_html
-from report.shared.arithmetic import cell_count, noise_floor, ratio, rows_with
+from report.shared.arithmetic import cell_count, noise_floor, ratio, rows_with, some_html
 from report.shared.drawing import CURE, TERM, mark_points
 
 VARIANTS = {"term": "the term", "best": "the whole cure"}
 ON_STIFF_PADS = ("firm", "firm-euler")
+LABELS = {
+    "steps-as-shipped-1": "shipped pads, 1 substep",
+    "steps-as-shipped-#": "shipped pads, {} substeps",
+    "steps-stiff-1": "stiff pads, 1 substep",
+    "steps-stiff-#": "stiff pads, {} substeps",
+    "ke-critical-#-#": "pads' ke {}, kd = 2√ke, {} substeps",
+    "ke-kd-#-#-#": "pads' ke {1}, kd {0}, {2} substeps",
+}
+CASE = Markup('<span class="case" title="{}">{}</span>')
 """Variants that runs about other pads are not tried with."""
 FAMILIES = {
     "steps": "steps, shipped and stiff pads",
@@ -78,7 +88,7 @@ def _breaks_nothing(results: Results, runs: Runs, variant: str) -> Claim:
     if plain:
         outcome = at_most(lost_count, 0, why="none of them is lost")
     numbers = {"count": count, "lost_count": lost_count, "won": won_count}
-    lost_names = some_html([case_html(run) for run in lost])
+    lost_names = some_html([CASE.format(run, label_of(run, LABELS)) for run in lost])
     return Claim(f"{name}_breaks_nothing", outcome.having_read(count), numbers | {"lost": lost_names})
 
 

@@ -11,7 +11,6 @@ from measured_report.parts.figures import INK, is_narrow, new_figure, say_value,
 from measured_report.parts.section import Download, Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import name_of
 from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size, size_share
 from report.shared.drawing import CURE, SHIPPED, TERM, mark_cells, name_lines
 
@@ -20,9 +19,23 @@ BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """Variants that one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
-VARIANTS: tuple[str, ...] = ("plain", *NO_HELP, "euler", "rk4", "half-timeconst", "half-step")
-VARIANTS += ("term", "term-pyramidal", "term-rk4", "term-centred", *CURED)
-"""In the order of the figure: without the term and with it."""
+VARIANTS = {
+    "plain": "nothing done",
+    "noslip": "noslip",
+    "impratio": "impratio raised",
+    "pyramidal": "pyramidal cone",
+    "euler": "Euler",
+    "rk4": "RK4",
+    "half-timeconst": "half the time constant",
+    "half-step": "half the step",
+    "term": "term put back",
+    "term-pyramidal": "term put back, pyramidal cone",
+    "term-rk4": "term put back, RK4",
+    "term-centred": "term centred",
+    "term-rk4-impratio": "term put back, RK4, impratio raised",
+    "term-centred-impratio": "term centred, impratio raised",
+}
+"""Labels by variant, in the order of the figure: without the term and with it."""
 
 
 def derive(results: Results) -> Section:
@@ -139,6 +152,6 @@ def _draw(measured: Mapping[str, Value], law: Mapping[str, Value]) -> Drawing:
     axes.axvline(0.0, color=INK, linewidth=0.8, marker="")
     axes.set_xlim(right=1.15 * max((cell.value or 0.0 for cell in cells), default=1.0))
     axes.grid(visible=False, axis="y")
-    name_lines(axes, map(name_of, VARIANTS))
+    name_lines(axes, VARIANTS.values())
     axes.set_xlabel("growth of the distance from the axis [%/s]")
     return drawing
