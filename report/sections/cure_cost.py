@@ -6,16 +6,22 @@ from measured_report.parts.claim import Claim, all_of, at_least, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.names import name_of, worlds_name
 from report.shared.arithmetic import Column, table_of
-from report.shared.timing import TIMED_WORLDS, RowsBy, compared, fine_enough, resolution
+from report.shared.timing import TIMED_WORLDS, RowsBy, compared, fine_enough, resolution, worlds_name
 
 order = 144
 page = "cure"
 label = "what the cure costs"
 
-CASES = ("term", "best", "firm", "firm-euler", "term-rk4")
-TESTED = CASES[:-1]
+CASES = {
+    "term": "term put back",
+    "best": "the whole cure",
+    "firm": "the cure on stiff pads",
+    "firm-euler": "the cure on stiff pads, Euler",
+    "term-rk4": "term put back, RK4",
+}
+"""Labels of what is compared with the scene as shipped."""
+TESTED = tuple(CASES)[:-1]
 """Those that should be no slower."""
 Shares = Mapping[tuple[str, int], Quantity]
 """By case and number of worlds [%]."""
@@ -36,7 +42,7 @@ def derive(results: Results) -> Section:
     costs = [_costs_nothing(results, extra, seen, case) for case in TESTED]
     columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}
     worst = resolution(results, "resolution", compared(results.rows))
-    table = table_of("way", map(name_of, CASES), columns, resolution=worst)
+    table = table_of("way", CASES.values(), columns, resolution=worst)
     return Section(tables={"ways": table}, claims=[*costs, _rk4_is_dear(results, extra, worst)])
 
 

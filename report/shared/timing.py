@@ -18,6 +18,11 @@ TIMED_WORLDS = (1, 4096, 16384)
 """Numbers of worlds that are timed wherever not all are."""
 
 
+def worlds_name(count: int) -> str:
+    """Name a batch of so many worlds."""
+    return f"{format_number(count)} world{'s' * (count > 1)}"
+
+
 class RowsBy(dict):
     """Rows by the cells that tell them apart; of those that were not measured, a row without anything."""
 

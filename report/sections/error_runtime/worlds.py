@@ -10,11 +10,10 @@ from measured_report.parts.claim import HOLDS, Claim, all_of, contiguous, greate
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Value
 from measured_report.values.results import Row
-from report.names import worlds_name
 from report.sections.error_runtime.figures import draw_worlds
 from report.sections.error_runtime.runs import ENGINES, Points
 from report.shared.arithmetic import ratio
-from report.shared.timing import compared, resolution
+from report.shared.timing import compared, resolution, worlds_name
 
 
 def derive_worlds(points: Points) -> tuple[Figure, Claim]:

@@ -8,9 +8,18 @@ from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least,
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.names import case_html, cases_html
-from report.sections.leave_out.tables import ALL, REFERENCE, Timed, audit_table, cost_figure, cost_table
-from report.shared.arithmetic import DEVICES, cell_count, difference, largest_size, noise_floor, ratio, told
+from report.sections.leave_out.tables import ALL, REFERENCE, Timed, audit_table, by_case, cost_figure, cost_table
+from report.shared.arithmetic import (
+    DEVICES,
+    case_html,
+    cases_html,
+    cell_count,
+    difference,
+    largest_size,
+    noise_floor,
+    ratio,
+    told,
+)
 from report.shared.timing import RowsBy, compared, resolution
 
 order = 150
@@ -80,7 +89,7 @@ def derive(results: Results) -> Section:
             _buffers_on_cpu(results, timed, faster),
             _less_memory(results, timed),
             _same_slip_on_gpu(results, runs["cuda"]),
-            _each_helps(faster, [*known.values(), *apart.values()], least),
+            _each_helps(timed, faster, [*known.values(), *apart.values()], least),
             _same_bits(results, runs["cpu"]),
         ],
     )
@@ -180,13 +189,14 @@ def _same_slip_on_gpu(results: Results, runs: Runs) -> Claim:
     largest = largest_size(results, "cuda_largest_difference", formula, ran.values(), unit="mm")
     most = [max(ran, key=lambda case: abs(ran[case].value or 0.0))] if ran else []
     outcome = within(largest, floor) if ran else Outcome("unknown", "no case was run to the end there")
-    return Claim("same_slip_on_gpu", outcome, {"largest": largest, "floor": floor, "most": cases_html(most)})
+    farthest = cases_html(runs.rows[case] for case in most)
+    return Claim("same_slip_on_gpu", outcome, {"largest": largest, "floor": floor, "most": farthest})
 
 
-def _each_helps(faster: Faster, known_within: Sequence[Value], least: Value) -> Claim:
+def _each_helps(timed: Timed, faster: Faster, known_within: Sequence[Value], least: Value) -> Claim:
     """Tell whether each thing left out alone makes a frame faster, with any number of worlds, on any device."""
     alone = {case: [faster[key] for key in faster if key[1] == case] for _, case, _ in faster if case != ALL}
-    helping = [case for case, found in alone.items() if HOLDS in found]
+    helping = [by_case(timed)[case] for case, found in alone.items() if HOLDS in found]
     outcome = decided(len(helping) == len(alone)) if alone else Outcome("unknown", "nothing was left out alone")
     reads = all_of(*(outcome for found in alone.values() for outcome in found)).reads
     outcome = replace(outcome, reads=reads).having_read(*known_within)
@@ -205,5 +215,5 @@ def _same_bits(results: Results, runs: Runs) -> Claim:
     outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
     if others:
         outcome = decided(differing.value == 0, differing, largest)
-    numbers = {"differing": differing, "count": count, "reference": case_html(runs.reference.case)}
+    numbers = {"differing": differing, "count": count, "reference": case_html(runs.reference)}
     return Claim("same_bits", outcome, numbers)

@@ -12,9 +12,9 @@ from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.names import case_html, name_of, worlds_name
-from report.shared.arithmetic import DEVICES, Column, table_of
+from report.shared.arithmetic import DEVICES, Column, case_html, table_of
 from report.shared.drawing import SHIPPED, name_lines
+from report.shared.timing import worlds_name
 
 REFERENCE, ALL = "untrimmed", "without-all"
 Timed = Mapping[tuple[str, str, int], Row]
@@ -40,6 +40,11 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
+def by_case(timed: Timed) -> dict[str, Row]:
+    """Return a row of each case."""
+    return {case: row for (_, case, _), row in timed.items()}
+
+
 def cost_table(
     timed: Timed,
     differences: Mapping[tuple[str, str], Value],
@@ -58,10 +63,10 @@ def cost_table(
     columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
     for device in dict.fromkeys(device for device, _ in places):
         columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
-    other = case_html(cpu_reference.case) if cpu_reference.case != REFERENCE else ""
+    other = case_html(cpu_reference) if cpu_reference.case != REFERENCE else ""
     said: dict[str, Any] = {f"on_{device}": within for device, within in resolutions.items()}
     said |= {f"apart_{device}": most for device, most in apart.items()}
-    return table_of("case", map(case_html, names), columns, cpu_reference=other, **said)
+    return table_of("case", map(case_html, by_case(timed).values()), columns, cpu_reference=other, **said)
 
 
 def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
@@ -75,7 +80,7 @@ def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
         for case in (REFERENCE, ALL)
     }
     times = Markup("; ").join(
-        Markup("{} on the {}, {}: {}").format(name_of(case), DEVICES[device], worlds_name(worlds), time)
+        Markup("{} on the {}, {}: {}").format(by_case(timed)[case].label, DEVICES[device], worlds_name(worlds), time)
         for (device, worlds, case), time in ends.items()
     )
     device, worlds = max(shown, key=lambda panel: panel[1])
@@ -100,7 +105,7 @@ def _draw_cost(timed: Timed, panels: Sequence[tuple[str, int]]) -> Drawing:
         axes.set_xlim(0, 1.15 * axes.get_xlim()[1])
         axes.set_title(f"{DEVICES[device]}\n{worlds_name(worlds)}")
         axes.grid(axis="y", visible=False)
-    name_lines(grid[0][0], map(name_of, names))
+    name_lines(grid[0][0], [row.label for row in by_case(timed).values()])
     drawing.supxlabel("time of a frame as a share of that exactly as shipped [%]", fontsize=10)
     return drawing
 

@@ -6,9 +6,8 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.names import worlds_name
 from report.shared.arithmetic import Column, departure, resolved, table_of
-from report.shared.timing import TIMED_WORLDS, fine_enough, resolution
+from report.shared.timing import TIMED_WORLDS, fine_enough, resolution, worlds_name
 
 LOOP = "each-step-waited-for"
 """The benchmark's loop, run here."""

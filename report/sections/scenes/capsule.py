@@ -9,15 +9,20 @@ from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import name_of
 from report.shared.arithmetic import cell_count, departure, difference, extreme, ratio, share
 from report.shared.drawing import mark_cells, name_lines
 
 ENGINES = ("c", "warp", "newton")
-VARIANTS = (
-    *("recipe", "impratio-1", "impratio-100", "impratio-1000", "pyramidal"),
-    *("stiff", "noslip", "condim-6", "within-pads"),
-)
+VARIANTS = {
+    "recipe": "elliptic cone, impratio 10",
+    **{f"impratio-{impratio}": f"impratio {impratio}" for impratio in (1, 100, 1000)},
+    "pyramidal": "pyramidal cone",
+    "stiff": "stiff pads",
+    "noslip": "noslip",
+    "condim-6": "condim 6",
+    "within-pads": "shorter than the pads",
+}
+"""Labels by variant."""
 PUBLISHED_MM_S = {"recipe": 0.15499, "impratio-1": 1.5, "pyramidal": 2.3, "stiff": 0.05, "noslip": 0.0014}
 """The first from google-deepmind/mujoco pull request 3526, which measured it again, the others from issue 3328."""
 Rows = Mapping[str, Row]
@@ -127,6 +132,6 @@ def _draw(rows: Rows, published: Mapping[str, Value]) -> Drawing:
     ):
         mark_cells(axes, [rows[f"{variant}-c"][column] for variant in VARIANTS], colour, label, **style)
     mark_cells(axes, list(map(published.get, VARIANTS)), SERIES[4], "published", marker="D", markersize=4)
-    name_lines(axes, map(name_of, VARIANTS))
+    name_lines(axes, VARIANTS.values())
     drawing.legend(loc="outside upper center", ncols=3)
     return drawing

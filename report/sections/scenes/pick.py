@@ -11,13 +11,12 @@ from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import name_of
 from report.shared.arithmetic import departure, difference, extreme, share, total
 from report.shared.drawing import mark_points, name_lines
 
 OBJECTS = ("cube", "ball")
 STEPS = ("2ms", "10ms")
-SETTINGS = ("published", "elliptic", "short")
+SETTINGS = {"published": "as published", "elliptic": "elliptic cone", "short": "timeconst 4 ms"}
 ENGINES = {"c": "MuJoCo C", "newton": "MuJoCo Warp through Newton"}
 PUBLISHED_DROP_S = {("cube", "2ms"): 12.052, ("cube", "10ms"): 4.0, ("ball", "2ms"): 6.022, ("ball", "10ms"): 4.0}
 """phys-bench's results for MuJoCo of 2026-01-17: none held (output/mujoco_grasp_shake_*.json)."""
@@ -155,7 +154,7 @@ def _draw(rows: Rows, published: Times) -> Drawing:
         place = runs.index(f"{kind}-2ms-published")
         label = "published" if kind == OBJECTS[0] else None
         mark_points(axes, [(published[kind, "2ms"].value, place)], marker="D", color=INK, label=label)
-    name_lines(axes, map(name_of, runs))
+    name_lines(axes, [f"{kind}, 2 ms, {setting}" for kind in OBJECTS for setting in SETTINGS.values()])
     axes.set(xlim=(4.0, 20.5), xlabel="dropped at [s]; held where an arrow ends it")
     drawing.legend(loc="outside upper center", ncols=1 if is_narrow() else 3)
     return drawing
