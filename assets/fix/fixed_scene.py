@@ -51,7 +51,7 @@ DROP_DISTANCE = 0.08
 
 
 def build_robot() -> ModelBuilder:
-    """The arm with its hand: position targets, limits, gravity compensation, and how the fingers touch."""
+    """Build the arm with its hand: position targets, limits, gravity compensation, and how the fingers touch."""
     robot = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(robot)
     robot.rigid_gap = 0.005
@@ -90,7 +90,7 @@ def build_robot() -> ModelBuilder:
 
 
 def build_scene() -> ModelBuilder:
-    """The arm, the cube in front of it, and the ground."""
+    """Build the scene: the arm, the cube in front of it, and the ground."""
     scene = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(scene)
     scene.add_builder(build_robot())
@@ -191,7 +191,7 @@ def apply_targets(
 
 
 class Example:
-    """What newton.examples.run drives: one frame a step, drawn after it, judged at the end."""
+    """The scene as newton.examples.run drives it: one frame a step, drawn after it, judged at the end."""
 
     def __init__(self, viewer, args):
         self.viewer = viewer
@@ -311,7 +311,7 @@ class Example:
         self.viewer.end_frame()
 
     def summary(self) -> dict[str, float | bool | None]:
-        """How far the cube slipped in the grasp, how fast it drifts along the shake's main axis, and where it ends."""
+        """Tell how far the cube slipped in the grasp, how fast it drifts along the main axis, and where it ends."""
         height = float(self.state_0.body_q.numpy()[self.cube, 2])
         if len(self.in_tcp) < 2:
             return {"slip_mm": None, "drift_mm_s": None, "cube_height_m": height, "dropped": None}
@@ -326,7 +326,7 @@ class Example:
         }
 
     def test_final(self) -> None:
-        """The cube must still be where it was grasped."""
+        """Fail where the cube is not where it was grasped any more."""
         summary = self.summary()
         if summary["slip_mm"] is None:
             raise ValueError("the shake was never reached; it begins after 212 frames")

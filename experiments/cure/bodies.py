@@ -39,7 +39,7 @@ TABLE_M = 0.5
 SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 4.0, "quick": 3.0}}
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s", "end_radius_mm")}
 CAUGHT_S = 2.0
-"""By then a body that was put down at rest turns with the table; its growth is measured after it."""
+"""Time by which a body that was put down at rest turns with the table; its growth is measured after it."""
 CUBE = " ".join(
     f"{x} {y} {z}" for x in (-RADIUS_M, RADIUS_M) for y in (-RADIUS_M, RADIUS_M) for z in (-RADIUS_M, RADIUS_M)
 )
@@ -74,7 +74,7 @@ class Motion:
     """``plane`` or ``table``."""
     mjcf: str
     start: Callable[[mujoco.MjData], None]
-    """Sets positions and velocities."""
+    """Function that sets positions and velocities."""
 
 
 def on_plane(body: str) -> str:
@@ -232,7 +232,7 @@ def run_in_c(
 
 
 class WarpRun:
-    """One motion in MuJoCo Warp, captured and at its start."""
+    """A motion in MuJoCo Warp, captured and at its start."""
 
     def __init__(self, motion: Motion, variant: str, seconds: float, device: wp.Device):
         model, data = started(motion)

@@ -1,4 +1,4 @@
-"""How hard can one shake with the cure? The map of section envelope with the term, and with all of it."""
+"""The map of section envelope with the term, and with the whole cure: how hard can one shake?"""
 
 from dataclasses import replace
 

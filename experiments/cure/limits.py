@@ -1,4 +1,4 @@
-"""Does the cure hold up where the grasp is at its limits? Runs of section stability that it could break, with it."""
+"""Runs of section stability at the limits of the grasp, with the cure, which could break them."""
 
 from dataclasses import replace
 
@@ -13,7 +13,7 @@ from experiments.stability.families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, S
 
 ON_STIFF_PADS = {"firm": FIRM, "firm-euler": FIRM | {"integrator": "euler"}}
 VARIANTS = {"plain": {}, "term": TERMS["term"], "best": BEST, **ON_STIFF_PADS}
-"""What is done about the slip."""
+"""Settings by what is done about the slip."""
 GRID_SUBSTEPS = {"full": (4, 16), "quick": (4,)}
 
 

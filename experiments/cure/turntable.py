@@ -34,7 +34,7 @@ RADIUS_M = 0.2
 MASS_KG = 0.2
 SECONDS = {"full": 6.0, "quick": 3.0}
 SETTLE_S = 1.0
-"""Before this the box sinks into its contacts; the growth is measured after it."""
+"""Time in which the box sinks into its contacts; the growth is measured after it."""
 SAMPLE_S = 0.1
 GROWTHS = ("growth_per_s", "predicted_growth_per_s")
 MJCF = f"""
@@ -68,7 +68,7 @@ ENUMS = {
 
 @dataclass(frozen=True)
 class Turntable:
-    """One run of the box on the table."""
+    """A run of the box on the table."""
 
     name: str
     engine: str = "warp"

@@ -10,7 +10,7 @@ PATCH = "assets/fix/fix.patch"
 ROBOT = "assets/fr3.urdf"
 HUNK = re.compile(r"^@@ .*\n", re.MULTILINE)
 READING = 'URDF = (Path(__file__).parents[1] / "fr3.urdf").read_text(encoding="utf-8")\n'
-"""Where the scene has its robot from; what is offered is alone in its folder and holds it."""
+"""Line by which the scene reads its robot; what is offered is alone in its folder and holds it."""
 
 
 def fix_files() -> dict[str, str]:

@@ -8,7 +8,7 @@ TERMS = {
     "centred": {"contact_bias": True, "bias_centred": True},
     "full": {"contact_bias": True, "bias_centred": True, "bias_normal": True},
 }
-"""What is done about the left-out term; ``full`` also gives it to the normal rows."""
+"""Settings by what is done about the left-out term; ``full`` also gives it to the normal rows."""
 POSITIONS = {"rounded": {}, "kept": {"compensated": True}}
 IMPRATIO = 400.0
 BEST = {"integrator": "euler", "impratio": IMPRATIO, **TERMS["full"], **POSITIONS["kept"]}

@@ -36,11 +36,11 @@ CAPSULE, BOX = wp.constant(int(mujoco.mjtGeom.mjGEOM_CAPSULE)), wp.constant(int(
 CYLINDER = wp.constant(int(mujoco.mjtGeom.mjGEOM_CYLINDER))
 ELLIPSOID = wp.constant(int(mujoco.mjtGeom.mjGEOM_ELLIPSOID))
 NEAR = wp.constant(1e-3)
-"""Of a geom's size: how near to an end, a rim or a face a contact lies on it."""
+"""Share of a geom's size: so near to an end, a rim or a face a contact lies on it."""
 UPRIGHT = wp.constant(0.02)
 """Sine of the tilt below which a cylinder or capsule stands upright: which way it leans is noise then."""
 ALONG = wp.constant(1e-4)
-"""Of the other curvature: below it two surfaces lie along each other."""
+"""Share of the other curvature, below which two surfaces lie along each other."""
 UNIT = wp.constant(wp.mat22(1.0, 0.0, 0.0, 1.0))
 
 
@@ -182,7 +182,7 @@ def place_on(first: Surface, second: Surface, gap: float, turning: wp.vec2, slid
 
 @wp.struct
 class Crossing:
-    """How a contact moves that lies where two edges cross, in its two tangents."""
+    """The motion of a contact where two edges cross, in its two tangents."""
 
     is_there: bool
     over: wp.vec2

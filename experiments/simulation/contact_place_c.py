@@ -12,7 +12,7 @@ PLANE, SPHERE, CAPSULE, ELLIPSOID, CYLINDER, BOX = (
     for name in ("PLANE", "SPHERE", "CAPSULE", "ELLIPSOID", "CYLINDER", "BOX")
 )
 NEAR, UPRIGHT, ALONG = 1e-3, 0.02, 1e-4
-"""As in Warp."""
+"""Bounds as in Warp."""
 UNIT = np.eye(2)
 
 
@@ -31,7 +31,7 @@ def subtract_place(engine: mujoco.MjModel, data: mujoco.MjData, *, centred: bool
 
 @dataclass(frozen=True)
 class Side:
-    """One geom of each contact, where the contact lies on it, in the contact's two tangents."""
+    """A geom of each contact, where the contact lies on it, in the contact's two tangents."""
 
     velocity: np.ndarray
     """Velocity of its body's point at the contact [m/s], shape [contacts, 3]."""

@@ -17,9 +17,9 @@ TABLE = ("carried", "caught")
 FREE = ("impact", "roll", "slide")
 """Motions on a plane whose contacts have no acceleration along their friction that could be left out."""
 Found = Mapping[str, Row]
-"""By variant: nothing done, the term of material points, that in normal rows too, the exact term; or stiff contacts."""
+"""Rows by variant: nothing done, the term of material points, that in normal rows too, the exact term; or the limit."""
 Runs = Mapping[tuple[str, str, str], Found]
-"""By motion, body and engine."""
+"""Runs by motion, body and engine."""
 
 
 def derive(results: Results) -> Section:

@@ -40,7 +40,7 @@ OTHER_CONTACTS = {
 }
 """The whole cure with other contacts than Newton's and with another cone."""
 Bounds = tuple[Value, Value]
-"""Up to which remainder the budget closes: in mm, and in percent of the slip."""
+"""Remainders up to which the budget closes: in mm, and in percent of the slip."""
 COUNTED: dict[str, tuple[str, Callable[..., bool]]] = {
     "closed": ("remainder is below either bound", lambda rest, slip, least, most: rest <= max(least, most * slip)),
     "open": ("remainder is above both bounds", lambda rest, slip, least, most: rest > max(least, most * slip)),

@@ -1,4 +1,4 @@
-"""How hard can one shake with the cure? The map of section envelope with the term, and with the whole cure."""
+"""The map of section envelope with the term, and with the whole cure: how hard can one shake?"""
 
 import numpy as np
 import pandas as pd

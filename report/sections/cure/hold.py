@@ -22,7 +22,7 @@ DRAWN = {
     "kept": ("compensated positions", SERIES[5]),
     "best": ("the whole cure", CURE),
 }
-"""What each trace that is drawn is called, and its colour."""
+"""Name and colour of each trace that is drawn."""
 
 
 def derive(results: Results) -> Section:

@@ -1,4 +1,4 @@
-"""Does the cure hold up at the limits of the grasp, where it could break what holds without it?"""
+"""The cure at the limits of the grasp, where it could break what holds without it."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
@@ -40,7 +40,7 @@ FAMILIES = {
 }
 """Families of runs, and what they vary."""
 Runs = Mapping[str, Mapping[str, Row]]
-"""By the run, and by what is done in it."""
+"""Rows by the run, and by what is done in it."""
 
 
 def derive(results: Results) -> Section:

@@ -26,18 +26,18 @@ WORDS = {
 }
 """Labels of the parts of a case's name; numbers are impratio."""
 GRASP_MM = 80.0
-"""Farther from where it was, a cube is out of the grasp."""
+"""Distance from where it was beyond which a cube is out of the grasp."""
 
 
 @dataclass(frozen=True)
 class Variant:
-    """One combination of parts of the cure."""
+    """A combination of parts of the cure."""
 
     name: str
     case: str
     """Name of its case, with a gap for the shake: contacts, integrator, impratio, pads; term and positions."""
     tested: str = ""
-    """Its name in section cure_cost and at the limits of the grasp, if it was tried in both."""
+    """Name in section cure_cost and at the limits of the grasp, if it was tried in both."""
 
     def row(self, results: Results, shake: str) -> Row:
         return results.row[self.case.format(shake)]
@@ -55,13 +55,13 @@ STEPS = {
     "compensated positions": Variant("the same, positions compensated", "newton-euler-400-shipped-{}-centred-kept"),
     "normal rows": BEST,
 }
-"""One part more each time, by its name."""
+"""Variants with one part more each time, by its name."""
 FIRM = Variant("stiff pads and the cure", "newton-implicitfast-400-stiff-{}-centred-kept", tested="firm")
 FIRM_EULER = Variant("the same, Euler", "newton-euler-400-stiff-{}-centred-kept", tested="firm_euler")
 VARIANTS = (SHIPPED, STIFF, STIFF_TERM, *STEPS.values(), FIRM, FIRM_EULER)
 TESTED = [variant for variant in VARIANTS if variant.tested]
 KF_OFF = Variant("as shipped, kf off", "newton-implicitfast-50-shipped-{}-kf-off")
-"""Where the release reads ``kf``."""
+"""Variant of releases that read ``kf``."""
 
 
 def use_table(results: Results) -> Table:
