@@ -5,14 +5,11 @@ import subprocess
 import sys
 
 from experiments.facts.clip_record import clips_state as state  # noqa: F401, which make status asks
-from measured_report.commands.options import add_options
+from measured_report.commands.options import shared
 from measured_report.editions.environment import add_group
 from measured_report.editions.project import Project
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add whose poses are shown, and where they are rendered."""
-    add_options(parser, "edition", "device", "profile")
+OPTIONS = shared("edition", "device", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -2,7 +2,7 @@
 
 import argparse
 
-from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.deriving.editions import derive_edition
 from measured_report.editions.devices import has_cuda, measuring_device
 from measured_report.editions.project import Project
@@ -11,11 +11,10 @@ from measured_report.pages.prose import Templates
 from report.lab_check import verify_lab
 from report.verify import PROGRAM, verify
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add of which edition, and where."""
-    add_options(parser, "edition", "device")
-    parser.add_argument("--lab", action="store_true", help="1: also with the engine that the page runs, in Node")
+OPTIONS = {
+    **shared("edition", "device"),
+    "lab": {"action": "store_true", "help": "1: also with the engine that the page runs, in Node"},
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

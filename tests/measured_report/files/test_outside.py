@@ -157,11 +157,11 @@ def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_i
     assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page
 
 
-def test_finding_4_a_link_to_a_section_that_is_left_out_leads_nowhere(toy):
+def test_finding_4_a_link_to_a_section_that_is_left_out_leads_to_the_front_page(toy):
     toy.write("templates/front.md.j2", "# A report\n\nMore is [there](#toy).\n")
     toy.record_path.write_text("{")
     toy.build()
-    assert "More is <a>there</a>" in toy.front
+    assert 'More is <a href="index.html">there</a>' in toy.front
     assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
 
 

@@ -16,7 +16,7 @@ from measured_report.changes.bisect import (
 )
 from measured_report.changes.upgrade import seconds_expected
 from measured_report.commands.history import query_of
-from measured_report.commands.options import add_options, refuse_lacking_ends
+from measured_report.commands.options import refuse_lacking_ends, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.devices import measuring_device
 from measured_report.editions.project import Project
@@ -27,11 +27,10 @@ from measured_report.files.suggestion import suggestion
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what is asked, and between which editions."""
-    add_options(parser, "claim", "value", "a", "b", "device")
-    parser.add_argument("--yes", action="store_true", help="1: begin what takes hours on a CPU")
+OPTIONS = {
+    **shared("claim", "value", "a", "b", "device"),
+    "yes": {"action": "store_true", "help": "1: begin what takes hours on a CPU"},
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -4,17 +4,16 @@ import argparse
 
 from measured_report.changes.alarm import check_text
 from measured_report.changes.faults import faults_of
-from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.page import say_damage
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project
 from measured_report.pages.prose import Templates
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which edition is checked, and how that is told."""
-    add_options(parser, "edition", "profile", "format")
-    parser.add_argument("--strict", action="store_true", help="1: end with status 1 when anything can't be trusted")
+OPTIONS = {
+    **shared("edition", "profile", "format"),
+    "strict": {"action": "store_true", "help": "1: end with status 1 when anything can't be trusted"},
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -1,7 +1,7 @@
 """The command line: finds the commands, hands one what was typed, and ends as it did.
 
 A command is a module of this folder, or of a report's ``report/commands/``, that has ``run(project, arguments)``. The
-first line of its docstring is its help, and ``add_arguments(parser)`` adds its options.
+first line of its docstring is its help, and ``OPTIONS`` are its options, as ``add_argument`` takes them.
 """
 
 import argparse
@@ -111,7 +111,8 @@ def parser_of(module: ModuleType) -> Parser:
     """Make the parser of a command."""
     parser = Parser(prog=f"build.py {short_name(module)}", description=help_of(module), allow_abbrev=False)
     parser.set_defaults(edition="", pins="", profile="full")
-    module.add_arguments(parser)
+    for name, option in getattr(module, "OPTIONS", {}).items():
+        parser.add_argument(f"--{name}", **option)
     return parser
 
 

@@ -4,17 +4,19 @@ import argparse
 
 from measured_report.changes.alarm import diff_text
 from measured_report.changes.compare import compare
-from measured_report.commands.options import add_options, one_of, refuse_lacking_ends, refuse_unmeasured
+from measured_report.commands.options import one_of, refuse_lacking_ends, refuse_unmeasured, shared
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project
 from measured_report.pages.prose import Templates
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the editions, and how much is told."""
-    add_options(parser, "a", "b", "profile", "format")
-    values = one_of("VALUES", ("sums", "all"))
-    parser.add_argument("--values", type=values, default="sums", help="all: list every value that moved")
+OPTIONS = {
+    **shared("a", "b", "profile", "format"),
+    "values": {
+        "type": one_of("VALUES", ("sums", "all")),
+        "default": "sums",
+        "help": "all: list every value that moved",
+    },
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -6,10 +6,6 @@ from measured_report.commands.command_line import commands, help_of, options_of,
 from measured_report.editions.project import Project
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add none."""
-
-
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print all commands with the variables that each takes, and what each variable is."""
     said: dict[str, str] = {}

@@ -4,7 +4,7 @@ import argparse
 
 from measured_report.changes import history
 from measured_report.changes.query import Query
-from measured_report.commands.options import add_options
+from measured_report.commands.options import shared
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project
 from measured_report.files.config import config
@@ -12,10 +12,7 @@ from measured_report.files.errors import UsageError
 from measured_report.files.suggestion import suggestion
 from measured_report.pages.prose import Templates
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what is asked."""
-    add_options(parser, "claim", "value", "profile")
+OPTIONS = shared("claim", "value", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

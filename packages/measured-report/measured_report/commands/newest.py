@@ -10,10 +10,6 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add none."""
-
-
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print ``package=release`` and ``with=pins``; nothing where nothing is new."""
     package = config().package

@@ -1,7 +1,7 @@
 """Options that several commands share. Each refuses what makes no sense, in one line."""
 
 import re
-from argparse import ArgumentParser, Namespace
+from argparse import Namespace
 from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any
@@ -68,11 +68,10 @@ SHARED: dict[str, dict[str, Any]] = {
 }
 
 
-def add_options(parser: ArgumentParser, *names: str) -> None:
-    """Add shared options by their names; ``edition`` brings ``with``."""
-    for name in names:
-        for option in (EDITION, "with") if name == "edition" else (name,):
-            parser.add_argument(f"--{option}", **SHARED[option])
+def shared(*names: str) -> dict[str, dict[str, Any]]:
+    """Pick shared options by their names; ``edition`` brings ``with``."""
+    options = (option for name in names for option in ((EDITION, "with") if name == "edition" else (name,)))
+    return {option: SHARED[option] for option in options}
 
 
 def refuse_lacking_ends(arguments: Namespace, command: str) -> None:

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Iterable
 from dataclasses import replace
 
-from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.devices import has_cuda, needs_gpu
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
@@ -13,10 +13,7 @@ from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections
 from measured_report.site.build import build
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which edition is shown first, and where the site will lie."""
-    add_options(parser, "edition", "profile", "address")
+OPTIONS = shared("edition", "profile", "address")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

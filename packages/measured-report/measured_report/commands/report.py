@@ -3,7 +3,7 @@
 import argparse
 import sys
 
-from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.devices import NO_CUDA, measuring_device
 from measured_report.editions.project import Project
@@ -11,10 +11,7 @@ from measured_report.editions.status import states_of
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import measure
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which edition is measured, where and by whom."""
-    add_options(parser, "edition", "device", "cluster", "profile", "address")
+OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -2,7 +2,7 @@
 
 import argparse
 
-from measured_report.commands.options import add_options
+from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import device_of
 from measured_report.editions.devices import NO_CUDA, needs_gpu
@@ -13,11 +13,10 @@ from measured_report.files.suggestion import suggestion
 from measured_report.measuring.measure import measure
 from measured_report.records.identity import sections
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which section is measured, of which edition, where and by whom."""
-    parser.add_argument("--section", default="", help="section to measure")
-    add_options(parser, "edition", "device", "cluster", "profile", "address")
+OPTIONS = {
+    "section": {"default": "", "help": "section to measure"},
+    **shared("edition", "device", "cluster", "profile", "address"),
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from measured_report.changes.bisect import ASIDE, CLONE
-from measured_report.commands.options import add_options
+from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
 from measured_report.editions.environment import environment_of
 from measured_report.editions.project import PROFILES, Project
@@ -15,11 +15,10 @@ from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which edition goes."""
-    add_options(parser, "edition", "address")
-    parser.add_argument("--list", action="store_true", help="1: only list what there is, with sizes")
+OPTIONS = {
+    **shared("edition", "address"),
+    "list": {"action": "store_true", "help": "1: only list what there is, with sizes"},
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

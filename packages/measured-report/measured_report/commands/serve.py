@@ -5,16 +5,22 @@ import subprocess
 import sys
 from functools import partial
 
-from measured_report.commands.options import EDITION, add_options, refuse_unmeasured
+from measured_report.commands.options import EDITION, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError
 from measured_report.site.serving import Server
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add where, and which edition is shown first."""
-    parser.add_argument("--port", type=_port, default="8000", help="where to serve, 8000 if not given")
-    add_options(parser, "edition", "profile")
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 0 < int(text[:6]) < 65536):
+        raise UsageError(f"PORT={text} is no port; use a number from 1 to 65535")
+    return int(text)
+
+
+OPTIONS = {
+    "port": {"type": _port, "default": "8000", "help": "where to serve, 8000 if not given"},
+    **shared("edition", "profile"),
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
@@ -26,9 +32,3 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
     server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0
-
-
-def _port(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and 0 < int(text[:6]) < 65536):
-        raise UsageError(f"PORT={text} is no port; use a number from 1 to 65535")
-    return int(text)

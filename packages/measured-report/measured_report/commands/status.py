@@ -3,15 +3,12 @@
 import argparse
 
 from measured_report.commands.command_line import OWN, commands
-from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.editions.status import states_of, status_matrix, status_table
 from measured_report.files.config import config
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which edition is told of."""
-    add_options(parser, "edition", "profile")
+OPTIONS = shared("edition", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

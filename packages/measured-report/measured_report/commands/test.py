@@ -3,16 +3,15 @@
 import argparse
 import subprocess
 
-from measured_report.commands.options import add_options
+from measured_report.commands.options import shared
 from measured_report.editions.environment import add_cluster, python_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import expected_packages
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which edition is tested, and how much."""
-    add_options(parser, "edition")
-    parser.add_argument("--fast", action="store_true", help="1: only what a change of words or figures needs")
+OPTIONS = {
+    **shared("edition"),
+    "fast": {"action": "store_true", "help": "1: only what a change of words or figures needs"},
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import Any
 
 from measured_report.changes.query import Query
-from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.deriving.chapters import Chapter, Chapters
 from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import Project
@@ -26,10 +26,7 @@ from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Va
 
 ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what is asked, and of which edition."""
-    add_options(parser, "value", "edition", "profile")
+OPTIONS = shared("value", "edition", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -11,7 +11,7 @@ from functools import partial
 from measured_report.changes.alarm import upgrade_text
 from measured_report.changes.compare import compare
 from measured_report.changes.upgrade import base_of, deciding, seconds_expected, unmeasured, verdict
-from measured_report.commands.options import add_options
+from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.devices import NO_CUDA, machine_name, measuring_device
@@ -25,12 +25,13 @@ from measured_report.pages.prose import Templates
 
 STDOUT, STDERR = 1, 2  # as programs that are started from here know them
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add which edition is measured, and which it is compared with."""
-    since = "edition to compare an upgrade with; otherwise the same one unpinned, or the one before"
-    parser.add_argument("--since", type=partial(release_of, option="SINCE"), help=since)
-    add_options(parser, "edition", "device", "profile", "format")
+OPTIONS = {
+    "since": {
+        "type": partial(release_of, option="SINCE"),
+        "help": "edition to compare with; else the same unpinned, or the one before",
+    },
+    **shared("edition", "device", "profile", "format"),
+}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

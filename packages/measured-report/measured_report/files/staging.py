@@ -48,31 +48,31 @@ class Draft:
     def __init__(self, folder: Path, before: Path, there: Mapping[str, str]):
         self.digests: dict[str, str] = {}
         """Of what it holds by now, by name below it."""
-        self._folder, self._before, self._there = folder, before, there
+        self.folder, self._before, self._there = folder, before, there
         self._sources: dict[Path, str] = {}
 
     def write(self, name: str, content: str | bytes) -> None:
         """Put a file there; ``name`` may be below folders, which are made."""
         data = content.encode() if isinstance(content, str) else content
         if not self._stays(name, hashlib.sha256(data).hexdigest()):
-            (self._folder / name).write_bytes(data)
+            (self.folder / name).write_bytes(data)
 
     def copy(self, name: str, source: Path) -> None:
         """Put a copy of the file ``source`` there."""
         if source not in self._sources:
             self._sources[source] = hashlib.sha256(source.read_bytes()).hexdigest()
         if not self._stays(name, self._sources[source]):
-            shutil.copyfile(source, self._folder / name)
+            shutil.copyfile(source, self.folder / name)
 
     def _stays(self, name: str, digest: str) -> bool:
         """Whether what is to be put there is there now: it was put there already, or it was there before."""
         if self.digests.get(name) == digest:
             return True
         self.digests[name] = digest
-        (self._folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
         if self._there.get(name) == digest:
             with suppress(OSError):  # of a file system without such links, or of another one
-                os.link(self._before / name, self._folder / name)
+                os.link(self._before / name, self.folder / name)
                 return True
         return False
 

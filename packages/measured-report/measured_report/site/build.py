@@ -27,8 +27,8 @@ from measured_report.records.identity import files_digest
 from measured_report.records.provenance import package_versions
 from measured_report.records.traces import BYTE_LIMIT
 from measured_report.site.citing import citation, sources
+from measured_report.site.feed import write_feed
 from measured_report.site.pages import Site
-from measured_report.site.root_files import write_root_files
 from measured_report.site.sums import SUMS, sums_text
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
@@ -68,7 +68,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             editions = editions_of(project, templates, derived)
             known = (address, sources(project.root), citation())
             site = Site(draft, project.release, editions, templates, *known, derived)
-            site.write(partial(write_root_files, site))
+            site.write(partial(write_feed, site))
             templates.converter.keep()
             draft.write(SUMS, sums_text(draft.digests))
         replace(project.site, fresh)

@@ -112,10 +112,6 @@ class Site:
     def records(self) -> list[Results]:
         return [chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()]
 
-    @cached_property
-    def tables(self) -> dict[str, bytes]:
-        return {results.source: rows_csv(results.record.rows) for results in self.records}
-
     def beside(self, record: Record) -> list[str]:
         """What was measured on the same host at the same time, where this says how long something takes."""
         if not is_timed(record):
@@ -123,8 +119,8 @@ class Site:
         found = beside(record, (results.record for results in self.records))
         return sorted({other.section.replace("_", " ") for other in found})
 
-    def write(self, root_files: Callable[[], None]) -> None:
-        """Draw all figures, and write data, ``root_files`` and pages of all releases."""
+    def write(self, once: Callable[[], None]) -> None:
+        """Draw all figures, and write data, what is there ``once``, and pages of all releases."""
         places = self.places
         links = {release: _links(self.editions, places, release) for release in places}
         contents = {release: _contents(self.editions[release], self.templates, links[release]) for release in places}
@@ -132,7 +128,7 @@ class Site:
         def write_data() -> None:
             for edition in self.editions.values():
                 self._write_data(edition)
-            root_files()
+            once()
 
         pictures = _draw(contents, self.cache, write_data)
         origins = {}
@@ -212,7 +208,7 @@ class Site:
             path = chapter.results.path
             for file in (path, *traces_of(path, chapter.results.record)):
                 self.draft.copy(f"{folder}{file.name}", file)
-            self.draft.write(f"{folder}{path.stem}.csv", self.tables[chapter.results.source])
+            self.draft.write(f"{folder}{path.stem}.csv", rows_csv(chapter.results.record.rows))
         for file in edition.extras.data:
             self.draft.copy(f"{folder}{file.name}", file)
         for name, file in edition.extras.files.items():

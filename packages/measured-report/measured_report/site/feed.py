@@ -1,4 +1,4 @@
-"""Files at the root of the site, which it has once: feed, site map, picture for links, and all data in one file."""
+"""What a site has once, at its root: the feed, the site map, the picture for links, and all data in one file."""
 
 import uuid
 from collections.abc import Iterator, Mapping
@@ -8,7 +8,6 @@ from operator import itemgetter
 from measured_report.changes.flips import flips_between
 from measured_report.deriving.editions import Edition
 from measured_report.deriving.extras import extras
-from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.site.archive import ARCHIVE, archived
@@ -17,7 +16,7 @@ from measured_report.site.pages import CARD, Site
 TEMPLATES = ("404.html", "robots.txt", "feed.xml", "sitemap.xml")
 
 
-def write_root_files(site: Site) -> None:
+def write_feed(site: Site) -> None:
     """Write all that the site has once."""
     pages = (
         f"{site.places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages
@@ -30,8 +29,9 @@ def write_root_files(site: Site) -> None:
         site.draft.copy("license.txt", ROOT / "LICENSE")
     if card := extras().card(site.editions, site.cache):
         site.draft.write(CARD, card)
-    cache = Cache(site.cache.root) if site.cache.root else None
-    site.draft.write(ARCHIVE, archived(site.editions, site.tables, site.templates, cache))
+    readme = site.templates.layout("archive.txt.j2", {"editions": site.editions})
+    data = {name.removeprefix("data/"): site.draft.folder / name for name in site.draft.digests if "data/" in name}
+    site.draft.write(ARCHIVE, archived(data, readme))
     site.draft.write(".gitkeep", "")
 
 
