@@ -196,16 +196,6 @@ def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, searc
         assert "\n" not in str(refused.value)
 
 
-def test_the_page_of_the_history_is_there_where_there_is_more_than_one_edition(toy, search):
-    toy.build()
-    site = toy.project.site
-    assert (site / "history.html").exists() and check_site(site) == []
-    for release in ("1.5.9", "1.6.9", "1.7.9", "1.8.9"):
-        shutil.rmtree(toy.of(release).project.results)
-    toy.build()
-    assert not (site / "history.html").exists() and check_site(site) == []
-
-
 def test_the_answer_of_a_claim_that_asks_the_contrary_is_what_its_sentence_says(toy, search):
     """It holds where the answer is no, so that neither yes nor true may stand for that."""
     words = TEMPLATE.replace("It helps {{ gain }} times.", "Soft pads do not do.").replace("It does not.", "They do.")
