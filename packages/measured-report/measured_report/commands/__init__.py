@@ -1,1 +1,1 @@
-"""What make and build.py can be asked for, a function each."""
+"""Commands of make and build.py, a module each."""

@@ -20,7 +20,7 @@ from measured_report.records.provenance import git
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
 GENERATOR = "measured-report"
 WRITTEN = ".measured-report.json"
-"""In a report: the digests of the files as they were written."""
+"""Digests of a report's files as they were written."""
 SOURCE = re.compile(rf"(?m)^{GENERATOR} = \{{.*\}}$")
 
 
@@ -80,7 +80,7 @@ def _write(folder: Path, written: Mapping[str, str]) -> list[str]:
 
 
 def _files(folder: Path) -> dict[str, bytes]:
-    """The files of a report in this folder, by their names below it."""
+    """Return the files of a report in this folder, by their names below it."""
     version = "" if (source := _source(folder)) else f"=={metadata.version(GENERATOR)}"
     said = {
         "@NAME@": re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "report",
@@ -100,7 +100,7 @@ def _files(folder: Path) -> dict[str, bytes]:
 
 
 def _source(folder: Path) -> str:
-    """The line of pyproject.toml that says where this generator is from; empty where that is an index.
+    """Return the line of pyproject.toml that says where this generator is from; empty where that is an index.
 
     A wheel is copied into the report, so that it is there wherever the report is.
     """

@@ -43,7 +43,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 
 @dataclass(frozen=True)
 class Provenance:
-    """Where the numbers of all editions come from, as the pages of one of them show them."""
+    """Provenance of the numbers of all editions, as the pages of one of them show them."""
 
     project: Project
     editions: Mapping[str, Edition]

@@ -40,7 +40,7 @@ BUILT = "site"  # what is kept of the last build
 
 @dataclass(frozen=True)
 class Built:
-    """What the pages of a release lack: sections that something changed under since, and those that are left out."""
+    """Lacks of a release's pages: sections that something changed under since, and those that are left out."""
 
     stale: Sequence[str]
     left_out: Sequence[State]
@@ -85,7 +85,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
 
 @contextmanager
 def _uncollected() -> Iterator[None]:
-    """Within it nobody looks for what could be freed: a build keeps what it makes, and is a tenth faster so."""
+    """Look for nothing that could be freed: a build keeps what it makes, and is a tenth faster so."""
     gc.disable()
     try:
         yield
@@ -94,7 +94,7 @@ def _uncollected() -> Iterator[None]:
 
 
 def _digest(project: Project, address: str) -> str:
-    """Of all that the pages are made from."""
+    """Digest all that the pages are made from."""
     roots = {LAYOUT.parent: ["."], ROOT: INPUTS[:-1], project.root: INPUTS}  # often the same, but for the results
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies

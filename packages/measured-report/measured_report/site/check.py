@@ -12,7 +12,7 @@ from measured_report.site.check_numbers import Data, check_numbers
 from measured_report.site.page_reader import SCRIPT, PageReader
 
 SCHEMES = {"", "http", "https", "mailto"}
-"""What a link may begin with: a page may lead anywhere, but nothing that it leads to may run in it."""
+"""Beginnings of links: a page may lead anywhere, but nothing that it leads to may run in it."""
 BLANK = re.compile("[\x00-\x20\x7f-\x9f]")
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
@@ -88,7 +88,7 @@ def _is_elsewhere(address: str) -> bool:
 
 
 def _parts(address: str) -> SplitResult:
-    """An address as browsers read it, which pass over blanks and control characters, and take \\ for /."""
+    """Read an address as browsers do, which pass over blanks and control characters, and take \\ for /."""
     try:
         return urlsplit(BLANK.sub("", address).replace("\\", "/"))
     except ValueError:

@@ -12,9 +12,9 @@ from measured_report.values.quantities import LEAST, MOST, SAME
 ABOVE = ("at most", "within", "no more than", "not more than")
 BELOW = ("at least", "no less than", "not less than")
 SIDES = dict.fromkeys(ABOVE, MOST) | dict.fromkeys(BELOW, LEAST) | {"more than": LEAST, "less than": MOST}
-"""From where each of these words bounds the number behind it."""
+"""Sides from which words bound the number behind them."""
 NOT = re.compile(r"\b(?:no|not|nothing|none|never|neither|nor|nowhere|cannot|without)\b", re.IGNORECASE)
-"""What may turn *more than* and *less than* round, in the same sentence."""
+"""Words that may turn *more than* and *less than* round, in the same sentence."""
 END = re.compile(r"[.;:]\s")
 WORDS = rf"\b({'|'.join(SIDES)})\s(?:a factor of\s)?"
 NUMBER = r'<data value="([^"]+)"([^>]*)>([^<]*)</data>'
@@ -35,7 +35,7 @@ def check_bounds(html: str, page: PageReader, data: Data) -> list[str]:
 
 
 def _said(text: str) -> Iterator[tuple[str, str, str, str]]:
-    """The words of each bound, its value, how that is written, and which bound it has to be, if that is plain."""
+    """Yield the words of each bound, its value, how that is written, and which bound it has to be, if that is plain."""
     for found in BEFORE.finditer(text):
         words, value, attributes, written = found.groups()
         chosen = re.search(f'data-as="({MOST}|{LEAST})"', attributes)
@@ -46,7 +46,7 @@ def _said(text: str) -> Iterator[tuple[str, str, str, str]]:
 
 
 def _drawn(page: PageReader, data: Data) -> Iterator[tuple[str, str, str, str]]:
-    """The same for drawings; what is written as a bound there, and is none, has no words."""
+    """Yield the same for drawings; what is written as a bound there, and is none, has no words."""
     for drawn in page.drawn:
         for value, noise in map(data.number, drawn.sources):
             texts = dict.fromkeys(write(value, noise=noise) for write in WRITES.values()) if value is not None else ()
@@ -67,8 +67,7 @@ def _side(words: str, text: str, place: int) -> str:
 
 
 def _errs(value: Decimal, written: str, side: str) -> bool:
-    """Whether a number is on the wrong side of its value as it is written, or is none; in any way where it has no
-    side."""
+    """Tell whether a number as it is written is on the wrong side of its value, or is none; any, without a side."""
     said = read_number(written)
     if said is None:
         return True

@@ -16,7 +16,7 @@ from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
 
 WRITES = {"": format_number, MOST: format_most, LEAST: format_least}
-"""How a number is written where words say it, by how the page says that it is."""
+"""Writers of numbers in words, by how the page says that they are written."""
 RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 EDITION = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
 TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
@@ -24,7 +24,7 @@ TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
 
 
 class Data:
-    """What a page's numbers point into."""
+    """Data that a page's numbers point into."""
 
     def __init__(self, folder: Path):
         self.folder = folder
@@ -86,7 +86,7 @@ def _check_written(page: PageReader, data: Data) -> list[str]:
 
 
 def _text(number: Mapping[str, str], kept: float | int | None, noise: float | None, data: Data) -> str:
-    """How a number has to be written where it is."""
+    """Write a number as it has to be where it is."""
     text, how = format_number(kept, noise=noise), number.get("data-as", "")
     if number["in"] == "code":
         return format_code(kept)
@@ -100,7 +100,7 @@ def _text(number: Mapping[str, str], kept: float | int | None, noise: float | No
 
 
 def _check_drawn(page: PageReader, data: Data) -> list[str]:
-    """Every number of a drawing, and of its words, is what its source says; what has none is a name or a tick."""
+    """Check that every number of a drawing and of its words is as its source says, or a name or a tick."""
     problems = []
     for drawn in page.drawn:
         rest = drawn.text
@@ -126,7 +126,7 @@ def _check_drawn(page: PageReader, data: Data) -> list[str]:
 
 
 def _check_cells(page: PageReader, data: Data) -> list[str]:
-    """Words in tables have no numbers but those of names, and of words that a record has."""
+    """Check that words in tables have no numbers but those of names, and of words that a record has."""
     left = ((cell, _unnamed(cell, data)) for cell in page.cells if re.search(r"\d", cell))
     return [
         f"the number {number[0]} leads nowhere in the cell: {cell.strip()}"
@@ -136,7 +136,7 @@ def _check_cells(page: PageReader, data: Data) -> list[str]:
 
 
 def _unnamed(text: str, data: Data) -> str:
-    """What is left of a text without names and formulas."""
+    """Return a text without names and formulas."""
     return data.names.sub("", TYPED.sub("", text))
 
 

@@ -24,14 +24,14 @@ SPECIAL = re.compile(r"[&%$#_{}]")
 
 @dataclass(frozen=True)
 class Citation:
-    """What ``CITATION.cff`` says of the report."""
+    """Citation of the report, as ``CITATION.cff`` has it."""
 
     title: str
     license: str
     authors: Sequence[str]
     """Names as people write them."""
     is_group: bool
-    """Whether the first author is no single person."""
+    """Set where the first author is no single person."""
 
     @property
     def names(self) -> str:

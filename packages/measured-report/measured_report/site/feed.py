@@ -1,4 +1,4 @@
-"""What a site has once, at its root: the feed, the site map, the picture for links, and all data in one file."""
+"""Files that a site has once, at its root: the feed, the site map, the picture for links, and all data in one file."""
 
 import uuid
 from collections.abc import Iterator, Mapping
@@ -36,7 +36,7 @@ def write_feed(site: Site) -> None:
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
-    """The feed's entries: each edition, and what flips with it; an id is the same for the same news on any site."""
+    """Yield the feed's entries: each edition, and what flips with it; an id is the same for the same news on any site."""
     before: Edition | None = None
     for release, edition in editions.items():
         if not edition.chapters:

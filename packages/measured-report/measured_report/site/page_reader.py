@@ -1,4 +1,4 @@
-"""The page reader: what a page of a built site holds, as far as it is checked."""
+"""A reader of a built site's pages, as far as they are checked."""
 
 from dataclasses import dataclass
 from html.parser import HTMLParser
@@ -11,7 +11,7 @@ FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "acti
 ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal", "set", "animate"}
 """Elements that run, hold another page, or change where links lead."""
 PICTURES = {"svg", "img", "video", "canvas"}
-"""What says in words what it shows."""
+"""Elements that say in words what they show."""
 
 
 @dataclass
@@ -21,13 +21,13 @@ class Drawn:
     text: str
     sources: list[str]
     is_drawn: bool = True
-    """Whether it may have little room."""
+    """Set where there may be little room."""
     is_tick: bool = False
-    """Whether it stands at an axis, where numbers are places and not measurements."""
+    """Set at an axis, where numbers are places and not measurements."""
 
 
 class PageReader(HTMLParser):
-    """Reads the HTML of a page."""
+    """A reader of the HTML of a page."""
 
     def __init__(self, html: str):
         super().__init__()

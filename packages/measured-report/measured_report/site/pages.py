@@ -36,7 +36,7 @@ ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be th
 
 @dataclass(frozen=True)
 class Content:
-    """What a page of one release has on it, its figures not yet drawn."""
+    """Content of a page of one release, its figures not yet drawn."""
 
     page: Page
     texts: Sequence[Prose]
@@ -48,24 +48,24 @@ class Content:
 
     @property
     def ids(self) -> set[str]:
-        """Those of its parts, but for the first, which is the page, and of what is in them."""
+        """Collect the ids of its parts, but for the first, which is the page, and of what is in them."""
         inner = {name for part in self.parts for name in (*ID.findall(part.body), *(f.anchor for f in part.figures))}
         return inner | {part.anchor for part in self.parts[1:]}
 
     @property
     def passages(self) -> list[Passage]:
-        """Those that stand on it."""
+        """Return the passages that stand on it."""
         return [passage for part in self.parts for passage in part.passages]
 
 
 @dataclass(frozen=True)
 class Link:
-    """One release, as the pages of another one lead to it, from where its own lie at ``base``."""
+    """A release, as the pages of another one lead to it, from where its own lie at ``base``."""
 
     edition: Edition
     base: str
     is_shown: bool
-    """Whether it is the other one itself."""
+    """Set for the other one itself."""
 
     @property
     def release(self) -> str:
@@ -73,7 +73,7 @@ class Link:
 
     @property
     def sections(self) -> dict[str, Mapping[str, Any]]:
-        """What other releases can name of its sections."""
+        """Return what other releases can name of its sections."""
         chapters = self.edition.chapters.values()
         return {chapter.name: chapter.names for chapter in chapters if self.is_shown or not chapter.compares}
 
@@ -96,15 +96,15 @@ class Site:
     editions: Mapping[str, Edition]
     templates: Templates
     address: str
-    """Where it will lie; empty where that is not known."""
+    """Address that it will have; empty where that is not known."""
     sources: str
-    """Where the sources of the report lie on the web; empty where that is not known."""
+    """Address of the report's sources on the web; empty where that is not known."""
     citation: Citation
     cache: DerivedCache
 
     @cached_property
     def places(self) -> dict[str, str]:
-        """Where the pages of each release lie below the site."""
+        """Tell where the pages of each release lie below the site."""
         folders = {release: f"{edition.project.results.name}/" for release, edition in self.editions.items()}
         return {**folders, self.shown: ""}
 
@@ -113,7 +113,7 @@ class Site:
         return [chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()]
 
     def beside(self, record: Record) -> list[str]:
-        """What was measured on the same host at the same time, where this says how long something takes."""
+        """Name what was measured on the same host at the same time, where this says how long something takes."""
         if not is_timed(record):
             return []
         found = beside(record, (results.record for results in self.records))
@@ -186,7 +186,7 @@ class Site:
                 self.draft.write(f"{place}download/{download.name}", download.text)
 
     def _drawn(self, content: Content, place: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
-        """The figures of a page by their ids: the first is a part of it, and those behind it are files."""
+        """Show the figures of a page by their ids: the first is a part of it, and those behind it are files."""
         found: dict[str, Markup] = {}
         has_drawing = False
         for figure in (figure for prose in content.parts for figure in prose.figures):
@@ -247,7 +247,7 @@ def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -
 def _draw(
     contents: Mapping[str, Sequence[Content]], cache: DerivedCache, meanwhile: Callable[[], None]
 ) -> dict[tuple[str, str], Pictures]:
-    """The drawings by release and id of their figures, each drawn once, and ``meanwhile`` done."""
+    """Draw each figure once, by release and id, and do something ``meanwhile``."""
     placed = {
         (release, figure.anchor): figure
         for release, found in contents.items()
@@ -280,6 +280,6 @@ def _addresses(content: Content, contents: Sequence[Content], edition: Edition) 
 
 
 def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
-    """By column: how far apart runs of one case come out, and the largest value that this was seen at."""
+    """Return by column how far apart runs of one case come out, and the largest value that this was seen at."""
     floors = edition.chapters[NOISE].results.floors if NOISE in edition.chapters else {}
     return {column: (floor.spread, floor.magnitude) for column, floor in floors.items()}

@@ -24,7 +24,7 @@ setInterval(async () => {
 }, 500);
 """
 POLICY = {b"default-src 'none'": b"default-src 'none'; connect-src 'self'", b"script-src ": b"script-src 'self' "}
-"""What a page may do besides as it is served: ask for the number of the build, and run the script."""
+"""Rights of a page besides as it is served: ask for the number of the build, and run the script."""
 HOSTS = {"127.0.0.1", "localhost", "[::1]"}
 """Names of this machine: a page from elsewhere, whose name leads here, is not to read what is served."""
 RANGE = re.compile(r"bytes=(\d{1,18})-(\d{0,18})")
