@@ -36,7 +36,7 @@ def write_feed(site: Site) -> None:
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
-    """Yield the feed's entries: each edition, and what flips with it; an id is the same for the same news on any site."""
+    """Yield the feed's entries: editions and what flips with them; an id is the same for the same news anywhere."""
     before: Edition | None = None
     for release, edition in editions.items():
         if not edition.chapters:
