@@ -13,9 +13,9 @@ PLACES = {"": ROOT, GENERATOR: ROOT / "packages/measured-report", "newton_lint":
 FOLDERS = ("experiments", "report", GENERATOR, "newton_lint")
 OUTSIDE = {
     "build": "build.py",
-    "experiments": "experiments/<br>the sections, simulation, scenes, media",
+    "experiments": "experiments/<br>the sections, simulation, media",
     "experiments.facts": "experiments/facts/<br>plain Python for both sides",
-    "report": "report/<br>sections, story, names",
+    "report": "report/<br>sections, story",
     "newton_lint": "newton_lint/<br>the lint",
 }
 """Rooms beside the generator's, by the start of their modules' names, and what they are called in the picture."""
