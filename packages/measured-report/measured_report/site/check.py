@@ -7,8 +7,7 @@ from urllib.parse import SplitResult, unquote, urlsplit
 
 from measured_report.deriving.extras import extras
 from measured_report.pages.prose import LAYOUT
-from measured_report.site.check_bounds import check_bounds
-from measured_report.site.check_numbers import Data, check_numbers
+from measured_report.site.check_numbers import Data, check_bounds, check_numbers
 from measured_report.site.page_reader import SCRIPT, PageReader
 
 SCHEMES = {"", "http", "https", "mailto"}

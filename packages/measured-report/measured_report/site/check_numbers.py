@@ -1,8 +1,9 @@
-"""Check of the numbers on a page, in sentences, tables and drawings: each is what its source says."""
+"""Check of the numbers and bounds on a page, in sentences, tables and drawings: each is what its source says."""
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from decimal import Decimal
 from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,16 @@ from typing import Any
 from measured_report.deriving.sections import labels_of
 from measured_report.files.config import config
 from measured_report.site.page_reader import PageReader
-from measured_report.values.format import format_code, format_least, format_most, format_number, spellings, whole
+from measured_report.values.format import (
+    format_code,
+    format_least,
+    format_most,
+    format_number,
+    read_number,
+    spellings,
+    undusted,
+    whole,
+)
 from measured_report.values.labels import label_of
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
@@ -21,6 +31,19 @@ RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 EDITION = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
 TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
 """Numbers in drawings and in their words that are names and formulas."""
+ABOVE = ("at most", "within", "no more than", "not more than")
+BELOW = ("at least", "no less than", "not less than")
+SIDES = dict.fromkeys(ABOVE, MOST) | dict.fromkeys(BELOW, LEAST) | {"more than": LEAST, "less than": MOST}
+"""Sides from which words bound the number behind them."""
+NOT = re.compile(r"\b(?:no|not|nothing|none|never|neither|nor|nowhere|cannot|without)\b", re.IGNORECASE)
+"""Words that may turn *more than* and *less than* round, in the same sentence."""
+END = re.compile(r"[.;:]\s")
+WORDS = rf"\b({'|'.join(SIDES)})\s(?:a factor of\s)?"
+NUMBER = r'<data value="([^"]+)"([^>]*)>([^<]*)</data>'
+BEFORE = re.compile(WORDS + NUMBER, re.IGNORECASE)
+BEHIND = re.compile(rf"{NUMBER}(?:\s[^\s<]{{1,5}})?\s(at (?:most|least))\b")
+LAST = re.compile(WORDS + "$", re.IGNORECASE)
+OTHER_TAG = re.compile(r"<(?!/?data\b)[^>]*>")
 
 
 class Data:
@@ -144,3 +167,53 @@ def _resolve(data: Any, pointer: str) -> Any:
     for part in pointer.removeprefix("/").split("/"):
         data = data[int(part)] if isinstance(data, list) else data[part]
     return data
+
+
+def check_bounds(html: str, page: PageReader, data: Data) -> list[str]:
+    """Say which bounds of a page err, in its sentences and in the words of its drawings, a line each."""
+    text = OTHER_TAG.sub("", html).replace("&nbsp;", " ")
+    return [
+        f"{words} {written} errs: it is {value}"
+        for words, value, written, side in (*_bounds_said(text), *_bounds_drawn(page, data))
+        if written != SAME and _errs(Decimal(repr(undusted(float(value)))), written, side)
+    ]
+
+
+def _bounds_said(text: str) -> Iterator[tuple[str, str, str, str]]:
+    """Yield the words of each bound, its value, how that is written, and which bound it has to be, if that is plain."""
+    for found in BEFORE.finditer(text):
+        words, value, attributes, written = found.groups()
+        chosen = re.search(f'data-as="({MOST}|{LEAST})"', attributes)
+        yield words, value, written, _side(words, text, found.start()) or (chosen[1] if chosen else "")
+    for found in BEHIND.finditer(text):
+        value, _, written, words = found.groups()
+        yield words, value, written, SIDES[words]
+
+
+def _bounds_drawn(page: PageReader, data: Data) -> Iterator[tuple[str, str, str, str]]:
+    """Yield the same for drawings; what is written as a bound there, and is none, has no words."""
+    for drawn in page.drawn:
+        for value, noise in map(data.number, drawn.sources):
+            texts = dict.fromkeys(write(value, noise=noise) for write in WRITES.values()) if value is not None else ()
+            places = {text: found.start() for text in texts if (found := whole(text).search(drawn.text))}
+            for text in list(places)[:1]:
+                words = LAST.search(drawn.text[: places[text]])
+                if words:
+                    yield words[1], str(value), text, _side(words[1], drawn.text, words.start())
+                elif text not in spellings(value, noise):
+                    yield "", str(value), text, ""
+
+
+def _side(words: str, text: str, place: int) -> str:
+    """``MOST`` or ``LEAST``; empty where what else the sentence says may turn it round."""
+    sentence = END.split(text[max(0, place - 400) : place])[-1] + END.split(text[place : place + 400])[0]
+    is_turned = words.lower() in ("more than", "less than") and NOT.search(sentence)
+    return "" if is_turned else SIDES[words.lower()]
+
+
+def _errs(value: Decimal, written: str, side: str) -> bool:
+    """Tell whether a number as it is written is on the wrong side of its value, or is none; any, without a side."""
+    said = read_number(written)
+    if said is None:
+        return True
+    return {MOST: said < value, LEAST: said > value}.get(side, said != value)
