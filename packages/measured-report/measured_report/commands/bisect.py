@@ -36,7 +36,7 @@ OPTIONS = {
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Find the first edition between A and B that the answer changes in, and which package did it."""
     refuse_lacking_ends(arguments, f"make bisect CLAIM={config().changes.example_claim} A=1.4.0 B=1.8.0")
-    device = measuring_device(arguments.device, "quick")
+    device = measuring_device(arguments.device, "quick") or "cpu"
     query = query_of(arguments)
     if query.section not in sections() or query.section == query.text:
         hint = suggestion(query.section, sections())

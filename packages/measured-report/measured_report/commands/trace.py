@@ -108,12 +108,11 @@ class Provenance:
             known = "not known" if found.noise is None else _in_unit(found.noise, found.unit)
             yield f"  noise       {known}{whence}"
 
-    def _noise_of(self, cell: Pointer) -> str:
+    def _noise_of(self, cell: Pointer, index: int, column: str) -> str:
         """Say the noise of a number of a record, and whence it is known, if it is."""
         found = self._cell(cell.text)
         if not (found and found.noise):
             return ""
-        index, column = cell.cell
         whence = "its frames"
         if f"{column}_p5" not in self._records[cell.file].results.record.rows[index]:
             runs = self._records[f"{cell.file.partition('/')[0]}/{NOISE}.json"].results.record.rows
@@ -141,7 +140,8 @@ class Provenance:
         yield f"from {file}"
         chapter = self._records.get(file) or self._records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
         record = chapter.results.record
-        for index, of_row in groupby((cell for cell in cells if cell.cell), key=lambda cell: cell.cell[0]):
+        places = [(*cell.cell, cell) for cell in cells if cell.cell]
+        for index, of_row in groupby(places, key=lambda place: place[0]):
             yield from self._of_row(record, index, of_row)
         if any(cell.is_trace for cell in cells):
             case = file.removeprefix(chapter.results.source.removesuffix("json")).removesuffix(".csv.gz")
@@ -158,12 +158,12 @@ class Provenance:
             yield f"  stale:      {chapter.state.words}"
         yield f"  again by    {self.project.of(release).rerun(record.section, record.machine['device'])}"
 
-    def _of_row(self, record: Record, index: int, cells: Iterable[Pointer]) -> Iterator[str]:
+    def _of_row(self, record: Record, index: int, cells: Iterable[tuple[int, str, Pointer]]) -> Iterator[str]:
         row = record.rows[index]
         yield f"  row {index}, case {row['case']}"
-        for cell in cells:
-            column = cell.cell[1]
-            yield f"    {column} = {row[column]} {unit_label(record.units[column])}".rstrip() + self._noise_of(cell)
+        for _, column, cell in cells:
+            number = f"    {column} = {row[column]} {unit_label(record.units[column])}".rstrip()
+            yield number + self._noise_of(cell, index, column)
         yield f"    {_settings(row)}"
         count = next((row[name] for name in ("run_count", "repeat_count") if row.get(name)), 1)
         frames = f" of {row['frame_count']} frames" if row.get("frame_count") else ""

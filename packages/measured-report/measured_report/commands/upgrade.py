@@ -59,21 +59,22 @@ def _with_deciding(project: Project, release: Release, device: str | None, *, re
     """Measure the deciding sections of a release that are missing or, if ``renews``, stale; return its report."""
     side = project.of(str(release))
     lacking = _lacking(side, device, renews=renews)
-    if lacking and not device:
+    if not lacking:
+        return side
+    if not device:
         quick = replace(project, profile="quick")
         full, short = (seconds_expected(each, "cpu", deciding(each)) / 60 for each in (project, quick))
         raise UsageError(f"{NO_CUDA}, in about {full:.0f} min, and with PROFILE=quick in about {short:.0f}")
-    if lacking:
-        minutes = max(seconds_expected(side, device, lacking) / 60, 1)
-        what = f"{config().package} {side.release}: measuring {', '.join(lacking)}"
-        print(f"{what}, about {minutes:.0f} min", flush=True)
-        side = kept_by(side, machine_name(device), lacking)
-        try:
-            measure(side, release, lacking, device)
-        except UsageError:
-            raise
-        except ReportError as error:  # what could be measured may say enough
-            print(error, file=sys.stderr)
+    minutes = max(seconds_expected(side, device, lacking) / 60, 1)
+    what = f"{config().package} {side.release}: measuring {', '.join(lacking)}"
+    print(f"{what}, about {minutes:.0f} min", flush=True)
+    side = kept_by(side, machine_name(device), lacking)
+    try:
+        measure(side, release, lacking, device)
+    except UsageError:
+        raise
+    except ReportError as error:  # what could be measured may say enough
+        print(error, file=sys.stderr)
     return side
 
 

@@ -72,7 +72,7 @@ class Section:
             while not self.is_over and all(batch.name in self.results for batch in self.stage):
                 values = [self.results[batch.name].value for batch in self.stage]
                 try:
-                    self.stage = self.waiting = list(self.plan.send(values or None))
+                    self.stage = self.waiting = list(self.plan.send(values or None))  # type: ignore[arg-type]
                 except StopIteration as end:
                     self._write(end.value, at_once)
                     return

@@ -38,6 +38,7 @@ def write_feed(site: Site) -> None:
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
     """Yield the feed's entries: editions and what flips with them; an id is the same for the same news anywhere."""
     before: Edition | None = None
+    older = ""
     for release, edition in editions.items():
         if not edition.chapters:
             continue
@@ -47,13 +48,10 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
         text = claims[0].text if claims else ""
         yield _entry(release, name, text, f"{place}index.html", max(dates.values()))
         for flip in flips_between(before.chapters, edition.chapters) if before else ():
-            title, text = (
-                f"{name}: {flip.after.text}",
-                f"{config().name_of(before.project.release)}: {flip.before.text}",
-            )
+            title, text = f"{name}: {flip.after.text}", f"{older}: {flip.before.text}"
             where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
             yield _entry(f"{release}/{flip.claim}", title, text, where, dates[flip.section])
-        before = edition
+        before, older = edition, name
 
 
 def _entry(key: str, title: str, text: str, address: str, updated: str) -> dict[str, str]:

@@ -165,7 +165,7 @@ class Site:
             "beside": self.beside,
             **names,
         }
-        pages = edition.extras.pages(self.templates)
+        pages = dict(edition.extras.pages(self.templates))
         for content in names["contents"]:
             figures = self._drawn(content, place, pictures, edition.root)
             cited = list(dict.fromkeys(cited.name for part in content.parts for cited in part.of_kind(Cited)))

@@ -11,6 +11,7 @@ from functools import partial
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import BinaryIO
 
 from measured_report.files.errors import UsageError
 
@@ -35,7 +36,7 @@ class _Handler(SimpleHTTPRequestHandler):
 
     server: "Server"
 
-    def send_head(self) -> io.BytesIO | None:
+    def send_head(self) -> BinaryIO | None:
         if re.sub(r":\d*$", "", self.headers.get("Host", "")).lower() not in HOSTS:
             self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
             return None
