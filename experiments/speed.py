@@ -1,4 +1,4 @@
-"""How fast is one world, as shipped and as fixed, in frames of the shake."""
+"""Speed of one world, as shipped and as fixed, in frames of the shake."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ CASES = (
     replace(AS_SHIPPED, name="all-gaps-zero", cube_gap_m=0.0, robot_gap_m=0.0, ground_gap_m=0.0),
     FIXED,
 )
-"""The others are compared with the first."""
+"""Compared with the first of them."""
 
 
 def measure(conditions: Conditions) -> Plan:

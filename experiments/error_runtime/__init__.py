@@ -13,7 +13,7 @@ from experiments.facts import metrics
 from experiments.facts.case import FIXED, Case, differences
 from experiments.facts.trace import Trace
 from experiments.simulation import frame_benchmark
-from experiments.simulation.frame_benchmark import Frames, WarmState, build_frames, untimed
+from experiments.simulation.frame_benchmark import Frames, WarmState, build_frames, untimed, warm_state
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.paired_timing import PairedTimes, time_in_turn
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
@@ -30,14 +30,14 @@ HALF_CYCLE = 30
 CAP_S = 64.0
 """Seconds after which the settings are not looked at again."""
 WORLDS_CAP_S = 10.0
-"""The same of the numbers of worlds, since C on a core that others share is never known to the resolution."""
+"""Seconds for the numbers of worlds: C on a core that others share is never known to the resolution."""
 REFERENCE = "as-shipped/newton/substeps-16"
-"""The setting that the time of each is compared with."""
+"""Setting that the time of each is compared with."""
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 RATIO = ("time_ratio", "time_ratio_p5", "time_ratio_p95", "ratio_resolution")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95", *RATIO)
 ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)
-"""The fixed scene in C on one core."""
+"""Fixed scene in C on one core."""
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -91,7 +91,7 @@ def starts_by_pads(pilot: Simulation, frame_count: int) -> Mapping[str, Start]:
 
 
 class WarpShake:
-    """One setting as a simulation of one world, compiled, captured and at the start of the shake."""
+    """A setting as a simulation of one world, compiled, captured and at the start of the shake."""
 
     def __init__(self, point: Setting, pilot: Simulation, device: wp.Device):
         device = wp.get_device(point.case.device) if point.case.device else device
@@ -166,7 +166,7 @@ def measure_times(conditions: Conditions, names: Sequence[str]) -> dict[str, dic
     """Time frames of the settings of these names in turn, against the first of them; columns by name."""
     device = wp.get_device(conditions.device)
     by_name = {point.case.name: point for point in settings(conditions.profile, cpu_too=conditions.is_cuda)}
-    warm = WarmState(list(PADS.values()), device)
+    warm = warm_state(conditions.device)
     starts = starts_by_pads(pilot_at_shake(PADS.values(), device), WARMUP_COUNT + HALF_CYCLE)
     blocks = {name: blocks_of(by_name[name], warm, starts) for name in names}
     found = time_in_turn(list(blocks.values()), cap_s=CAP_S)
@@ -214,7 +214,7 @@ def time_columns(reason: str | None, found: PairedTimes) -> dict[str, object]:
 def measure_worlds(conditions: Conditions) -> list[dict]:
     """Return a row for each number of worlds, and one for C on one core, in turn with which all are timed."""
     device = wp.get_device(conditions.device)
-    warm = WarmState([FIXED], device)
+    warm = warm_state(conditions.device)
     start = starts_by_pads(pilot_at_shake(PADS.values(), device), FRAME_COUNT)["stiff"]
     native = NativeFrames(ONE_CORE, start, invalid_reason(ONE_CORE, NativeShake(ONE_CORE, start).run()))
     counts = WORLD_COUNTS["quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"]

@@ -1,4 +1,4 @@
-"""The points of the diagram of error against run time: which settings, with which pads, through which engine."""
+"""Points of the diagram of error against run time: settings, with either pads, through one engine or another."""
 
 from dataclasses import dataclass, replace
 
@@ -29,7 +29,7 @@ METHODS = {
     "cpu": {"device": "cpu"},
     "c-rk4": {"backend": "mujoco", "integrator": "rk4"},
 }
-"""Whose contacts, through which engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
+"""Contacts, engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
 each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
 KNOBS = {
     "full": {
@@ -45,7 +45,7 @@ KNOBS = {
     },
     "quick": {"as-shipped": {"iterations": (1, 200), "cone": ("pyramidal",), "impratio": (1.0,)}, "stiff": {}},
 }
-"""What else is varied, one at a time, in the method and with the substeps as shipped."""
+"""Parameters varied one at a time, in the method and with the substeps as shipped."""
 CONVERGED = {"integrator": "rk4", "iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}
 MODEL_FIELDS = ("cone", "impratio")
 """Knobs that make it another model, which converges to another solution."""
@@ -56,7 +56,7 @@ FRAME_COUNT = 60 * CYCLE_COUNT + 1
 
 @dataclass(frozen=True)
 class Setting:
-    """One point of the diagram."""
+    """A point of the diagram."""
 
     case: Case
     pads: str
@@ -64,20 +64,20 @@ class Setting:
     method: str
     """Key of METHODS, ``c`` or ``reference``."""
     knob: str
-    """The parameter that is varied."""
+    """Parameter that is varied."""
 
     @property
     def is_native(self) -> bool:
-        """Whether it runs in MuJoCo's own loop."""
+        """Tell whether it runs in MuJoCo's own loop."""
         return self.case.backend == "mujoco"
 
 
 def settings(profile: str, *, cpu_too: bool) -> list[Setting]:
-    """All points: substeps of each method, the other knobs as shipped, and whatever is in Warp also in C.
+    """Return all points: substeps of each method, the other knobs as shipped, and all that is in Warp also in C.
 
     Args:
         profile: ``full`` or ``quick``.
-        cpu_too: Whether Warp is run on the CPU as well.
+        cpu_too: Run Warp on the CPU as well.
     """
     points = []
     for pads, base in PADS.items():
@@ -101,13 +101,13 @@ def setting(case: Case, pads: str, method: str, knob: str) -> Setting:
 
 
 def native_of(point: Setting) -> Setting:
-    """The same setting in MuJoCo's C engine, which makes its own contacts in every step."""
+    """Return the same setting in MuJoCo's C engine, which makes its own contacts in every step."""
     case = replace(point.case, backend="mujoco", contacts="newton", collide_count=1, device=None)
     return setting(case, point.pads, "c-rk4" if case.integrator == "rk4" else "c", point.knob)
 
 
 def reference_of(point: Setting, substeps: int) -> Setting:
-    """The converged solution of the setting's model, in C."""
+    """Return the converged solution of the setting's model, in C."""
     model = {name: getattr(point.case, name) for name in MODEL_FIELDS}
     case = replace(PADS[point.pads], backend="mujoco", substeps=substeps, frame_count=FRAME_COUNT, **CONVERGED, **model)
     name = f"{point.pads}/reference/{case.cone}-impratio-{case.impratio:g}-substeps-{substeps}"

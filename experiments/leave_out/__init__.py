@@ -1,4 +1,4 @@
-"""What the scene pays for and does not need: left out one at a time, then all together."""
+"""Parts that the scene pays for and does not need: left out one at a time, then all together."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -34,7 +34,7 @@ WITHOUT = {
 }
 """Parameters by the name of what they leave out."""
 IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
-"""Those that are in the engine's model. The others are about how the model is run."""
+"""Parts of the engine's model. The others are about how the model is run."""
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}

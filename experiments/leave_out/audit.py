@@ -49,9 +49,9 @@ class Item:
 
     name: str
     present: float
-    """How much of it there is."""
+    """Amount that there is."""
     used: float
-    """How much of it the run used."""
+    """Amount that the run used."""
     note: str = ""
     """Names those that are not used, where that helps."""
 

@@ -2,8 +2,6 @@
 
 import gc
 
-import warp as wp
-
 from experiments.facts.case import FIXED
 from experiments.scaling.testspeed import STEP_COUNTS, measure_ways
 from experiments.simulation.frame_benchmark import (
@@ -13,6 +11,7 @@ from experiments.simulation.frame_benchmark import (
     WarmState,
     build_frames,
     untimed,
+    warm_state,
     world_rate,
 )
 from experiments.simulation.measurement import Conditions, Measurement, absent
@@ -38,7 +37,7 @@ def measure(conditions: Conditions) -> Plan:
 
 def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:
     """Return a row for each number of worlds; all are built before one is timed."""
-    warm = WarmState([FIXED], wp.get_device(conditions.device))
+    warm = warm_state(conditions.device)
     counts = WORLD_COUNTS["quick" if conditions.quick or not conditions.is_cuda else "full"]
     built = [Worlds(warm, world_count) for world_count in counts]
     return [worlds.row() for worlds in built]

@@ -22,9 +22,9 @@ from experiments.simulation.ablations import ABLATIONS
 from experiments.simulation.frame_benchmark import (
     EngineSteps,
     Frames,
-    WarmState,
     build_frames,
     time_columns,
+    warm_state,
     world_rate,
 )
 from experiments.simulation.measurement import Conditions
@@ -41,7 +41,7 @@ TIMEOUT_S = 300.0
 
 def measure_ways(conditions: Conditions, world_count: int, step_count: int) -> list[dict[str, object]]:
     """Return a row for the benchmark, and one for each way to run."""
-    warm = WarmState([LEAN], wp.get_device(conditions.device))
+    warm = warm_state(conditions.device)
     whole = build_frames(LEAN, world_count, warm)
     simulation = whole.simulation
     warm.put(simulation, LEAN)

@@ -4,13 +4,14 @@ import gc
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import warp as wp
 
-from experiments.facts.case import AS_SHIPPED, Case, build_key
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, build_key
 from experiments.simulation.measurement import absent
 from experiments.simulation.paired_timing import BATCH_COUNT, CAP_S, PairedTimes, pool_builds, time_in_turn
 from experiments.simulation.recorder import Recorder
@@ -39,11 +40,13 @@ BLOCK_FRAME_COUNT = 4
 LARGE_BATCH = 8192
 """From so many worlds on a block is one frame."""
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
-"""How often each simulation is built that takes no more than SHARE_AGAIN: see ``paired_timing``."""
+"""Builds of each simulation that takes no more than SHARE_AGAIN: see ``paired_timing``."""
 SHARE_AGAIN = 1 / 32
 """Share of a device's memory up to which a simulation is built again."""
 SHARE_BUILT = 1 / 8
 """The same of all that is built beside the first case: once it takes more, it is timed before more is built."""
+PADS = AS_SHIPPED, STIFF_PADS
+"""Cases with the pads that frames are timed with."""
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
 """Time of a frame over that of the case that it is compared with, and half of the interval of this ratio."""
 TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95", *RATIO)
@@ -51,15 +54,14 @@ TIMED = (*TIMES, "buffer_bytes_per_world")
 
 
 class WarmState:
-    """The states that blocks start from: in each round all cases with the same pads start from the same.
+    """States that blocks start from: in each round all cases with the same pads start from the same.
 
     There are as many as ``paired_timing`` takes rounds in which each is seen once.
     """
 
-    def __init__(self, cases: Sequence[Case], device: wp.Device):
+    def __init__(self, device: wp.Device):
         self.device = device
-        self.pads = list(dict.fromkeys((case.pad_ke, case.pad_kd) for case in cases))
-        simulation = in_the_shake([replace(AS_SHIPPED, pad_ke=ke, pad_kd=kd) for ke, kd in self.pads], device)
+        simulation = in_the_shake(PADS, device)
         self.states = []
         for _ in range(BATCH_COUNT):
             self.states.append(_state_of(simulation))
@@ -67,8 +69,14 @@ class WarmState:
 
     def put(self, target: Simulation, case: Case, number: int = 0) -> None:
         """Put all worlds of ``target`` where the case starts in the round of that number."""
-        world = self.pads.index((case.pad_ke, case.pad_kd))
+        world = [(pads.pad_ke, pads.pad_kd) for pads in PADS].index((case.pad_ke, case.pad_kd))
         put_in_state_of(target, self.states[number % BATCH_COUNT], world)
+
+
+@cache
+def warm_state(device: str) -> WarmState:
+    """Return the warm states of the device of that alias, built once in a process."""
+    return WarmState(wp.get_device(device))
 
 
 def _state_of(simulation: Simulation) -> Any:
@@ -89,7 +97,7 @@ def _state_of(simulation: Simulation) -> Any:
 
 
 class Clone(Simulation):
-    """The same simulation once more: all that a frame changes has memory of its own, model and collision are shared."""
+    """A simulation built once more: all that a frame changes has memory of its own, model and collision are shared."""
 
     def __init__(self, of: Simulation):
         vars(self).update(vars(of))
@@ -232,9 +240,9 @@ class Comparison:
 
     def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
         self.first, self.world_count, self.device = cases[0], world_count, device
-        self.warm = WarmState(cases, device)
+        self.warm = warm_state(device.alias)
         self.reference: Frames | None = None
-        """The first build of the first case, once it is timed."""
+        """First build of the first case, once it is timed."""
         self.rows: dict[str, dict] = {}
         """Columns by case of its first build, or why it has none."""
         self.builds: dict[str, list[PairedTimes]] = {}

@@ -1,4 +1,4 @@
-"""The headline measured once more, for whoever doubts it, into a file of its own and not among the results:
+"""Measure the headline once more, for whoever doubts it, into a file of its own and not among the results:
 ``python -m experiments.simulation.headline --device cpu --json FILE``."""
 
 import argparse

@@ -22,9 +22,9 @@ CASES = {
 }
 """Labels of what is compared with the scene as shipped."""
 TESTED = tuple(CASES)[:-1]
-"""Those that should be no slower."""
+"""Cases that should be no slower."""
 Shares = Mapping[tuple[str, int], Quantity]
-"""By case and number of worlds [%]."""
+"""Shares [%] by case and number of worlds."""
 
 
 def derive(results: Results) -> Section:

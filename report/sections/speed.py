@@ -1,4 +1,4 @@
-"""How fast one world runs: as shipped, as fixed, and with either change alone."""
+"""Speed of one world: as shipped, as fixed, and with either change alone."""
 
 from collections.abc import Sequence
 

@@ -51,7 +51,7 @@ class Runs:
     """Runs to the end on a device, which are the same in the rows of all numbers of worlds."""
 
     rows: Mapping[str, Row]
-    """By case."""
+    """Rows by case."""
     reference: Row
     """The untrimmed scene, or the first case that was run to the end."""
     differences: Mapping[str, Value]

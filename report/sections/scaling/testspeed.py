@@ -25,7 +25,7 @@ WAYS = {
 }
 """Names of the ways to run, each a switch from the one before; the last are switches from whole frames."""
 SAME = 10.0
-"""How near the benchmark's speed and that of its loop run here count as the same [%]."""
+"""Chosen: how near the benchmark's speed and that of its loop run here count as the same [%]."""
 
 
 def compare_with_benchmark(results: Results) -> tuple[Table, list[Claim]]:

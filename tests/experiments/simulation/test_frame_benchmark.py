@@ -9,7 +9,7 @@ import warp as wp
 from experiments import reproduction, scaling
 from experiments.facts.case import AS_SHIPPED, FIXED, Case
 from experiments.simulation import frame_benchmark, simulation
-from experiments.simulation.frame_benchmark import TIMED, Clone, WarmState, time_cases
+from experiments.simulation.frame_benchmark import TIMED, Clone, WarmState, time_cases, warm_state
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.paired_timing import BATCH_COUNT
 from experiments.simulation.simulation import Simulation
@@ -22,16 +22,9 @@ NO_MEMORY = RuntimeError("Failed to allocate 1024 bytes on device 'cpu'")
 DEVICE_FAULT = RuntimeError("CUDA error 719: unspecified launch failure")
 
 
-@pytest.fixture(scope="module")
-def warm() -> WarmState:
-    """States of the shake with either pads."""
-    return WarmState([AS_SHIPPED, FIXED], wp.get_device("cpu"))
-
-
 @pytest.fixture
-def piloted(monkeypatch, warm) -> None:
-    """Whoever times cases finds the way to the shake gone already."""
-    monkeypatch.setattr(frame_benchmark, "WarmState", lambda cases, device: warm)
+def warm() -> WarmState:
+    return warm_state("cpu")
 
 
 def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(warm):
@@ -48,7 +41,7 @@ def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(warm):
     assert batch_invalid_reason(two) is None
 
 
-def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(piloted):
+def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory():
     cpu = wp.get_device("cpu")
     found = time_cases([AS_SHIPPED, SMALL], 2, cpu, cap_s=0.0)
     assert found["as-shipped"]["frame_ms"] > 0.0 and found["as-shipped"]["buffer_bytes_per_world"] > 0
@@ -60,7 +53,7 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(piloted):
 
 
 @pytest.mark.parametrize("share", [0.0, -1.0])
-def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, piloted, warm, share):
+def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, warm, share):
     """Whether all are timed at once, or the memory has no room for more than one case beside the first."""
     cpu, pairs = wp.get_device("cpu"), []
 
@@ -121,7 +114,7 @@ def refusing(error: Exception, most: int = 0) -> type[Simulation]:
     return Refusing
 
 
-def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch, piloted):
+def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch):
     cpu = wp.get_device("cpu")
     monkeypatch.setattr(frame_benchmark, "Simulation", refusing(NO_MEMORY, most=1))
     assert time_cases([AS_SHIPPED], 2, cpu)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)
