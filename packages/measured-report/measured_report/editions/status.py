@@ -7,7 +7,6 @@ from pathlib import Path
 
 from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
-from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import changes, identity_of, sections
@@ -61,7 +60,7 @@ def _read_state(project: Project, section: str) -> State:
     if not os.path.lexists(path):
         return State(section, "missing")
     try:
-        return State(section, "fresh", load_record(path, Cache(project.root)))
+        return State(section, "fresh", load_record(path))
     except RecordError as error:
         return State(section, "damaged", notes=(str(error),))
 

@@ -1,4 +1,4 @@
-"""Converting: texts of Markdown made into HTML, each once: what comes of one is kept from build to build.
+"""Converting: texts of Markdown made into HTML.
 
 What a template prints passes as a token between two private characters, so that none of it is taken for Markdown.
 """
@@ -6,28 +6,23 @@ What a template prints passes as a token between two private characters, so that
 import re
 import secrets
 from dataclasses import dataclass
-from hashlib import sha256
-from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 from markdown import Markdown
 from markdown.extensions.toc import slugify
 from markupsafe import Markup
 
-from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 
 # The token has a part that nobody can know before, so that no text of a record can be one.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 BLANK = "\ue002"
-"""Stands for ``OPEN`` in what is kept."""
+"""Stands for ``OPEN`` in what was converted."""
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
 TITLE = re.compile(r"\s*<(h[12])[^>]*>.*?</\1>", re.DOTALL)
 HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
 # It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
 ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
-KEPT = "markdown"
 
 
 def token(printed: list[Any], thing: Any) -> Markup:
@@ -46,31 +41,11 @@ class Converted:
     """Id and text of each heading right below the title."""
 
 
-class Converter:
-    """Markdown, and what it made of the same texts before, where there is a cache."""
+def converted(text: str, place: str, anchor: str, level: int) -> Converted:
+    """Make HTML of a text of the template ``place``, with a ``BLANK`` at the beginning of each token.
 
-    def __init__(self, cache: Cache | None):
-        self._cache = cache
-        self._made_by = version("markdown"), Path(__file__).read_bytes()
-        self._before: dict[str, Converted] = (cache and cache.get(KEPT, self._made_by)) or {}
-        self._now: dict[str, Converted] = {}
-
-    def converted(self, text: str, place: str, anchor: str, level: int) -> Converted:
-        """What Markdown makes of a text of the template ``place``, with a ``BLANK`` at the beginning of each token.
-
-        Its title is of that level, and the ids of further headings begin with ``anchor``.
-        """
-        digest = sha256(repr((text.replace(OPEN, BLANK), place, anchor, level)).encode()).hexdigest()
-        self._now[digest] = self._before.get(digest) or _convert(text, place, anchor, level)
-        return self._now[digest]
-
-    def keep(self) -> None:
-        """Keep what was converted this time, and no more."""
-        if self._cache and self._now.keys() != self._before.keys():
-            self._cache.put(KEPT, self._made_by, self._now)
-
-
-def _convert(text: str, place: str, anchor: str, level: int) -> Converted:
+    Its title is of that level, and the ids of further headings begin with ``anchor``.
+    """
     headings = {
         "baselevel": level,
         "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),

@@ -1,26 +1,19 @@
 """The page: templates of Markdown with values in it, made into HTML."""
 
-import marshal
 import re
-import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cache as once
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
 
 import jinja2
 from markupsafe import Markup, escape
 
-from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.pages import passages
-from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter, token
+from measured_report.pages.converting import BLANK, CLOSE, OPEN, converted, token
 from measured_report.pages.passages import Passage, PassageTag
-from measured_report.parts import citations, words
 from measured_report.parts.citations import Cited, StatedTag, references
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
@@ -89,7 +82,6 @@ class Text:
     template: jinja2.Template
     words: Mapping[tuple[str, str], Wording]
     """What it says of claims, figures and tables, by kind and name."""
-    converter: Converter
 
     def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
         """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
@@ -98,16 +90,15 @@ class Text:
         with _named(self.name):
             text = self.template.render({**names, "printed": printed, "passages": standing})
         text = LINK.sub(lambda link: token(printed, Inner(link[1])), text)
-        found = self.converter.converted(text, self.name, anchor, level)
+        found = converted(text, self.name, anchor, level)
         headings = [(place, _put_back(heading, printed)) for place, heading in found.headings]
         return Prose(_put_back(found.title, printed), found.body, printed, anchor, headings, standing)
 
 
 class Templates:
-    """The templates of one project; a name that does not exist is an error, and what was compiled is kept."""
+    """The templates of one project; a name that does not exist is an error."""
 
-    def __init__(self, folder: Path, cache: Cache | None = None):
-        self._cache = cache
+    def __init__(self, folder: Path):
         own, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
         self._loader = jinja2.ChoiceLoader([own, base, jinja2.PrefixLoader({"layout": base})])
         self._layout = jinja2.Environment(
@@ -126,7 +117,6 @@ class Templates:
         self._prose.add_extension(PassageTag)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
-        self.converter = Converter(cache)
 
     def text(self, name: str) -> Text:
         """A template of Markdown; it is parsed once."""
@@ -137,18 +127,11 @@ class Templates:
 
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._loader.get_source(self._prose, name)
-        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self.references), repr(self._pairs), source
-        entry = f"template.{name.replace('/', '.')}"
-        found = self._cache and self._cache.get(entry, made_from)
-        if not found:
-            refuse_typed(source)
-            parsed = self._prose.parse(source, name, path)
-            words = worded(self._prose, parsed, f"templates/{name}")
-            found = marshal.dumps(self._prose.compile(parsed, name, path)), words
-            if self._cache:
-                self._cache.put(entry, made_from, found)
-        code, words = found
-        template = jinja2.Template.from_code(self._prose, marshal.loads(code), self._prose.make_globals(None))
+        refuse_typed(source)
+        parsed = self._prose.parse(source, name, path)
+        words = worded(self._prose, parsed, f"templates/{name}")
+        code = self._prose.compile(parsed, name, path)
+        template = jinja2.Template.from_code(self._prose, code, self._prose.make_globals(None))
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
@@ -158,19 +141,12 @@ class Templates:
             return _put_back(" ".join(text.split()).replace(OPEN, BLANK), printed)
 
         words = {what: replace(each, render=render) for what, each in words.items()}
-        return Text(name, template, words, self.converter)
+        return Text(name, template, words)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         """Render a template of HTML."""
         with _named(template):
             return self._layout.get_template(template).render(names)
-
-
-@once
-def _own_code() -> tuple[bytes, ...]:
-    """What decides what becomes of a template."""
-    modules = sys.modules[__name__], words, citations, passages
-    return tuple(Path(str(module.__file__)).read_bytes() for module in modules)
 
 
 def stylesheet() -> str:

@@ -1,10 +1,8 @@
 """Reading: a record is known to be one, field by field, before anything else sees it."""
 
-import hashlib
 import json
 from dataclasses import fields
 from datetime import datetime
-from functools import cache as once
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -12,9 +10,7 @@ import msgspec
 from msgspec import Meta, Struct
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path
-from measured_report.files.cache import Cache
-from measured_report.files.config import FILE, config
-from measured_report.files.root import ROOT
+from measured_report.files.config import config
 from measured_report.records.columns import UNPRINTABLE, name_problem
 from measured_report.records.identity import Identity
 from measured_report.records.record import SCHEMA, Record, Seal, Text, check_record
@@ -44,30 +40,15 @@ class _Measured(Struct):
     ended: Text = ""
 
 
-def load_record(path: Path, cache: Cache | None = None) -> Record:
-    """The record at ``path``, or RecordError, one line with its release and file, when it is damaged in any way.
+def load_record(path: Path) -> Record:
+    """Read the record at ``path``; RecordError, one line with its release and file, when it is damaged in any way.
 
-    The traces that it seals are there and are the ones that were measured with it. What ``cache`` has, since it was
-    found whole before, is not checked again.
+    The traces that it seals are there and are the ones that were measured with it.
     """
-    content = read_own_file(path, BYTE_LIMIT)
-    entry, made_from = f"record.{'.'.join(path.parts[-3:])}", (_own_code(), hashlib.sha256(content).digest())
-    record: Record | None = cache.get(entry, made_from) if cache else None
-    if not record:
-        record = _checked(content, path)
-        if cache:
-            cache.put(entry, made_from, record)
+    record = _checked(read_own_file(path, BYTE_LIMIT), path)
     for case, seal in (record.traces or {}).items():
         sealed_content(trace_path(path, case), seal)
     return record
-
-
-@once
-def _own_code() -> bytes:
-    """What decides what is found whole, and how it is read."""
-    files = [Path(__file__).with_name(f"{name}.py") for name in ("reading", "record", "columns", "identity")]
-    files.append(ROOT / FILE)
-    return hashlib.sha256(b"".join(file.read_bytes() for file in files if file.is_file())).digest()
 
 
 def _checked(content: bytes, path: Path) -> Record:

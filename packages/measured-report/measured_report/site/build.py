@@ -55,7 +55,6 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     """
     cache = Cache(project.root)
     with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False), _uncollected():
-        cache.sweep()
         digest, there = _digest(project, address), digests_below(project.site)
         if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
             elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
@@ -64,12 +63,11 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             return kept
         draft = Draft(fresh, project.site, there)
         with cached_sources(project.root), unchanged_files(), Drawing() as drawing:
-            derived, templates = DerivedCache(project.root, drawing), Templates(project.templates, cache)
+            derived, templates = DerivedCache(project.root, drawing), Templates(project.templates)
             editions = editions_of(project, templates, derived)
             known = (address, sources(project.root), citation())
             site = Site(draft, project.release, editions, templates, *known, derived)
             site.write(partial(write_feed, site))
-            templates.converter.keep()
             draft.write(SUMS, sums_text(draft.digests))
         replace(project.site, fresh)
         built = {
