@@ -24,7 +24,7 @@ from measured_report.deriving.editions import Edition, derive_edition, editions_
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
-from measured_report.files.cache import FOLDER as CACHE
+from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.records.code import cached_sources, unchanged_files
@@ -37,8 +37,10 @@ from measured_report.site.build import build
 gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
 atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
 INSTALLED = package_versions()
+CACHES = tempfile.TemporaryDirectory(prefix="caches-")
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
+os.environ["XDG_CACHE_HOME"] = CACHES.name
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")
 
@@ -222,11 +224,11 @@ def built(toy, kept) -> Toy:
     """The project with its site; a copy, but for the first that asks, as is what is kept for the next build."""
     if not any(kept.iterdir()):
         toy.build()
-        for name in (CACHE, "site"):
-            shutil.copytree(toy.project.root / name, kept / name)
+        shutil.copytree(toy.project.site, kept / "site")
+        shutil.copytree(Cache(toy.project.root).folder, kept / "cache")
     else:
-        for name in (CACHE, "site"):
-            shutil.copytree(kept / name, toy.project.root / name)
+        shutil.copytree(kept / "site", toy.project.site)
+        shutil.copytree(kept / "cache", Cache(toy.project.root).folder)
     return toy
 
 

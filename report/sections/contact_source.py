@@ -5,6 +5,7 @@ from measured_report.values.results import Results
 from report.shared.variants import variant_section, variants_of
 
 order = 30
+reads = ("noise", "reproduction")
 label = "contact points"
 labels = {
     "contacts-#hz": "contacts at {} Hz",

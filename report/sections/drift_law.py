@@ -32,6 +32,7 @@ from report.shared.drawing import mark_points
 
 order = 91
 page = "cause"
+reads = ("noise", "stiffness")
 label = "law of the drift"
 labels = {
     "pad-ke-2.5e3": "shipped pads",

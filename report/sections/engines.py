@@ -12,6 +12,7 @@ from report.shared.arithmetic import Column, cell_count, extreme, other_cell, ra
 
 order = 187
 page = "limits"
+reads = ("cure", "scenes")
 label = "other engines"
 
 LONG, SHORT = "2ms", "1ms"

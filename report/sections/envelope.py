@@ -20,6 +20,7 @@ from report.shared.arithmetic import noise_floor, resolved
 
 order = 120
 page = "fix"
+reads = ("noise",)
 label = "harder shakes"
 
 SIDES = {"as-shipped": "shipped pads", "stiff": "stiff pads"}

@@ -11,6 +11,7 @@ from report.shared.arithmetic import SETTLES, departure, other_cell, other_value
 
 order = 140
 page = "fix"
+reads = ("reproduction", "stiffness")
 leads = True
 label = "the fix as files"
 

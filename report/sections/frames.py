@@ -10,6 +10,7 @@ from report.shared.arithmetic import noise_floor, share
 from report.shared.drawing import SHIPPED, name_lines
 
 order = 60
+reads = ("noise",)
 label = "what moves"
 
 FINGERS = ("cube-in-left-finger", "cube-in-right-finger")

@@ -7,6 +7,7 @@ from report.shared.arithmetic import difference, ratio
 from report.shared.variants import Variants, variant_section, variants_of
 
 order = 40
+reads = ("noise", "reproduction")
 label = "friction coefficient"
 labels = {"pad-mu-#": "pads' friction {}", "cube-mu-#": "cube's friction {}"}
 

@@ -12,6 +12,7 @@ from report.shared.drawing import SHIPPED
 from report.shared.variants import is_small
 
 order = 110
+reads = ("noise",)
 label = "contact gap"
 labels = {"cube-gap-default": "default gap", "cube-gap-#": "cube's gap {} m", "all-gaps-zero": "no contact gap"}
 

@@ -15,6 +15,7 @@ from report.shared.drawing import SHIPPED, STIFF
 
 order = 80
 page = "cause"
+reads = ("noise", "reproduction")
 label = "arm held still"
 
 LINES = {

@@ -6,6 +6,7 @@ from measured_report.values.results import Results
 from report.shared.arithmetic import noise_floor, table_of
 
 order = 25
+reads = ("noise",)
 label = "see it move"
 labels = {
     "as-shipped": "shipped pads",

@@ -12,6 +12,7 @@ from report.shared.drawing import SHIPPED, STIFF
 
 order = 100
 page = "fix"
+reads = ("noise",)
 label = "whose material counts"
 labels = {
     "cube-ke-#": "cube's ke {}",

@@ -10,6 +10,7 @@ from report.shared.arithmetic import excess, largest_size, told
 from report.shared.variants import Variants, variant_section, variants_of
 
 order = 50
+reads = ("noise", "reproduction")
 label = "solver and time step"
 labels = {
     "iterations-15": "shipped settings",

@@ -23,6 +23,7 @@ from report.shared.arithmetic import departure, difference, noise_floor, ratio, 
 
 order = 70
 page = "cause"
+reads = ("noise",)
 label = "contact rows"
 
 CASES = ("as-shipped", "stiff-pads")

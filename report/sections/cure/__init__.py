@@ -6,6 +6,7 @@ from report.sections.cure import bodies, budget, envelope, hold, limits, turntab
 
 order = 141
 page = "cure"
+reads = ("envelope", "noise", "reproduction")
 label = "the cure"
 leads = True
 

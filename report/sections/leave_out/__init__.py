@@ -24,6 +24,7 @@ from report.shared.timing import RowsBy, compared, resolution
 
 order = 150
 page = "cost"
+reads = ("noise",)
 label = "what to leave out"
 labels = {
     "untrimmed": "exactly as shipped",

@@ -6,6 +6,7 @@ from report.sections.scenes import capsule, creep, hand, pick
 
 order = 184  # after the sections that creep reads
 page = "scenes"
+reads = ("contacts", "cure")
 label = "other scenes"
 
 PARTS = (creep, capsule, pick, hand)

@@ -18,6 +18,7 @@ from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARG
 
 order = 145
 page = "limits"
+reads = ("contacts",)
 label = "limits"
 labels = {
     "steps-as-shipped-1": "shipped pads, 1 substep",

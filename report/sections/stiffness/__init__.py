@@ -13,6 +13,7 @@ from report.sections.stiffness.runs import FIX, SHIPPED, Runs
 
 order = 90
 page = "cause"
+reads = ("contacts", "hold", "noise", "reproduction")
 leads = True
 label = "pads' ke and kd"
 

@@ -19,7 +19,7 @@ from markupsafe import Markup
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.environment import requirements
 from measured_report.files.atomic import RecordError, locked, recover
-from measured_report.files.cache import FOLDER
+from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
@@ -231,7 +231,7 @@ def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeyp
     for name, value in {"text.usetex": True, "font.size": 40.0, "axes.grid": False}.items():
         monkeypatch.setitem(matplotlib.rcParams, name, value)
     shutil.rmtree(toy.project.site)
-    shutil.rmtree(toy.project.root / FOLDER)
+    shutil.rmtree(Cache(toy.project.root).folder)
     toy.build()
     assert (toy.page, (toy.project.site / CARD).read_bytes()) == before
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from measured_report.deriving.dependencies import Dependencies, code_digest, digest_of
+from measured_report.deriving.dependencies import code_digest, digest_of
 from measured_report.files.cache import Cache
 from measured_report.parts.claim import Claim
 from measured_report.parts.drawing import Drawing
@@ -23,17 +23,10 @@ class Entry:
 
     place: tuple[str, str, str]
     """Profile, release and section."""
-    own: str
-    """Digest of its code and of what it was given."""
-    reads: Mapping[tuple[str, str], str]
-    """Digests of what else it read, by place and name."""
+    digest: str
+    """Digest of all that it was made from."""
     section: Section
     values: Mapping[str, Value]
-
-    @property
-    def digest(self) -> str:
-        """Of all that it was made from."""
-        return digest_of(self.own, *map(repr, sorted(self.reads.items())))
 
     @property
     def figures(self) -> dict[tuple[str, str], Figure]:
@@ -60,26 +53,19 @@ class DerivedCache:
         self._claims.update({(release, name, claim.name): claim for claim in section.claims})
 
     def derived(
-        self,
-        place: tuple[str, str, str],
-        code: Path,
-        given: Sequence[str],
-        dependencies: Dependencies,
-        derive: Callable[[], Derivation],
+        self, place: tuple[str, str, str], code: Path, given: Sequence[str], derive: Callable[[], Derivation]
     ) -> Entry:
-        """Return what ``derive``, of the module ``code``, makes, or has made of the same before.
+        """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` before.
 
-        That is what is ``given``, as digests or texts, and what was read among the ``dependencies``.
+        What is given stands there as digests or texts.
         """
         if self.root is None:
-            return Entry(place, "", {}, *derive())
-        own = digest_of(*given, *sorted(dependencies.places), self._code(code))
-        kept: Entry | None = Cache(self.root).get(".".join(place), own, self._claims.__getitem__)
-        if kept and all(dependencies.digest(*what) == digest for what, digest in kept.reads.items()):
+            return Entry(place, "", *derive())
+        digest = digest_of(*given, self._code(code))
+        kept: Entry | None = Cache(self.root).get(".".join(place), digest, self._claims.__getitem__)
+        if kept:
             return kept
-        section, values = derive()
-        dependencies.is_closed = True
-        entry = Entry(place, own, dependencies.notes, section, values)
+        entry = Entry(place, digest, *derive())
         self._new.append(entry)
         self.drawing.begin(entry.figures.values())
         return entry
@@ -109,5 +95,5 @@ class DerivedCache:
             if all(place in pictures or not figure.is_there for place, figure in entry.figures.items()):
                 drawn = dict(zip(entry.section.figures, map(pictures.get, entry.figures), strict=True))
                 kept = replace(entry, section=entry.section.kept(drawn))
-                Cache(self.root).put(".".join(entry.place), entry.own, kept, lambda thing: names.get(id(thing)))
+                Cache(self.root).put(".".join(entry.place), entry.digest, kept, lambda thing: names.get(id(thing)))
         self._new.clear()

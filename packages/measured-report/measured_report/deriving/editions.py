@@ -12,10 +12,9 @@ from markupsafe import Markup
 
 from measured_report.deriving.cache import Derivation, DerivedCache
 from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
-from measured_report.deriving.dependencies import Dependencies, Tracked
 from measured_report.deriving.extras import Extras, extras
 from measured_report.deriving.quick import marks_of
-from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
+from measured_report.deriving.sections import LostError, Read, derive_section, file_of, outline_of
 from measured_report.editions.project import MANIFEST, Project, read_manifest
 from measured_report.editions.status import State, states_of
 from measured_report.files.atomic import RecordError, short_path
@@ -148,14 +147,13 @@ class Edition:
         places: dict[str, Chapters] = {"": self.chapters}
         if arguments > 1:
             places = {link.release: link.edition.uncompared for link in names["releases"]}
-        read = Dependencies(places)
-        given = {place: Tracked(read, place) for place in places}
 
         def derive() -> Derivation:
             derive = import_module(f"{config().story}.{name}").derive
-            return derive(given, self.project.release) if arguments > 1 else derive(given[""]), {}
+            return derive(places, self.project.release) if arguments > 1 else derive(self.chapters), {}
 
-        return self.cache.derived((self.project.profile, self.project.release, name), file, (), read, derive).section
+        place = (self.project.profile, self.project.release, name)
+        return self.cache.derived(place, file, _digests(places), derive).section
 
 
 class _Names(dict[str, Mapping[str, Any]]):
@@ -279,21 +277,19 @@ def _chapter(
     """
     project, name, outline = edition.project, state.section, outline_of(state.section)
     before = dict(takewhile(lambda item: item[0] != name, told.items()))
-    others = {other: chapter.results for other, chapter in before.items()}
+    before = {other: before[other] for other in (before if outline.compares else outline.reads) if other in before}
+    others = Read(outline, {other: chapter.results for other, chapter in before.items()})
     results = replace(results, others=others, label=outline.label, labels=outline.labels)
     digest = results_digest(results)
     if outline.compares and not releases:
         return Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)
 
-    read = Dependencies({"": before, **releases})
-
     def derive() -> Derivation:
-        given = replace(results, others=Tracked(read, reader=outline), derived={})
-        section = derive_section(given, {release: Tracked(read, release) for release in releases})
-        return section.tabled(), given.derived
+        own = replace(results, derived={})
+        return derive_section(own, releases).tabled(), own.derived
 
-    given = [digest, repr(sorted(results.floors.items()))]
-    entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, read, derive)
+    given = [digest, repr(sorted(results.floors.items())), *_digests({"": before, **releases})]
+    entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
     section = entry.section.worded(name, text.name, text.words, outline.source, project.rerun(name))
@@ -314,6 +310,11 @@ def _chapter(
         edition.cache.tell(project.release, section, name)
     prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
+
+
+def _digests(places: Releases) -> list[str]:
+    """Return a text for each chapter, by which others know whether it is the same."""
+    return [f"{place} {name} {each.digest}" for place, told in places.items() for name, each in told.items()]
 
 
 def results_digest(results: Results) -> str:

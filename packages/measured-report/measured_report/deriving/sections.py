@@ -1,6 +1,6 @@
 """Section modules: one is found, asked what it is, and given the results that it makes a section of."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -34,6 +34,8 @@ class Outline:
     """What figures and tables call the section; the name of its file where it does not say."""
     labels: Mapping[str, str]
     """What they call its cases; ``label_of`` reads it."""
+    reads: tuple[str, ...]
+    """Sections before it whose results it reads as well."""
 
     @property
     def source(self) -> str:
@@ -54,8 +56,29 @@ def outline_of(section: str) -> Outline:
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
     page, label = page_of(name, says.get("page")), str(says.get("label", section.replace("_", " ")))
-    leads, labels = says.get("leads", False), says.get("labels", {})
-    return Outline(file, root, says["order"], page, says["derive"] > 1, leads, label, labels)
+    leads, labels, reads = says.get("leads", False), says.get("labels", {}), says.get("reads", ())
+    return Outline(file, root, says["order"], page, says["derive"] > 1, leads, label, labels, reads)
+
+
+@dataclass(frozen=True)
+class Read(Mapping[str, Results]):
+    """Results of the sections that one reads, where they were measured; ReportError for one that it does not name."""
+
+    outline: Outline
+    there: Mapping[str, Results]
+
+    def __getitem__(self, name: str) -> Results:
+        if name not in self.outline.reads and not self.outline.compares:
+            raise ReportError(f"{self.outline.source} reads {name}, which its line reads = (...) does not name")
+        if outline_of(name).order >= self.outline.order:
+            raise ReportError(f"{self.outline.source} reads {name}, which stands after it: give it a higher order")
+        return self.there[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.there)
+
+    def __len__(self) -> int:
+        return len(self.there)
 
 
 def labels_of(section: str) -> Mapping[str, str]:

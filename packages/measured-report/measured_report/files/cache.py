@@ -3,7 +3,6 @@
 What is damaged, or no file at all, counts as not there.
 """
 
-import glob
 import os
 import pickle
 import tempfile
@@ -68,9 +67,3 @@ class Cache:
                 except BaseException:
                     Path(file.name).unlink()
                     raise
-
-    def remove(self, start: str) -> None:
-        """Remove what is kept as a name that begins so."""
-        with suppress(OSError, RuntimeError):
-            for entry in self.folder.glob(f"{glob.escape(start)}*"):
-                entry.unlink()

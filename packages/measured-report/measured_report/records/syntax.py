@@ -97,8 +97,8 @@ class Reader:
 
     def _top(self) -> Iterator[tuple[str, Any]]:
         for node in self._tree.body:
-            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant | ast.Dict):
-                with suppress(ValueError):  # a dict that is worked out is no constant
+            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant | ast.Dict | ast.Tuple):
+                with suppress(ValueError):  # one that is worked out is no constant
                     value = ast.literal_eval(node.value)
                     yield from ((target.id, value) for target in node.targets if isinstance(target, ast.Name))
             elif isinstance(node, ast.FunctionDef):
