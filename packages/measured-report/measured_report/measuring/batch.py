@@ -31,9 +31,9 @@ class Batch:
     """A call that a process of its own can make."""
 
     name: str
-    """Once in its section: lower-case words, numbers and hyphens."""
+    """Name that no other of its section has: lower-case words, numbers and hyphens."""
     function: Callable[..., Any]
-    """Found by its name in a module. It and what it returns travel as bytes."""
+    """Function of a module. It and what it returns travel as bytes."""
     arguments: tuple = ()
     exclusive: bool = False
     """Measures times, so that nothing else is measured on its host meanwhile."""

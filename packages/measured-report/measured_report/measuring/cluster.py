@@ -1,4 +1,4 @@
-"""The workers of a Dask cluster as pools: who may measure, and by which code."""
+"""Pools of the workers of a Dask cluster: who may measure, and by which code."""
 
 import contextlib
 import logging
@@ -121,9 +121,10 @@ def _refuse_unfit(node: str, code: Mapping[str, str], gpu: str | None, processor
 
 
 class ClusterPool:
-    """Those workers of a cluster that have a resource."""
+    """A pool of those workers of a cluster that have a resource."""
 
-    lost, try_count = KilledWorker, 1  # Dask tries again by itself
+    lost: type[Exception] = KilledWorker
+    try_count = 1  # Dask tries again by itself
     limit = sys.maxsize  # it also keeps what waits
 
     def __init__(self, client: Client, resource: str, at_once: int):

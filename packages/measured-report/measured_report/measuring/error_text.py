@@ -1,4 +1,4 @@
-"""Why measuring failed, in a line."""
+"""Texts of errors: why measuring failed, in a line."""
 
 import re
 
@@ -32,6 +32,6 @@ def is_out_of_memory(error: Exception) -> bool:
 
 
 def is_expected(error: Exception) -> bool:
-    """Whether its reason says all there is; an error of the code itself has its trace as well."""
+    """Tell whether its reason says all there is; an error of the code itself has its trace as well."""
     known = OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error)) or host().explained(error)
     return isinstance(error, ReportError | OSError | MemoryError) or bool(known)

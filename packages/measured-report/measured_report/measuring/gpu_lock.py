@@ -1,4 +1,4 @@
-"""The lock on this host's GPUs and cores: shared by all batches, but for those that measure times.
+"""A lock on this host's GPUs and cores: shared by all batches, but for those that measure times.
 
 Other processes of this user hold it too, so that two runs of ``make`` on one host spoil no times of each other.
 """

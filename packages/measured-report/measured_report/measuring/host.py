@@ -1,4 +1,4 @@
-"""The host: what a report's own simulator has to do with the machine that it measures on.
+"""A host: what a report's own simulator has to do with the machine that it measures on.
 
 ``report.toml`` names a module that has these under the same names; without one a report measures on the CPU, with
 nothing to prepare.

@@ -1,4 +1,4 @@
-"""The loop that measures sections: what times nothing side by side, and then, one after the other, what does."""
+"""A loop that measures sections: what times nothing side by side, and then, one after the other, what does."""
 
 import sys
 import time
@@ -24,7 +24,7 @@ class Pool(Protocol):
     lost: type[Exception]
     """Error of a batch whose process was killed."""
     try_count: int
-    """How often such a batch is submitted."""
+    """Times that such a batch is submitted."""
 
     def submit(self, function: Callable, *arguments: Any) -> Future:
         """Call a function in one of the processes."""

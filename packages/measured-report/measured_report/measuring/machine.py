@@ -1,4 +1,4 @@
-"""What measures: the device, the machine around it and the commit, as records say them."""
+"""Machines that measure: the device, the machine around it and the commit, as records say them."""
 
 import hashlib
 import os
@@ -14,10 +14,10 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.host import host
 
 KIND = ("device", "gpu", "driver", "cpu", "cores")
-"""What of a machine is the same for all batches of a section: its numbers are said to be those of one kind."""
+"""Names of what of a machine is the same for all batches of a section."""
 
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
-"""Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
+"""Variable that says where NVIDIA's MPS is, the daemon through which processes share a GPU, and its default."""
 SHARE_COUNT, MPS_SHARE_COUNT = 4, 16
 """Processes that share a GPU, with a core each: without that daemon they take turns on it."""
 SHARE_MIB = 2048
@@ -33,7 +33,7 @@ class Gpu:
 
 @cache
 def machine(kind: str) -> dict[str, str | None]:
-    """The machine that measures; host and GPU, with the times of two records, tell whether they ran side by side."""
+    """Return the machine that measures; host and GPU tell of two records whether they ran side by side."""
     (gpu, uuid), driver = host().gpu(kind), None
     if kind == "cuda":
         driver = said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
@@ -63,7 +63,7 @@ def cpu_name() -> str:
 
 
 def commit() -> str | None:
-    """The commit that is checked out, marked where the tree differs; of a mere copy the environment's GIT_COMMIT."""
+    """Return the commit that is checked out, marked where the tree differs; of a copy the environment's GIT_COMMIT."""
     if told := os.environ.get("GIT_COMMIT"):
         return told
     found = said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")

@@ -74,7 +74,7 @@ def measure_headline(project: Project, release: Release, device: str, program: s
 
 
 def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
-    """How long these sections will take [s], by the last time on such a device and profile; 0 unless all are known."""
+    """Return how long sections will take [s], by the last time on such a device; 0 unless all are known."""
     found = seconds_each(project, device)
     if not found.keys() >= {*sections}:
         return 0.0
@@ -137,7 +137,7 @@ def _gpu_of(cluster: str, root: Path) -> str:
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
-    """The report that results of ``machine`` belong to: its own where others' are there that needed a GPU, as these."""
+    """Return the report for results of ``machine``: its own where others' are there that needed a GPU, as these."""
     named, asked = project.named, f"{config().option}={project.release}"
     if not any(needs_gpu(section, project.root) for section in sections):
         return project
@@ -152,7 +152,7 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
 
 
 def machines_besides(project: Project, machine: str) -> Iterator[str]:
-    """Other machines that the report has results of, which those of ``machine`` never take the place of, by section."""
+    """Yield the other machines that the report has results of, which those of ``machine`` never replace, by section."""
     kept = (record for record in records_of(project) if needs_gpu(record.section, project.root))
     return filter(machine.__ne__, map(machine_of, kept))
 

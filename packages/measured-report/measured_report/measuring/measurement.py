@@ -1,4 +1,4 @@
-"""What a section is given to measure with, and what it hands over to be kept."""
+"""Conditions that a section is given to measure under, and the measurement that it hands over."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -7,10 +7,10 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Conditions:
-    """How a section is to be measured."""
+    """Conditions under which a section is measured."""
 
     device: str
-    """``cuda:0`` or ``cpu``."""
+    """Alias: ``cuda:0`` or ``cpu``."""
     quick: bool
     """Small grids and short runs."""
 
@@ -20,7 +20,7 @@ class Conditions:
 
     @property
     def profile(self) -> str:
-        """``full`` or ``quick``: the key of what is measured in either."""
+        """Return ``full`` or ``quick``: the key of what is measured in either."""
         return "quick" if self.quick else "full"
 
 
@@ -33,6 +33,6 @@ class Measurement:
 
 
 def absent(names: Iterable[str], reason: str) -> dict[str, object]:
-    """Columns without a number: None under each name, and beside it the reason."""
+    """Return columns without a number: None under each name, and beside it the reason."""
     names = tuple(names)
     return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}

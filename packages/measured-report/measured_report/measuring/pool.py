@@ -19,7 +19,8 @@ from measured_report.measuring.machine import MPS
 class HostPool:
     """Forks of this process, which has loaded the simulator but no device; new ones after one of them was killed."""
 
-    lost, try_count = BrokenProcessPool, 3
+    lost: type[Exception] = BrokenProcessPool
+    try_count = 3
 
     def __init__(self, limit: int, settings: Mapping[str, str]):
         self.limit = self.at_once = limit

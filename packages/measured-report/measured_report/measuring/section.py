@@ -35,7 +35,7 @@ class Section:
     project: Project
     name: str
     device: str
-    """``cuda`` or ``cpu``: what it measures on, whatever else the host has."""
+    """Device that it measures on, ``cuda`` or ``cpu``, whatever else the host has."""
     plan: Plan
     identity: Identity
     known: Mapping[str, float] = field(default_factory=dict)
@@ -48,7 +48,7 @@ class Section:
     times: dict[str, float] = field(default_factory=dict)
     """Seconds that its batches took, as ``known``."""
     losses: Counter = field(default_factory=Counter)
-    """How often the process of each batch was killed."""
+    """Count of killed processes, by batch."""
     is_over: bool = False
     failure: str = ""
 
