@@ -23,7 +23,6 @@ from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
-from measured_report.parts.drawing import Drawing
 from measured_report.records.reading import load_record
 from measured_report.records.record import write_record
 from measured_report.records.traces import load_trace, packed, trace_path
@@ -140,26 +139,6 @@ def test_who_comes_second_waits_and_says_so(tmp_path):
         assert second.poll() is None
     assert second.wait() == 0
     second.stderr.close()
-
-
-class Killed:
-    """A figure whose process is killed while it is drawn, as for want of memory."""
-
-    is_there, draw = True, None
-
-    def __init__(self, anchor: str):
-        self.anchor = anchor
-
-    def drawn(self):
-        os.kill(os.getpid(), signal.SIGKILL)
-
-
-def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
-    monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
-    figures = [*map(Killed, "abcdefgh")]
-    with pytest.raises(ReportError, match="a process was killed"), Drawing() as drawing:
-        drawing.begin(figures[:6])
-        drawing.all(figures, lambda: None)
 
 
 WORKERS = """

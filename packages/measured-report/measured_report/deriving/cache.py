@@ -9,7 +9,6 @@ from typing import Any
 from measured_report.deriving.dependencies import code_digest, digest_of
 from measured_report.files.cache import Cache
 from measured_report.parts.claim import Claim
-from measured_report.parts.drawing import Drawing
 from measured_report.parts.section import Figure, Pictures, Section
 from measured_report.values.quantities import Value
 
@@ -41,7 +40,6 @@ class DerivedCache:
     """What is kept of the project at ``root``; without one nothing is."""
 
     root: Path | None = None
-    drawing: Drawing = field(default_factory=Drawing)
     _new: list[Entry] = field(default_factory=list)
     """What is to be kept once its figures are drawn."""
     _claims: dict[tuple[str, str, str], Claim] = field(default_factory=dict)
@@ -67,7 +65,6 @@ class DerivedCache:
             return kept
         entry = Entry(place, digest, *derive())
         self._new.append(entry)
-        self.drawing.begin(entry.figures.values())
         return entry
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:

@@ -21,7 +21,6 @@ from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft, digests_below, replace, staging_folder
 from measured_report.pages.prose import LAYOUT, Templates
-from measured_report.parts.drawing import Drawing
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest
 from measured_report.records.provenance import package_versions
@@ -62,8 +61,8 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         if kept := cache.get(BUILT, (digest, there)):
             return kept
         draft = Draft(fresh, project.site, there)
-        with cached_sources(project.root), unchanged_files(), Drawing() as drawing:
-            derived, templates = DerivedCache(project.root, drawing), Templates(project.templates)
+        with cached_sources(project.root), unchanged_files():
+            derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = editions_of(project, templates, derived)
             known = (address, sources(project.root), citation())
             site = Site(draft, project.release, editions, templates, *known, derived)

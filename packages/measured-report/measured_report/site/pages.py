@@ -19,6 +19,7 @@ from measured_report.pages.outline import FRONT, Page
 from measured_report.pages.passages import Passage
 from measured_report.pages.prose import LAYOUT, Inner, Prose, Templates, stylesheet
 from measured_report.parts.citations import Cited
+from measured_report.parts.drawing import draw
 from measured_report.parts.macros import macros
 from measured_report.parts.section import Pictures
 from measured_report.records.record import Record
@@ -259,7 +260,7 @@ def _draw(
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     wanted = cache.figures | placed
     to_draw = {place: figure for place, figure in wanted.items() if figure.is_there and place not in pictures}
-    pictures |= zip(to_draw, cache.drawing.all(list(to_draw.values()), meanwhile), strict=True)
+    pictures |= zip(to_draw, draw(list(to_draw.values()), meanwhile), strict=True)
     cache.keep(pictures)
     return pictures
 
