@@ -10,12 +10,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from experiments import stiffness
-from experiments.cure.budget import friction_timeconst_s, softness, watched
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.variants import POSITIONS
+from experiments.simulation.budget import friction_timeconst_s, softness, watched
+from experiments.simulation.limits import step_s
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
-from experiments.stability.limits import step_s
 from measured_report.measuring.pool import gather, processes, start
 
 PREDICTED = ("left_out_mm_s", "step_mm_s", "damping_mm_s", "creep_mm_s", "predicted_drift_mm_s")

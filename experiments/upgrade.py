@@ -1,7 +1,6 @@
 """What to compare between releases: the headline runs, their live contact rows, and the one cause that is known."""
 
-from collections.abc import Iterator
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import newton
 import numpy as np
@@ -9,7 +8,15 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
 from experiments.facts.trace import ContactRows
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, grasp_columns, summarize
+from experiments.simulation.measurement import (
+    SHAKE_COLUMNS,
+    Conditions,
+    Measurement,
+    absent,
+    grasp_columns,
+    numbers_of,
+    summarize,
+)
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
 from newton_lint.newton_models import compat
@@ -92,13 +99,3 @@ def setting_rows(device: str) -> list[dict[str, object]]:
         for kind, values in settings.items()
         for name, value in values.items()
     ]
-
-
-def numbers_of(holder: object) -> Iterator[tuple[str, float]]:
-    """Name and value of each field of a dataclass that is a number; of one for each world, the first world's."""
-    for name in sorted(field.name for field in fields(holder)):
-        value = getattr(holder, name)
-        if isinstance(value, wp.array) and value.dtype is wp.float32:
-            value = value.numpy()[0].item()
-        if isinstance(value, (bool, int, float)):
-            yield name, float(value)

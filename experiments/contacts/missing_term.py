@@ -6,10 +6,10 @@ import mujoco
 import numpy as np
 import warp as wp
 
-from experiments.cure.budget import contact_timeconst_s
 from experiments.facts import metrics
 from experiments.facts.case import Case
 from experiments.facts.trace import Trace
+from experiments.simulation.budget import contact_timeconst_s
 from experiments.simulation.contact_bias_c import velocity_product
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, absent
 from experiments.simulation.simulation import Simulation

@@ -6,11 +6,11 @@ from itertools import product
 
 import numpy as np
 
-from experiments.cure.budget import Motion, measure_motion, predicted_mm
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.facts.trace import Trace
 from experiments.facts.variants import IMPRATIO, POSITIONS, TERMS
+from experiments.simulation.budget import Motion, measure_motion, predicted_mm
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, absent, summarize
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.newton_models.compat import kf_is_read

@@ -1,9 +1,10 @@
 """How sections measure the shake test: which frames are run and looked at, and the row that a run makes."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, fields, replace
 
 import numpy as np
+import warp as wp
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case, differences
@@ -117,3 +118,13 @@ def grasp_columns(rows: ContactRows) -> dict[str, object]:
     counts = {"row_count": len(rows.distance_m), "loaded_row_count": 0}
     names = (field.name for field in fields(metrics.Grasp) if field.name not in counts)
     return counts | absent(names, "no contact carries force")
+
+
+def numbers_of(holder: object) -> Iterator[tuple[str, float]]:
+    """Name and value of each field of a dataclass that is a number; of one for each world, the first world's."""
+    for name in sorted(field.name for field in fields(holder)):
+        value = getattr(holder, name)
+        if isinstance(value, wp.array) and value.dtype is wp.float32:
+            value = value.numpy()[0].item()
+        if isinstance(value, (bool, int, float)):
+            yield name, float(value)

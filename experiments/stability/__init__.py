@@ -18,6 +18,7 @@ from experiments.facts.classes import (
     is_finite,
 )
 from experiments.facts.trace import Trace
+from experiments.simulation.limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.scene import cube_start
 from experiments.simulation.simulation import simulate
@@ -31,7 +32,6 @@ from experiments.stability.families import (
     Probe,
     grid_cell,
 )
-from experiments.stability.limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
 from measured_report.measuring.batch import Batch, Plan
 
 OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}

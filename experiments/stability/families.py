@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from experiments.facts.case import AS_SHIPPED, LEAN, STIFF_PADS, Case
+from experiments.simulation.limits import cube_mass_kg, is_clamped, step_s, target_demand_m_s2
 from experiments.simulation.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
-from experiments.stability.limits import cube_mass_kg, is_clamped, step_s, target_demand_m_s2
 
 HOLD_FRAME_COUNT = 91
 """Frames in which a cube that starts in the hand is held still."""

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from experiments.cure import combinations
-from experiments.cure.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm, softness
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, batch_key
 from experiments.facts.variants import BEST
+from experiments.simulation.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm, softness
+from experiments.simulation.limits import solref
 from experiments.simulation.simulation import simulate
-from experiments.stability.limits import solref
 from newton_lint.newton_models.compat import kf_is_read
 
 SHORT = replace(AS_SHIPPED, cube_in_hand=True, frame_count=210)

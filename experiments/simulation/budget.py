@@ -29,9 +29,9 @@ import warp as wp
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
 from experiments.facts.trace import Trace
+from experiments.simulation.limits import reference_stiffness, solref, step_s
 from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation
-from experiments.stability.limits import reference_stiffness, solref, step_s
 from newton_lint.creep import impedance_at
 from newton_lint.newton_models.compat import kf_is_read
 
