@@ -9,9 +9,10 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, FIXED
 from experiments.facts.classes import classify
 from experiments.facts.trace import FRAME_COLUMNS, Trace
+from experiments.simulation import limits
 from experiments.simulation.scene import CUBE_IN_HAND
 from experiments.simulation.simulation import is_due, simulate
-from experiments.stability import FREED_FRAMES, bracket, freed_columns, limits, worst
+from experiments.stability import FREED_FRAMES, bracket, freed_columns, worst
 from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
 from report.sections.stability.extremes import MU
 
