@@ -1,5 +1,7 @@
 """The example: the shake test as Newton's examples are run, and what it has measured."""
 
+from typing import Any
+
 import numpy as np
 import warp as wp
 
@@ -40,7 +42,7 @@ class Example:
         self.viewer.log_state(self.state_0)
         self.viewer.end_frame()
 
-    def summaries(self) -> list[dict[str, object]]:
+    def summaries(self) -> list[dict[str, Any]]:
         """Return the measured summary of each world so far."""
         frame_count = min(self.frame_count, self.case.frame_count)
         traces = self.simulation.recorder.traces(self.simulation.frame_dt, frame_count, wall_s=0.0)
@@ -57,7 +59,7 @@ class Example:
                 raise TestFailed(f"world {world}: the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
 
 
-def summary_of(case: Case, trace: Trace) -> dict[str, object]:
+def summary_of(case: Case, trace: Trace) -> dict[str, Any]:
     """Return the row of a trace, in which a cube that was not shaken, and perhaps not grasped yet, is not called
     dropped."""
     row = summarize(case, trace)
@@ -66,13 +68,13 @@ def summary_of(case: Case, trace: Trace) -> dict[str, object]:
     return row | ({"dropped": None, "dropped_reason": reason} if reason else {})
 
 
-def headline(summary: dict[str, object]) -> str:
+def headline(summary: dict[str, Any]) -> str:
     """Return the summary in a line."""
     if summary["slip_mm"] is None:
         return f"no slip: {summary['slip_mm_reason']}"
     return f"slip {summary['slip_mm']:.3g} mm, drift {summary['drift_mm_s']:.3g} mm/s"
 
 
-def plain(row: dict[str, object]) -> dict[str, object]:
+def plain(row: dict[str, Any]) -> dict[str, Any]:
     """Return the row with numpy's scalars turned into Python's."""
     return {name: value.item() if isinstance(value, np.generic) else value for name, value in row.items()}
