@@ -18,8 +18,8 @@ from experiments.media.stage import Camera, Stage, display
 from measured_report.editions.project import Project, own_release
 from measured_report.records.reading import load_record
 from measured_report.records.traces import load_trace, trace_path
-from report.extras import Extras
 from report.media.clips import Clips
+from report.plugins import Plugins
 
 OWN = Project(own_release())
 
@@ -155,6 +155,6 @@ def test_clips_that_lack_what_a_page_shows_are_named_and_not_shown(project, lost
     data["rows"] = [{name: cell for name, cell in row.items() if name != lost} for row in data["rows"]]
     data["units"].pop(lost, None)
     project.record_path(CLIPS).write_text(json.dumps(data))
-    extras = Extras(SimpleNamespace(project=project))
-    [state] = extras.left_out
-    assert state.kind == "damaged" and lost in state.words and extras.clips is None
+    plugins = Plugins(SimpleNamespace(project=project))
+    [state] = plugins.left_out
+    assert state.kind == "damaged" and lost in state.words and plugins.clips is None

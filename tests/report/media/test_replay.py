@@ -38,7 +38,7 @@ def project(poses_path) -> Project:
 def page(project) -> str:
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
-    return replay_page(project, edition.chapters["poses"], edition.extras.replay, None, templates, "")
+    return replay_page(project, edition.chapters["poses"], edition.plugins.replay, None, templates, "")
 
 
 def test_the_page_runs_its_one_script_fetches_nothing_and_says_without_it_what_was_measured(page, poses_path):
@@ -60,12 +60,12 @@ def test_the_page_runs_its_one_script_fetches_nothing_and_says_without_it_what_w
 def test_a_damaged_trace_leaves_the_replay_out_and_no_more(project):
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
-    assert REPLAY in edition.extras.pages(templates)
+    assert REPLAY in edition.plugins.pages(templates)
     trace = trace_path(project.record_path("poses"), "hold-60s")
     whole = trace.read_bytes()
     try:
         trace.write_bytes(whole[:1000])
-        assert derive_edition(project, templates).extras.replay is None
+        assert derive_edition(project, templates).plugins.replay is None
     finally:
         trace.write_bytes(whole)
 

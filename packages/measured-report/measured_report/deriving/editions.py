@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from measured_report.deriving.cache import Derivation, DerivedCache
 from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
-from measured_report.deriving.extras import Extras, extras
+from measured_report.deriving.plugins import Plugins, plugins
 from measured_report.deriving.quick import marks_of
 from measured_report.deriving.sections import LostError, Read, derive_section, file_of, outline_of
 from measured_report.editions.project import MANIFEST, Project, read_manifest
@@ -64,9 +64,9 @@ class Edition:
         return values_text(self.chapters.values())
 
     @cached_property
-    def extras(self) -> Extras:
+    def plugins(self) -> Plugins:
         """What the report shows of it besides."""
-        return extras().Extras(self)
+        return plugins().Plugins(self)
 
     def is_section(self, name: str) -> bool:
         """Whether a name of what is left out is that of a section, which can be measured again."""
@@ -78,7 +78,7 @@ class Edition:
         return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
-        """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``extras``."""
+        """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``plugins``."""
         found = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
         told = {
             anchor: self._worded(anchor, text, self._told_or_left_out(anchor, names)) for anchor, text in found.items()
@@ -122,7 +122,7 @@ class Edition:
             **_things(anchor, {**told, **sections}, partial(stale_mark, self.chapters.values())),
             "claim": _finder(anchor, "claim", {claim.name: self._html(claim, anchor) for claim in section.claims}),
         }
-        return text.prose(anchor, {**known, **self.extras.names(section), **names}, level)
+        return text.prose(anchor, {**known, **self.plugins.names(section), **names}, level)
 
     def _told_or_left_out(self, name: str, names: Mapping[str, Any]) -> Section:
         """What a text tells; nothing where what was measured lacks what it is about, which is then named."""

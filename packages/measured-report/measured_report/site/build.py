@@ -72,7 +72,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         built = {
             release: Built(
                 [name for name, chapter in edition.chapters.items() if chapter.state.notes],
-                [*edition.left_out, *edition.extras.left_out],
+                [*edition.left_out, *edition.plugins.left_out],
             )
             for release, edition in editions.items()
         }

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
-from measured_report.deriving.extras import extras
+from measured_report.deriving.plugins import plugins
 from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import Data, check_bounds, check_numbers
 from measured_report.site.page_reader import SCRIPT, PageReader
@@ -42,7 +42,7 @@ def _problems_of(site: Path) -> list[str]:
         claims = [claim for path, page in pages.items() if path.parent == folder for claim in page.claims]
         if not claims:
             problems.append(f"{folder.relative_to(site.resolve()) / 'index.html'}: there is no claim on any page")
-    own = {(LAYOUT / SCRIPT).read_text(encoding="utf-8"), *extras().scripts()}
+    own = {(LAYOUT / SCRIPT).read_text(encoding="utf-8"), *plugins().scripts()}
     for path in sorted(site.rglob("*.js")):
         if path.read_text(encoding="utf-8", errors="replace") not in own:
             problems.append(f"{path.relative_to(site)} is not the project's script")
@@ -56,7 +56,7 @@ def _problems_of(site: Path) -> list[str]:
 def check_self_contained(page: PageReader) -> list[str]:
     """Say what a page runs or fetches that is not the project's, a line each."""
     problems = [f"<{tag}> runs a script" for tag in page.scripts]
-    own = extras().scripts()
+    own = plugins().scripts()
     problems += ["a script runs that is not the project's own" for text in page.inline if text not in own]
     problems += [f"{address} is fetched from elsewhere" for address in page.fetched if _is_elsewhere(address)]
     return problems + (["a style fetches something"] if FETCHING_STYLE.search(page.styles) else [])

@@ -7,7 +7,7 @@ from operator import itemgetter
 
 from measured_report.changes.flips import flips_between
 from measured_report.deriving.editions import Edition
-from measured_report.deriving.extras import extras
+from measured_report.deriving.plugins import plugins
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.site.archive import ARCHIVE, archived
@@ -27,7 +27,7 @@ def write_feed(site: Site) -> None:
         site.draft.write(file, site.templates.layout(f"{file}.j2", {**names, "entries": entries}))
     if (ROOT / "LICENSE").is_file():
         site.draft.copy("license.txt", ROOT / "LICENSE")
-    if card := extras().card(site.editions, site.cache):
+    if card := plugins().card(site.editions, site.cache):
         site.draft.write(CARD, card)
     readme = site.templates.layout("archive.txt.j2", {"editions": site.editions})
     data = {name.removeprefix("data/"): site.draft.folder / name for name in site.draft.digests if "data/" in name}

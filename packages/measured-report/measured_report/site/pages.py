@@ -166,7 +166,7 @@ class Site:
             "beside": self.beside,
             **names,
         }
-        pages = dict(edition.extras.pages(self.templates))
+        pages = dict(edition.plugins.pages(self.templates))
         for content in names["contents"]:
             figures = self._drawn(content, place, pictures, edition.root)
             cited = list(dict.fromkeys(cited.name for part in content.parts for cited in part.of_kind(Cited)))
@@ -210,9 +210,9 @@ class Site:
             for file in (path, *traces_of(path, chapter.results.record)):
                 self.draft.copy(f"{folder}{file.name}", file)
             self.draft.write(f"{folder}{path.stem}.csv", rows_csv(chapter.results.record.rows))
-        for file in edition.extras.data:
+        for file in edition.plugins.data:
             self.draft.copy(f"{folder}{file.name}", file)
-        for name, file in edition.extras.files.items():
+        for name, file in edition.plugins.files.items():
             self.draft.copy(name, file)
         self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(edition.values_text, self.shown))
 

@@ -1,4 +1,4 @@
-"""Extras: what a report shows besides sections and pages, where ``report.toml`` names a module with the same names."""
+"""Plugins: what a report shows besides sections and pages, where ``report.toml`` names a module with the same names."""
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from measured_report.parts.section import Section
 
 
-class Extras:
+class Plugins:
     """Those of one edition."""
 
     picture = ""
@@ -58,6 +58,6 @@ def scripts() -> Sequence[str]:
     return ()
 
 
-def extras() -> ModuleType:
+def plugins() -> ModuleType:
     """Import the module that the report names."""
-    return import_module(config().extras)
+    return import_module(config().plugins)

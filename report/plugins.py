@@ -9,7 +9,7 @@ from typing import Any
 from markupsafe import Markup
 
 from experiments.facts.clip_record import CLIPS, FIRST, clips_state
-from measured_report.deriving import extras
+from measured_report.deriving import plugins
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition, results_digest
 from measured_report.editions.status import State
@@ -24,13 +24,13 @@ from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
 from report.story.found import CASES, Found
 
-__all__ = ["Extras", "card", "scripts"]
+__all__ = ["Plugins", "card", "scripts"]
 MEDIA = Path(__file__).with_name("media")
 LAB = ROOT / "assets/lab"
 """The engine that a page runs, and the scripts that do."""
 
 
-class Extras(extras.Extras):
+class Plugins(plugins.Plugins):
     """Those of one edition."""
 
     @cached_property
