@@ -11,8 +11,8 @@ NUMBER = r"(\d[\d.]*(?:e[+-]?\d+)?)"
 def label_of(case: str, labels: Mapping[str, str]) -> str:
     """Return the words of the first of ``labels`` that fits, where # stands for a number; or its own name, spaced.
 
-    >>> label_of("pad-ke-2.5e6", {"pad-ke-#": "pads' ke {}"})
-    "pads' ke 2.5×10⁶"
+    >>> label_of("length-2.5e6", {"length-#": "{} m long"})
+    '2.5×10⁶ m long'
     """
     for pattern, words in labels.items():
         if match := re.fullmatch(re.escape(pattern).replace(r"\#", NUMBER), case):
