@@ -7,9 +7,9 @@ import subprocess
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from measured_report.deriving.editions import Edition
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import Edition
 
 PROGRAM = ROOT / "assets/lab/run.mjs"
 SHAKE_FRAME_COUNT = 688

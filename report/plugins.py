@@ -9,13 +9,13 @@ from typing import Any
 from markupsafe import Markup
 
 from experiments.facts.clip_record import CLIPS, FIRST, clips_state
-from measured_report.deriving import plugins
-from measured_report.deriving.cache import DerivedCache
-from measured_report.deriving.editions import Edition, results_digest
 from measured_report.editions.status import State
 from measured_report.files.atomic import short_path
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.pages import plugins
+from measured_report.pages.cache import DerivedCache
+from measured_report.pages.editions import Edition, results_digest
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from measured_report.deriving.editions import Edition
 from measured_report.files.errors import ReportError
+from measured_report.pages.editions import Edition
 from measured_report.parts.claim import Outcome, within
 from measured_report.values.quantities import Quantity, absent
 from report.lab_check import verify_lab

@@ -17,10 +17,10 @@ import numpy as np
 import pandas as pd
 from markupsafe import Markup
 
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Figure, Pictures
 from measured_report.records.columns import REASON, column_of, is_number, units_of

@@ -19,13 +19,13 @@ from hypothesis import settings
 
 import report.sections
 from measured_report.changes.compare import Comparison, compare
-from measured_report.deriving.cache import DerivedCache
-from measured_report.deriving.editions import Edition, derive_edition, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
 from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
+from measured_report.pages.cache import DerivedCache
+from measured_report.pages.editions import Edition, derive_edition, editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import identity_of

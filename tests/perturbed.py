@@ -8,9 +8,9 @@ from inspect import signature
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from measured_report.deriving.chapters import Chapters
-from measured_report.deriving.editions import Edition, derive_section
 from measured_report.files.config import config
+from measured_report.pages.chapters import Chapters
+from measured_report.pages.editions import Edition, derive_section
 from measured_report.pages.passages import Passage
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section

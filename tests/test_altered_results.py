@@ -17,10 +17,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from measured_report.commands import page
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import own_release
 from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.parts.claim import HOLDS
 from measured_report.records.columns import REASON

@@ -8,8 +8,8 @@ import pytest
 from conftest import program
 
 from experiments.facts.case import differences
-from measured_report.deriving.sections import outline_of
 from measured_report.files.root import ROOT
+from measured_report.pages.sections import outline_of
 from measured_report.records.identity import sections
 from measured_report.site.check import check_site
 

@@ -3,10 +3,10 @@
 import argparse
 
 from measured_report.commands.options import refuse_unmeasured, shared
-from measured_report.deriving.editions import derive_edition
 from measured_report.editions.devices import has_cuda, measuring_device
 from measured_report.editions.project import Project
 from measured_report.measuring.measure import measure_headline
+from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
 from report.lab_check import verify_lab
 from report.verify import PROGRAM, verify

@@ -6,7 +6,7 @@ import pandas as pd
 from markupsafe import Markup
 
 from measured_report.changes.history import Point, points
-from measured_report.deriving.chapters import Releases
+from measured_report.pages.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import alike

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project, own_release
 from measured_report.files.errors import ReportError
+from measured_report.pages.editions import Edition
 from measured_report.records.reading import load_record
 from report.verify import repeats_of, verify
 

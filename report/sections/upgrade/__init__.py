@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from measured_report.changes.flips import Flip, FlipList, flips
 from measured_report.changes.query import Query
-from measured_report.deriving.chapters import Releases
+from measured_report.pages.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, decided
 from measured_report.parts.section import Section
 from measured_report.values.noise import EDGES

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure as Drawing
 
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
-from measured_report.deriving.chapters import Releases
 from measured_report.files.config import config
+from measured_report.pages.chapters import Releases
 from measured_report.parts.figures import INK, is_narrow, new_figure, tick_125, write
 from measured_report.parts.section import Figure, Table
 from measured_report.values.format import unit_label

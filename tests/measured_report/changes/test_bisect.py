@@ -17,10 +17,10 @@ from measured_report.changes.query import Query
 from measured_report.commands import bisect as command
 from measured_report.commands import history as history_command
 from measured_report.commands import retire
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.errors import ReportError, UsageError
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site

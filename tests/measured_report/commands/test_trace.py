@@ -3,8 +3,8 @@
 import pytest
 
 from measured_report.commands.trace import Provenance
-from measured_report.deriving.editions import editions_of
 from measured_report.files.errors import UsageError
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import changed_parameters
 

@@ -16,12 +16,12 @@ from conftest import MODULE, ROWS, TEMPLATE, killed_at
 from damage import FIELDS, RECORD_WAYS, TRACE_WAYS, damage
 from markupsafe import Markup
 
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.environment import requirements
 from measured_report.files.atomic import RecordError, locked, recover
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.reading import load_record
 from measured_report.records.record import write_record

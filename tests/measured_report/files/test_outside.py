@@ -12,11 +12,11 @@ from conftest import EXPERIMENT, MODULE, ROWS, derived
 
 from measured_report.changes.faults import faults_of
 from measured_report.commands import page
-from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Manifest, read_manifest, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import RecordError, recover
 from measured_report.files.errors import ReportError
+from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import identity_of
 from measured_report.records.reading import load_record

@@ -3,8 +3,8 @@
 import pytest
 from conftest import MODULE, TEMPLATE
 
-from measured_report.deriving.editions import editions_of
 from measured_report.files.errors import ReportError
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.site.check import check_site
 from tests.inert import inert_passages

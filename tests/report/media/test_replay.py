@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from conftest import link
 
-from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
 from measured_report.records.reading import load_record
 from measured_report.records.traces import trace_path

@@ -6,9 +6,9 @@ import shutil
 import pytest
 from conftest import ROWS, TEMPLATE, Toy
 
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site

@@ -7,8 +7,8 @@ import pytest
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.task import FRAME_RATE
-from measured_report.deriving.editions import Edition
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import Edition
 from measured_report.pages.outline import FRONT
 from measured_report.pages.passages import WRITTEN
 from measured_report.pages.prose import Templates

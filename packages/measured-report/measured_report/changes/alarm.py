@@ -12,8 +12,8 @@ from measured_report.changes.compare import Comparison
 from measured_report.changes.faults import Fault, faults_of
 from measured_report.changes.largest import largest, settings_text
 from measured_report.changes.moves import Move
-from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
+from measured_report.pages.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.values.quantities import Quantity
 

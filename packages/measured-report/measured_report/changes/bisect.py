@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TypeVar
 
 from measured_report.changes.query import Answer, Query
-from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of, releases_between
 from measured_report.editions.status import state_of
@@ -17,6 +16,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import measure
+from measured_report.pages.editions import Edition, editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.provenance import MISSING

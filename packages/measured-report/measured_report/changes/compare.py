@@ -8,9 +8,9 @@ from measured_report.changes.costs import is_cost
 from measured_report.changes.faults import Fault, faults_between, faults_of
 from measured_report.changes.flips import Flip, flips_between
 from measured_report.changes.moves import Move, cells_between, rows_by_key, unlike
-from measured_report.deriving.chapters import Chapters
-from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
+from measured_report.pages.chapters import Chapters
+from measured_report.pages.editions import Edition
 from measured_report.values.noise import NOISE, Repeats, repeats_of
 
 

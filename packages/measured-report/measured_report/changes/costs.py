@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterable, Mapping
 from datetime import timedelta
 from typing import Any
 
-from measured_report.deriving.chapters import Chapters
 from measured_report.files.config import config
+from measured_report.pages.chapters import Chapters
 from measured_report.parts.claim import Claim
 from measured_report.records.columns import column_of
 from measured_report.records.record import Record

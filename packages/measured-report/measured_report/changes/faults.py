@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from measured_report.changes.costs import cells
-from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
+from measured_report.pages.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.records.columns import REASON, UNBELIEVED
 

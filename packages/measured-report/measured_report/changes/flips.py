@@ -8,7 +8,7 @@ from itertools import groupby
 from markupsafe import Markup
 
 from measured_report.changes.costs import terms_of
-from measured_report.deriving.chapters import Chapters, Releases
+from measured_report.pages.chapters import Chapters, Releases
 from measured_report.pages.outline import PAGES, Page
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from measured_report.changes.costs import cost_terms
-from measured_report.deriving.chapters import Chapter
 from measured_report.files.config import config
+from measured_report.pages.chapters import Chapter
 from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost, is_repeated

@@ -9,10 +9,10 @@ from measured_report.changes.compare import Comparison
 from measured_report.changes.faults import Fault
 from measured_report.changes.largest import few, largest, power, settings_text
 from measured_report.changes.query import Query
-from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.measuring.measure import seconds_known
+from measured_report.pages.editions import Edition
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.provenance import package_changes

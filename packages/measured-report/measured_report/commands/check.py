@@ -6,8 +6,8 @@ from measured_report.changes.alarm import check_text
 from measured_report.changes.faults import faults_of
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.page import say_damage
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 
 OPTIONS = {

@@ -13,7 +13,6 @@ from measured_report.changes.compare import compare
 from measured_report.changes.upgrade import base_of, deciding, seconds_expected, unmeasured, verdict
 from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.devices import NO_CUDA, machine_name, measuring_device
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
@@ -21,6 +20,7 @@ from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import kept_by, measure, prepare
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 
 STDOUT, STDERR = 1, 2  # as programs that are started from here know them

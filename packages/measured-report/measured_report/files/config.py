@@ -119,7 +119,7 @@ class Config:
     """The pages in their order, the front page first; ``pages.py`` says what each may name."""
     story: str = ""
     """The package whose modules derive what texts of pages tell: ``front`` for ``front.md.j2``."""
-    plugins: str = "measured_report.deriving.plugins"
+    plugins: str = "measured_report.pages.plugins"
     """The module that says what else this report shows; the one named here says what it may have."""
     formulas: tuple[str, ...] = ()
     """Patterns of names and formulas in drawings and table cells, whose numbers lead to no record."""

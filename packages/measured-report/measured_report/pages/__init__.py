@@ -1,1 +1,1 @@
-"""Pages: templates and Markdown made into HTML."""
+"""Pages: from records to the text of a page."""

@@ -9,9 +9,6 @@ from functools import partial
 from importlib import metadata
 from pathlib import Path
 
-from measured_report.deriving.cache import DerivedCache
-from measured_report.deriving.dependencies import installed
-from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import locked
@@ -20,6 +17,9 @@ from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft, digests_below, replace, staging_folder
+from measured_report.pages.cache import DerivedCache
+from measured_report.pages.dependencies import installed
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
-from measured_report.deriving.plugins import plugins
+from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import Data, check_bounds, check_numbers
 from measured_report.site.page_reader import SCRIPT, PageReader

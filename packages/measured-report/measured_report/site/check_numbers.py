@@ -8,8 +8,8 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
-from measured_report.deriving.sections import labels_of
 from measured_report.files.config import config
+from measured_report.pages.sections import labels_of
 from measured_report.site.page_reader import PageReader
 from measured_report.values.format import (
     format_code,

@@ -8,10 +8,10 @@ from datetime import datetime
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import Edition
 from measured_report.records.provenance import git
 
 KEY = re.compile(r"^([a-z-]+): *(.+)$", re.MULTILINE)

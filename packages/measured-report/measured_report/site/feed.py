@@ -6,10 +6,10 @@ from datetime import datetime
 from operator import itemgetter
 
 from measured_report.changes.flips import flips_between
-from measured_report.deriving.editions import Edition
-from measured_report.deriving.plugins import plugins
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
+from measured_report.pages.editions import Edition
+from measured_report.pages.plugins import plugins
 from measured_report.site.archive import ARCHIVE, archived
 from measured_report.site.pages import CARD, Site
 

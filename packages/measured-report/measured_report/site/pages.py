@@ -10,11 +10,11 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.costs import beside, is_timed
-from measured_report.deriving.cache import DerivedCache
-from measured_report.deriving.chapters import Chapter
-from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
 from measured_report.files.staging import Draft
+from measured_report.pages.cache import DerivedCache
+from measured_report.pages.chapters import Chapter
+from measured_report.pages.editions import Edition
 from measured_report.pages.outline import FRONT, Page
 from measured_report.pages.passages import Passage
 from measured_report.pages.prose import LAYOUT, Inner, Prose, Templates, stylesheet

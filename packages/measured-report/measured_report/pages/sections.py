@@ -6,8 +6,8 @@ from importlib import import_module
 from pathlib import Path
 from traceback import extract_tb
 
-from measured_report.deriving.chapters import Releases
 from measured_report.files.errors import ReportError
+from measured_report.pages.chapters import Releases
 from measured_report.pages.outline import Page, page_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.config import config
 
 if TYPE_CHECKING:
-    from measured_report.deriving.cache import DerivedCache
     from measured_report.editions.status import State
+    from measured_report.pages.cache import DerivedCache
     from measured_report.pages.prose import Templates
     from measured_report.parts.section import Section
 

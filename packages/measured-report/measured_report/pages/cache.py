@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from measured_report.deriving.dependencies import code_digest, digest_of
 from measured_report.files.cache import Cache
+from measured_report.pages.dependencies import code_digest, digest_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Figure, Pictures, Section
 from measured_report.values.quantities import Value

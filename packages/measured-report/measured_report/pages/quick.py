@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from markupsafe import Markup
 
-from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.files.config import config
+from measured_report.pages.chapters import Chapters, Releases
 from measured_report.parts.claim import Claim
 
 MARK = Markup('<span class="badge" title="{} in full runs: {}">{} in full runs</span> ')

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from conftest import MODULE, REPORT, ROWS, TEMPLATE, Toy, killed_at, link, program
 
-from measured_report.deriving import dependencies
-from measured_report.deriving.dependencies import installed
-from measured_report.deriving.editions import editions_of
 from measured_report.files.cache import Cache
+from measured_report.pages import dependencies
+from measured_report.pages.dependencies import installed
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources

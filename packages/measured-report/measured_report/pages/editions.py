@@ -10,19 +10,19 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.deriving.cache import Derivation, DerivedCache
-from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
-from measured_report.deriving.plugins import Plugins, plugins
-from measured_report.deriving.quick import marks_of
-from measured_report.deriving.sections import LostError, Read, derive_section, file_of, outline_of
 from measured_report.editions.project import MANIFEST, Project, read_manifest
 from measured_report.editions.status import State, states_of
 from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
+from measured_report.pages.cache import Derivation, DerivedCache
+from measured_report.pages.chapters import Chapter, Chapters, Releases, stale_mark, values_text
 from measured_report.pages.outline import FRONT, PAGES, Page
 from measured_report.pages.passages import teller
+from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
+from measured_report.pages.quick import marks_of
+from measured_report.pages.sections import LostError, Read, derive_section, file_of, outline_of
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Section

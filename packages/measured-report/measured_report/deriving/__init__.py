@@ -1,1 +1,0 @@
-"""Deriving: what section modules make of records, kept from build to build."""
