@@ -8,7 +8,7 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, cell_count, extreme, other_cell, ratio, share, table_of
+from report.shared.arithmetic import Column, other_cell, ratio, share, table_of
 
 order = 187
 page = "limits"
@@ -59,9 +59,6 @@ SOLVERS = {
 NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", "")}
 """Those that keep the box, and their laws."""
 WALK_LAW, SINK_LAW = "predicted_growth_per_s", "predicted_creep_mm_s"
-KDS = (100, 50, 20, 10, 5, 2)
-SHAKES = {"stiff-pads": "stiff pads", **{f"pad-kd-{kd}": f"kd {kd}" for kd in KDS}}
-"""Pads of the test; as shipped they have a kd of 100."""
 Growths = Mapping[tuple[str, str], Value]
 """Growths by Newton's solver and step, of those that keep the box where it belongs."""
 
@@ -114,21 +111,12 @@ def derive(results: Results) -> Section:
     }
     solvers = table_of("solver", SOLVERS.values(), columns)
     walks = _discrete_walks(results)
-    columns = {
-        f"{_spaced(timeconst)}{said}": [walks[timeconst, step][which] for step in STEPS]
-        for timeconst in TIMECONSTS
-        for which, said in enumerate((" by law", ""))
-    }
-    discrete = table_of("step", map(_spaced, STEPS), columns)
-    rows = [results.row[f"fet028-{shake}"] for shake in SHAKES]
-    test = table_of("pads", SHAKES.values(), {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"}, rows)
     return Section(
-        tables={"engines": engines, "solvers": solvers, "discrete": discrete, "test": test},
+        tables={"engines": engines, "solvers": solvers},
         claims=[
             _as_their_laws_say(results, lines, walk_bound, sink_bound),
             _walks_most_in_mujoco(results, mine, lines),
             _anchors_hold(results, lines, walk_bound, sink_bound),
-            _only_here_it_stays(results, solved, growths),
             _test_lets_through(results),
             _discrete_adds_the_step(results, walks, mine.walk),
         ],
@@ -278,26 +266,6 @@ def _anchors_hold(results: Results, lines: Sequence[Line], walk_bound: Value, si
     ]
     outcome = all_of(*(at_most(size, bound) for size, bound in zip(sizes, (walk_bound, sink_bound), strict=True)))
     return Claim("anchors_hold", outcome, {"walk_bound": walk_bound, "sink_bound": sink_bound})
-
-
-def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
-    """Tell whether half the step halves the walk in Newton's other solvers, and not in MuJoCo Warp."""
-    formula = "growth with half the step over that with the whole"
-    kept = {
-        solver: ratio(results, f"{solver}_kept", formula, growths[solver, SHORT], growths[solver, LONG])
-        for solver in SOLVERS
-        if {(solver, SHORT), (solver, LONG)} <= set(growths)
-    }
-    mine = kept.pop("mujoco", None) or absent("1", "MuJoCo Warp was not run")
-    others = list(kept.values())
-    largest = extreme(results, "others_kept", "largest of the others", max, others)
-    count = cell_count(results, "other_count", "others", others)
-    lost = absent("%/s", "MuJoCo Warp does not hold the box, or was not run")
-    numbers: dict[str, Quantity] = {"largest": largest, "count": count}
-    for name, step in (("long", LONG), ("short", SHORT)):
-        numbers |= {name: rows["mujoco", step].step_ms, f"growth_{name}": growths.get(("mujoco", step)) or lost}
-    outcome = all_of(at_least(mine, 0.9, why="about as much"), at_most(largest, 0.6, why="about half"))
-    return Claim("only_here_it_stays", outcome, numbers)
 
 
 def _test_lets_through(results: Results) -> Claim:

@@ -10,7 +10,7 @@ from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most,
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import departure, needs_shaking, noise_floor, other_cell, resolved, share, size_share
+from report.shared.arithmetic import departure, needs_shaking, noise_floor, resolved, share, size_share
 from report.shared.drawing import SHIPPED, STIFF
 
 order = 80
@@ -45,7 +45,6 @@ def derive(results: Results) -> Section:
             needs_shaking("drift_needs_cycle", results, results.row["hold"].drift_mm_s, shaken.drift_mm_s),
             goes_on,
             keeps,
-            _faster_when_stiff(results, stiff),
             *_creep_is_rounding(results, *(results.row[f"precision-{name}"] for name in PRECISION)),
             _longer_steps_creep_less(results),
         ],
@@ -66,27 +65,6 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
     remaining = share(results, "stiff_creep_share", formula, stiff.slip_mm, long.slip_mm)
     numbers = {"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s}
     return Claim("stiff_pads_keep_creep", at_least(remaining, 50.0, why="most of it remains"), numbers)
-
-
-def _faster_when_stiff(results: Results, stiff: Row) -> Claim:
-    slip = other_cell(results, "reproduction", "stiff-pads", "slip_mm", unit="mm")
-    shorter = other_cell(results, "reproduction", "stiff-pads", "shake_duration_s", unit="s")
-    formula, duration = "slip over its time, stiff pads", stiff.shake_duration_s
-    held, shaken = (
-        results.value(f"stiff_{name}_rate", formula, lambda a, b: a / b, moved, time, unit="mm/s")
-        for name, moved, time in (("held", stiff.slip_mm, duration), ("shaken", slip, shorter))
-    )
-    noise = results.value(
-        "stiff_rate_noise",
-        "how far apart identical runs slip, over the shorter time",
-        lambda floor, *seconds: floor / min(seconds),
-        noise_floor(results, "slip_floor"),
-        *(duration, shorter),
-        unit="mm/s",
-        is_noise=True,
-    )
-    numbers = {"held": held, "shaken": shaken}
-    return Claim("held_is_faster_when_stiff", greater(held, shaken, noise=noise), numbers)
 
 
 def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Iterator[Claim]:

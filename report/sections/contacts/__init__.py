@@ -52,8 +52,7 @@ def derive(results: Results) -> Section:
         claims=[
             _far_inside_cone(results, runs),
             *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
-            *_slide_claims(results, runs),
-            _step_closes_account(results, runs["stiff-pads"], restored[1].drift_mm_s),
+            _slide_accounts(results, runs["as-shipped"]),
             missing,
             back,
             _rest_is_creep(results, left_out, restored),
@@ -85,34 +84,15 @@ def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> 
     yield Claim("own_friction_timeconst", decided(bool(timeconst.value), timeconst))
 
 
-def _slide_claims(results: Results, runs: Mapping[str, Row]) -> Iterator[Claim]:
+def _slide_accounts(results: Results, run: Row) -> Claim:
     bound = results.chosen("slide_departure_bound", "the same motion", 15.0, unit="%")
     formula = "what the velocities of the loaded friction rows add up to, less the motion measured along the same axis"
-    gaps = {
-        case: difference(results, f"slide_gap_{case}", formula, run.slide_mm, run.along_mm)
-        for case, run in runs.items()
-    }
-    formula, floor = "size of that difference, of the motion measured", noise_floor(results, "slip_floor")
-    for name, case in (("slide_accounts", "as-shipped"), ("slide_accounts_when_stiff", "stiff-pads")):
-        slide, along = runs[case].slide_mm, runs[case].along_mm
-        off = size_share(results, f"slide_departure_{case}", formula, gaps[case], along)
-        numbers = {"slide": slide, "along": along, "bound": bound}
-        is_more = greater(slide, along, noise=floor).said
-        yield Claim(name, at_most(off, bound), numbers | {"is_more": is_more})
-
-
-def _step_closes_account(results: Results, stiff: Row, drift: Quantity) -> Claim:
-    whole = results.value(
-        "slide_and_step",
-        "slide of the friction rows, and the drift in MuJoCo C with the left-out acceleration put back over as long",
-        lambda slide, drift, seconds: slide + drift * seconds,
-        *(stiff.slide_mm, drift, stiff.shake_duration_s),
-        unit="mm",
-    )
-    formula = "size of the difference between that and the motion measured, of the latter"
-    left = departure(results, "slide_and_step_departure", formula, whole, stiff.along_mm)
-    outcome = at_most(left, results.derived["slide_departure_bound"])
-    return Claim("step_closes_account_when_stiff", outcome, {"drift": drift, "sum": whole})
+    gap = difference(results, "slide_gap_as-shipped", formula, run.slide_mm, run.along_mm)
+    formula = "size of that difference, of the motion measured"
+    off = size_share(results, "slide_departure_as-shipped", formula, gap, run.along_mm)
+    is_more = greater(run.slide_mm, run.along_mm, noise=noise_floor(results, "slip_floor")).said
+    numbers = {"slide": run.slide_mm, "along": run.along_mm, "bound": bound, "is_more": is_more}
+    return Claim("slide_accounts", at_most(off, bound), numbers)
 
 
 def _missing_term(results: Results, rows: list[Row]) -> Claim:

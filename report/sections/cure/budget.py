@@ -21,12 +21,11 @@ from report.sections.cure.variants import (
     STIFF_TERM,
     TERM,
     Variant,
-    less_untested,
     use_table,
     what_to_use,
 )
 from report.shared import drawing as colours
-from report.shared.arithmetic import cell_count, extreme, noise_floor, rows_with, share, table_of
+from report.shared.arithmetic import cell_count, noise_floor, rows_with, share, table_of
 from report.shared.drawing import mark_points
 
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
@@ -43,7 +42,6 @@ Bounds = tuple[Value, Value]
 """Remainders up to which the budget closes: in mm, and in percent of the slip."""
 COUNTED: dict[str, tuple[str, Callable[..., bool]]] = {
     "closed": ("remainder is below either bound", lambda rest, slip, least, most: rest <= max(least, most * slip)),
-    "open": ("remainder is above both bounds", lambda rest, slip, least, most: rest > max(least, most * slip)),
     "relative": ("remainder is below its share of the slip", lambda rest, slip, least, most: rest <= most * slip),
     "little": ("slip is no more than twice the absolute bound", lambda rest, slip, least, most: slip <= 2.0 * least),
     "alike": (
@@ -74,13 +72,11 @@ def derive(results: Results) -> Section:
         figures={"budget": budget},
         claims=[
             what_to_use(results, far),
-            less_untested(results, runs),
             _each_takes_its_part(results),
             closes,
             _term_uncovers_step(results),
             _stiff_pads_with_term(results),
             *_with_other_contacts(results),
-            _rest_is_far_shake(results, kept, (least, most), far),
         ],
     )
 
@@ -151,18 +147,8 @@ def _with_other_contacts(results: Results) -> Iterator[Claim]:
         yield Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip})
 
 
-def _rest_is_far_shake(results: Results, kept: Sequence[Row], bounds: Bounds, amplitude: Value) -> Claim:
-    """Tell whether most runs of which the budget lacks something are those of soft pads in the widest shake."""
-    far = [row for row in kept if (row.pads, row.shake) == ("shipped", "10cm")]
-    every, soft = _count_of(results, "open", kept, bounds), _count_of(results, "open", far, bounds, "soft")
-    part = share(results, "open_soft_share", "of all runs of which it does not close", soft, every)
-    largest = extreme(results, "remainder_most", "largest remainder", max, [row.remainder_mm for row in kept])
-    numbers = {"soft": soft, "every": every, "amplitude": amplitude, "largest": largest}
-    return Claim("rest_is_far_shake", at_least(part, 50.0, why="most of them"), numbers)
-
-
-def _count_of(results: Results, what: str, runs: Sequence[Row], bounds: Bounds, of: str = "") -> Value:
-    """Count the runs of which what ``COUNTED`` names is so; ``of`` tells them from all others in the value's name."""
+def _count_of(results: Results, what: str, runs: Sequence[Row], bounds: Bounds) -> Value:
+    """Count the runs of which what ``COUNTED`` names is so."""
     words, is_so = COUNTED[what]
     column = "predicted_slip_mm" if what == "alike" else "remainder_mm"
 
@@ -171,8 +157,7 @@ def _count_of(results: Results, what: str, runs: Sequence[Row], bounds: Bounds, 
         return sum(is_so(value, slip, least, 0.01 * most) for value, slip in pairs)
 
     cells = (cell for row in runs for cell in (row[column], row.slip_mm))
-    name = "_".join(filter(None, (what, of, "count")))
-    return results.value(name, f"runs whose {words}", count, *bounds, *cells)
+    return results.value(f"{what}_count", f"runs whose {words}", count, *bounds, *cells)
 
 
 def _parts_of(results: Results, variant: Variant) -> dict[str, Value]:

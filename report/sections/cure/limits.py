@@ -6,13 +6,12 @@ from itertools import chain
 from statistics import median
 from typing import Any
 
-import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import HOLDS, OPPOSITE, Claim, Outcome, at_least, at_most, greater
 from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.labels import label_of
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
@@ -31,14 +30,6 @@ LABELS = {
 }
 CASE = Markup('<span class="case" title="{}">{}</span>')
 """Variants that runs about other pads are not tried with."""
-FAMILIES = {
-    "steps": "steps, shipped and stiff pads",
-    "ke-critical": "pads' ke with kd = 2√ke",
-    "ke-kd-100": "pads' ke alone",
-    "mass": "mass of the cube",
-    "overlap": "start too deep in contact",
-}
-"""Families of runs, and what they vary."""
 Runs = Mapping[str, Mapping[str, Row]]
 """Rows by the run, and by what is done in it."""
 
@@ -58,11 +49,7 @@ def derive(results: Results) -> Section:
     numbers: dict[str, Any] = {"count": count, "is_so": at_least(best, 2.0, why="clearly less") == HOLDS}
     numbers["is_so"] = numbers["is_so"] and greater(best, term, noise=2.0, why="a gain that differs") == HOLDS
     numbers["has_lost"] = any(claim.numbers["lost_count"].value for claim in breaks[: len(VARIANTS)])
-    return Section(
-        tables={"families": _table(results, whole)},
-        figures={"creep": Figure(lambda: _draw(whole), kept, numbers)},
-        claims=[*breaks, *less],
-    )
+    return Section(figures={"creep": Figure(lambda: _draw(whole), kept, numbers)}, claims=[*breaks, *less])
 
 
 def _kept(runs: Runs, *variants: str) -> Runs:
@@ -113,21 +100,6 @@ def _creeps_less(results: Results, runs: Runs) -> Iterator[Claim]:
             outcome = OPPOSITE.having_read(typical)
         outcome = outcome.having_read(worse)
         yield Claim(f"{variant}_creeps_less", outcome, {"gain": typical, "count": count, "worse": worse})
-
-
-def _table(results: Results, runs: Runs) -> Table:
-    lines = {}
-    for family, label in FAMILIES.items():
-        mine = {name: found for name, found in runs.items() if found["plain"].family == family}
-        if not mine:
-            continue
-        kept = {"runs": mine, "keep the cube": _kept(mine, "plain")}
-        kept |= {f"with {words}": _kept(mine, variant) for variant, words in VARIANTS.items()}
-        lines[label] = {
-            words: _count(results, f"{family}_{words}".replace(" ", "_"), f"{words}: {label}", found.values())
-            for words, found in kept.items()
-        }
-    return Table(pd.DataFrame(lines).T.rename_axis("what varies"))
 
 
 def _draw(runs: Runs) -> Drawing:

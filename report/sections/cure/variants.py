@@ -1,30 +1,13 @@
 """Variants of the scene, from as shipped to the cure on stiff pads, and which of them to use."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
-from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
+from measured_report.parts.claim import Claim, all_of, at_most, greater
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, difference, noise_floor, table_of
+from report.shared.arithmetic import difference, noise_floor, table_of
 
-WORDS = {
-    "newton": "Newton's contacts",
-    "mujoco": "MuJoCo's contacts",
-    "euler": "Euler",
-    "rk4": "RK4",
-    "shipped": "shipped pads",
-    "stiff": "stiff pads",
-    "plain": "nothing done",
-    "term": "term put back",
-    "centred": "term centred",
-    "full": "term centred, in normal rows too",
-    "rounded": "positions rounded",
-    "kept": "positions compensated",
-    "implicitfast": "implicitfast",
-}
-"""Labels of the parts of a case's name; numbers are impratio."""
 GRASP_MM = 80.0
 """Distance from where it was beyond which a cube is out of the grasp."""
 
@@ -100,25 +83,3 @@ def what_to_use(results: Results, amplitude: Value) -> Claim:
     numbers = {"slip": slips[FIRM], "shipped": slips[SHIPPED], "far": far, "amplitude": amplitude}
     numbers |= {"lost": lost[FIRM], "kept": results.derived[f"kept_{FIRM.tested}"]}
     return Claim("what_to_use", outcome.having_read(*lost.values()), numbers)
-
-
-def less_untested(results: Results, runs: Sequence[Row]) -> Claim:
-    """Tell how many of all recorded combinations slip less than the cure on stiff pads, and were not tested."""
-    noise, best = noise_floor(results, "slip_floor"), FIRM.row(results, "3cm").slip_mm
-    shaken = [row for row in runs if row.shake == "3cm"]
-    tested = [variant.case.format("3cm") for variant in TESTED]
-    others = [row for row in shaken if row.slip_mm.value is not None and row.case not in tested]
-    there = sorted(others, key=lambda row: row.slip_mm.value)
-
-    def fewer(best: float, noise: float, *slips: float) -> int:
-        return sum(slip < best - noise for slip in slips)
-
-    formula = "combinations that were not tested and slip less, by more than the noise"
-    numbers = {
-        "count": results.value("less_count", formula, fewer, best, noise, *(row.slip_mm for row in there)),
-        "total": cell_count(results, "combination_count", "combinations", [row.frame_count for row in shaken]),
-        "least": there[0].slip_mm,
-    }
-    parts = there[0].case.replace("-3cm", "").split("-")
-    words = {"variant": ", ".join(WORDS.get(part, f"impratio {part}") for part in parts)}
-    return Claim("less_untested", at_least(numbers["count"], 1, why="one at least"), numbers | words)

@@ -9,17 +9,7 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
 from report.sections.error_runtime.claims import accuracy_claims, knob_claims, pads_claims
 from report.sections.error_runtime.figures import draw_grasp, draw_numerical
-from report.sections.error_runtime.runs import (
-    ERROR,
-    GRASP,
-    PADS,
-    TIME,
-    Points,
-    assignment,
-    is_clamped,
-    points_of,
-    with_shipped_steps,
-)
+from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, assignment, is_clamped, points_of
 from report.sections.error_runtime.worlds import derive_worlds
 from report.shared.arithmetic import Column, table_of
 
@@ -49,7 +39,7 @@ def derive(results: Results) -> Section:
     grasp = _as_shipped(points, GRASP) | {"soft": soft, "stiff": stiff, "pads_decide": held["pads_decide"]}
     errors, grasp_errors = ([row[column] for row in points.settings] for column in (ERROR, GRASP))
     return Section(
-        tables={"front": _front_table(points), "knobs": _knob_table(points)},
+        tables={"front": _front_table(points)},
         figures={
             "numerical": Figure(lambda: draw_numerical(points), errors, numerical),
             "grasp": Figure(lambda: draw_grasp(points), [*grasp_errors, soft, stiff], grasp),
@@ -87,17 +77,3 @@ def _settings(row: Row) -> Markup:
     """Write what to set, as the parameters are called in the scene."""
     parts = [assignment(row, name) for name in ("substeps", *PARAMETERS) if name in row]
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))
-
-
-def _knob_table(points: Points) -> Table:
-    """Show each knob beside the setting as shipped from which it is turned."""
-    shipped = [with_shipped_steps(pads, "newton") for pads in PADS]
-    rows = [row for row in points.settings if row.method == "newton"]
-    rows = [row for row in rows if row.knob != "substeps" or row.case in shipped]
-    rows.sort(key=lambda row: (list(PADS).index(row["pads"]), row.knob != "substeps"))
-    columns = {"changed": _changed, **SHOWN, "time": TIME}
-    return table_of("pads", map(_pads, rows), columns, rows)
-
-
-def _changed(row: Row) -> Markup | str:
-    return "nothing" if row.knob == "substeps" else Markup("<code>{}</code>").format(assignment(row, row.knob))

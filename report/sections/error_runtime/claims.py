@@ -19,7 +19,6 @@ from report.sections.error_runtime.runs import (
     holds_cube,
     is_clamped,
     named,
-    uses_all_iterations,
     with_shipped_steps,
 )
 from report.shared.arithmetic import cell_count, log_slope, ratio, resolved, share, told
@@ -39,9 +38,6 @@ def accuracy_claims(points: Points) -> Iterator[Claim]:
     yield Claim("first_order", at_most(away, 0.15, why="counts as one"), {"observed": observed})
 
     yield _reference_converged(points)
-    floor, error = points.floors["as-shipped"], points[SHIPPED][ERROR]
-    yield Claim("single_precision", at_most(floor, error), {"floor": floor, "error": error})
-    yield _clamped(points)
 
 
 def _c_is_cheapest(points: Points) -> Claim:
@@ -126,23 +122,8 @@ def _order(points: Points, pads: str, method: str) -> Value:
     )
 
 
-def _clamped(points: Points) -> Claim:
-    """From how many substeps on the model stays the same: those of the scene are enough as shipped alone."""
-    soft, stiff = (_least_substeps(points, pads) for pads in PADS)
-    shipped = points[SHIPPED].substeps
-    outcome = all_of(at_most(soft, shipped), greater(stiff, shipped, noise=0, why="a count is exact"))
-    return Claim("clamped", outcome, {"soft": soft, "stiff": stiff, "shipped": shipped})
-
-
-def _least_substeps(points: Points, pads: str) -> Value:
-    row = points[with_shipped_steps(pads, "newton")]
-    cells = row.timeconst_ms, row.substep_ms, row.substeps
-    formula = "least whole number of substeps of which two are no longer than the pads' timeconst"
-    return points.results.value(f"least_substeps_{pads}", formula, lambda t, dt, n: int(-(-2 * dt * n // t)), *cells)
-
-
 def knob_claims(points: Points) -> list[Claim]:
-    return [_solver_effort(points), _impratio(points), _too_little(points)]
+    return [_solver_effort(points), _impratio(points)]
 
 
 def _solver_effort(points: Points) -> Claim:
@@ -164,16 +145,6 @@ def _solver_effort(points: Points) -> Claim:
 
 def _farthest(base: float, *found: float) -> float:
     return max(abs(each - base) for each in found)
-
-
-def _too_little(points: Points) -> Claim:
-    """Tell which settings fail."""
-    failed = [row for row in points.settings if not counts(row)]
-    lost = [row for row in failed if not (holds_cube(row) and uses_all_iterations(row))]
-    twins = [points[row.case.replace("/c/", "/newton/")] for row in lost]
-    measured = [row.iteration_peak_count for row in points.settings if row.iteration_peak_count.value is not None]
-    kept = all(twin and twin not in lost and twin[ERROR].value is not None for twin in twins)
-    return Claim("too_little", decided(bool(lost), *measured), {"lost": named(lost), "warp_keeps": kept})
 
 
 def pads_claims(points: Points) -> Iterator[Claim]:

@@ -18,7 +18,6 @@ from report.shared.arithmetic import (
     largest_size,
     noise_floor,
     ratio,
-    told,
 )
 from report.shared.timing import RowsBy, compared, resolution
 
@@ -87,7 +86,6 @@ def derive(results: Results) -> Section:
         claims=[
             _faster_on_gpu(results, timed, faster),
             _faster_on_cpu(results, timed, faster),
-            _buffers_on_cpu(results, timed, faster),
             _less_memory(results, timed),
             _same_slip_on_gpu(results, runs["cuda"]),
             _each_helps(timed, faster, [*known.values(), *apart.values()], least),
@@ -157,16 +155,6 @@ def _faster_on_cpu(results: Results, timed: Timed, faster: Faster) -> Claim:
     sources = row.frame_ratio, row.ratio_resolution
     gain = results.value("cpu_gain_least", formula, lambda taken, seen: 1 / taken / (1 + seen), *sources, is_noise=True)
     return Claim("faster_on_cpu", _found(faster, "cpu", ALL, 1).having_read(gain), {"gain": gain})
-
-
-def _buffers_on_cpu(results: Results, timed: Timed, faster: Faster) -> Claim:
-    """Tell whether smaller buffers alone take more off a frame on a CPU than all the rest does."""
-    before, smaller, least = (timed["cpu", case, 1] for case in (REFERENCE, "without-buffers", ALL))
-    formula = "time that smaller buffers alone take off a frame on the CPU, of that which all of it takes off"
-    times = before.frame_ms, smaller.frame_ms, least.frame_ms
-    part = results.value("cpu_buffers_part", formula, lambda a, b, c: 100 * (a - b) / (a - c), *times, unit="%")
-    outcome = all_of(_found(faster, "cpu", "without-buffers", 1), at_least(part, 50.0, why="most of it"))
-    return Claim("buffers_on_cpu", outcome, told(smaller.frame_ratio, {"time": smaller.frame_ms}))
 
 
 def _less_memory(results: Results, timed: Timed) -> Claim:

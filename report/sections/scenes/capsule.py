@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
@@ -48,7 +48,6 @@ def derive(results: Results) -> Section:
         claims=[
             as_published,
             follows_law,
-            _rest_is_jolts(results, rows),
             _impratio_divides(results, rows),
             *_noslip_helps(results, rows, has_noslip),
             _newton_changes_a_mass(results, rows),
@@ -80,18 +79,6 @@ def _rates_agree(results: Results, rows: Rows, published: Mapping[str, Value]) -
     count = cell_count(results, "law_count", "runs for which the law gives a rate", found)
     numbers = {"count": count, "largest": largest}
     yield Claim("follows_law", at_most(largest, 1.0, why="the same rate"), numbers)
-
-
-def _rest_is_jolts(results: Results, rows: Rows) -> Claim:
-    """Tell whether the rate on average is more than the steady one, but for a capsule that ends between the pads."""
-    formula = "rate on average less the steady one, of the latter"
-    long, short = (
-        departure(results, f"{name}_jolts", formula, row.creep_mm_s, row.steady_creep_mm_s)
-        for name, row in (("long", rows["recipe-c"]), ("within-pads", rows["within-pads-c"]))
-    )
-    bound = results.chosen("jolt_bound", "no jolts", 0.2, unit="%")
-    outcome = all_of(greater(long, short, noise=bound), at_most(short, bound))
-    return Claim("rest_is_jolts", outcome, {"long": long, "short": short, "bound": bound})
 
 
 def _impratio_divides(results: Results, rows: Rows) -> Claim:

@@ -16,8 +16,6 @@ STEPS = ("0.5", "1", "2", "4", "8", "16", "32", "64")
 """Steps in ms, as cases have them."""
 CREEPING = ("implicitfast", "euler", "rk4", "pyramidal", "own-timeconst", "warp", "through-newton")
 SETTINGS = (*CREEPING, "term")
-ALIKE = ("euler", "warp", "through-newton")
-"""Settings that should change nothing."""
 DRAWN = {
     "implicitfast": "MuJoCo C",
     "warp": "MuJoCo Warp",
@@ -47,8 +45,7 @@ def derive(results: Results) -> Section:
         numbers={"lost": lost, "plain": plain.slip_mm, "step": plain.step_ms}
         | {"is_creep": all_of(by_creep.outcome, term.outcome) == HOLDS},
     )
-    softer, same = _softer_with_the_step(results), _same_in_all_engines(results, found)
-    claims = [by_creep, _is_firm(results, plain), slip, softer, rk4, own, term, same]
+    claims = [by_creep, _is_firm(results, plain), slip, _softer_with_the_step(results), rk4, own, term]
     return Section(figures={"slips": figure}, claims=claims)
 
 
@@ -124,19 +121,6 @@ def _other_settings(results: Results, found: Mapping[str, Row], least: Mapping[s
     outcome = all_of(at_most(left, 10.0, why="most of it is gone"), at_least(times, 2.0, why="a longer step by far"))
     numbers = {"before": before, "after": after, "plain": plain, "term": term}
     yield Claim("term_holds", outcome, numbers)
-
-
-def _same_in_all_engines(results: Results, found: Mapping[str, Row]) -> Claim:
-    cells = {name: (found[name].largest_step_ms, results.row[f"8ms-{name}"].slip_mm) for name in SETTINGS}
-    largest = []
-    for place, name in enumerate(("step", "slip")):
-        formula, own = f"{name} less that in C with implicitfast, in size, of the latter", cells["implicitfast"][place]
-        off = [departure(results, f"{other}_{name}", formula, cells[other][place], own) for other in ALIKE]
-        largest.append(extreme(results, f"engine_{name}", f"largest of the departures of the {name}", max, off))
-    bound = results.chosen("engine_bound", "what the search for the step resolves", 1.0, unit="%")
-    steps, slips = largest
-    outcome = all_of(at_most(steps, bound), at_most(slips, 5.0, why="the same slip"))
-    return Claim("same_in_all_engines", outcome, {"steps": steps, "slips": slips, "bound": bound})
 
 
 def _draw(runs: Mapping[str, Sequence[Row]], lost: Quantity) -> Drawing:

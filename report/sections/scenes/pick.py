@@ -48,7 +48,6 @@ def derive(results: Results) -> Section:
             _elliptic_holds(results, rows, "newton"),
             _shorter_does_not(results, rows),
             _long_step_lifts_nothing(results, rows),
-            _implicitfast_shakes_harder(results),
         ],
     )
 
@@ -121,18 +120,6 @@ def _long_step_lifts_nothing(results: Results, rows: Rows) -> Claim:
     count = total(results, "long_count", formula, [row.seed_count for row in mine])
     step = results.chosen("long_step", "as published", 10.0, unit="ms")
     return Claim("long_step_lifts_nothing", at_most(lifted, 0.0, why="not one"), {"count": count, "step": step})
-
-
-def _implicitfast_shakes_harder(results: Results) -> Claim:
-    """Tell whether the arm lifts with either step, and drops what an elliptic cone holds with Euler."""
-    mine = [results.row[f"{kind}-{step}-elliptic-implicitfast"] for kind in OBJECTS for step in STEPS]
-    formula = "grasps with implicitfast"
-    lifts = [row.lifted_count for row in mine]
-    lifted = total(results, "implicitfast_lifted", f"{formula} that lift their object", lifts)
-    held = total(results, "implicitfast_held", "of these that stand the shake", [row.held_count for row in mine])
-    count = total(results, "implicitfast_count", formula, [row.seed_count for row in mine])
-    outcome = all_of(at_least(lifted, count), at_most(held, 0.0, why="not one"))
-    return Claim("implicitfast_shakes_harder", outcome, {"count": count, "lifted": lifted})
 
 
 def _draw(rows: Rows, published: Times) -> Drawing:

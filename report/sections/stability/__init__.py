@@ -13,7 +13,7 @@ from measured_report.values.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
 from report.sections.stability.families import count, family, family_claim
-from report.sections.stability.figures import draw_loads, draw_long, draw_maps, draw_sizes, draw_steps
+from report.sections.stability.figures import draw_loads, draw_maps, draw_sizes, draw_steps
 from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, is_stable
 
 order = 145
@@ -65,10 +65,9 @@ def derive(results: Results) -> Section:
     depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
     safe, gain = limits.safe(results, critical, default_kd), limits.gain_goes(results)
     crossovers = [extremes.crossover(results, name, margin) for name in ("shake", "grip")]
-    size, long = extremes.size(results, depth), extremes.long(results)
+    size = extremes.size(results, depth)
     steps = family(results, "steps")
     has_back = any((row.drift_mm_s.value or 0.0) < 0.0 for row in steps)
-    trace = results.trace("long")
     return Section(
         figures={
             "maps": _maps(results, critical, default_kd, safe.outcome == HOLDS and not _holds_stiffest(default_kd)),
@@ -80,7 +79,6 @@ def derive(results: Results) -> Section:
                 bound=depth,
                 small_ones_fail=size.outcome != HOLDS and size.numbers["small_ones_fail"],
             ),
-            "long": Figure(lambda: draw_long(trace), [trace], {"is_so": long.outcome == HOLDS}),
         },
         claims=[
             safe,
@@ -88,17 +86,14 @@ def derive(results: Results) -> Section:
             gain,
             family_claim(results, "explicit_boundary", default_kd, near=near),
             limits.clamp(results),
-            limits.leans_on_clamp(results),
             *crossovers,
             extremes.friction(results),
-            *extremes.masses(results),
+            extremes.masses(results),
             size,
             extremes.overlap(results),
             *extremes.gravity(results),
-            long,
+            extremes.long(results),
             extremes.buffers(results),
-            extremes.neighbours(results),
-            extremes.repeats_agree(results),
         ],
     )
 

@@ -4,23 +4,12 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from markupsafe import Markup
 
-from measured_report.parts.claim import (
-    HOLDS,
-    Claim,
-    Outcome,
-    all_of,
-    at_least,
-    at_most,
-    contiguous,
-    decided,
-    greater,
-    within,
-)
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, contiguous, decided, greater
+from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.sections.stability.families import count, family, family_claim, least, most
-from report.sections.stability.passing import CLASSES, ENERGY_LARGEST, GROWTH_LARGEST, is_stable, passed
-from report.shared.arithmetic import cases_html, cell_or_absent, extreme, share, size_difference
+from report.sections.stability.families import family, family_claim, least, most
+from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, is_stable, passed
+from report.shared.arithmetic import cases_html, cell_or_absent, extreme, share
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
@@ -50,28 +39,13 @@ def friction(results: Results) -> Claim:
     return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest)
 
 
-def masses(results: Results) -> Iterator[Claim]:
-    """Say which masses are held, and whether the drift goes with the mass."""
+def masses(results: Results) -> Claim:
     rows = sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
     held = list(filter(is_stable, rows))
     light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
     heavy = most(results, "mass_most", "largest mass that is held", held, "cube_mass_kg")
     also = contiguous([is_stable(row) for row in rows], light, heavy)
-    yield family_claim(results, "masses", rows, also, light=light, heavy=heavy)
-
-    yield _mass_drift(results, [row.drift_mm_s for row in held])
-
-
-def _mass_drift(results: Results, drifts: Sequence[Quantity]) -> Claim:
-    formula = "drift of masses that are held, in size"
-    low = extreme(results, "mass_drift_least", f"least {formula}", lambda *found: min(map(abs, found)), drifts)
-    high = extreme(results, "mass_drift_most", f"largest {formula}", lambda *found: max(map(abs, found)), drifts)
-    bound = results.chosen("mass_drift_bound", "alike", 2.0)
-    formula = "the largest drift over that bound"
-    allowed = results.value("mass_drift_allowed", formula, lambda a, b: a / b, high, bound, unit="mm/s")
-    is_one_way = len({drift.value > 0 for drift in drifts if drift.value is not None}) == 1
-    outcome = all_of(at_least(low, allowed), decided(is_one_way, *drifts))
-    return Claim("mass_drift", outcome, {"low": low, "high": high, "bound": bound})
+    return family_claim(results, "masses", rows, also, light=light, heavy=heavy)
 
 
 def _sinks(rows: Iterable[Row]) -> list[Quantity]:
@@ -158,23 +132,3 @@ def buffers(results: Results) -> Claim:
         fits.append(at_most(peak, cell_or_absent(ample, f"{kind}_max", "1")))
         needed.append(at_least(peak, too_few))
     return family_claim(results, "buffers", rows, all_of(*fits, *needed), **peaks)
-
-
-def neighbours(results: Results) -> Claim:
-    alone, batch = results.row.get("buffers-ample"), results.row.get("steps-stiff-16")
-    difference = floor = absent("mm/s", "it was not measured")
-    if alone and batch:
-        formula = "difference in creep of the same case alone and among worlds that fail"
-        difference = size_difference(results, "neighbour_difference", formula, alone.creep_mm_s, batch.creep_mm_s)
-        floor = batch.creep_floor_mm_s
-    return Claim("neighbours_unharmed", within(difference, floor), {"difference": difference, "floor": floor})
-
-
-def repeats_agree(results: Results) -> Claim:
-    rows = [row for row in results.rows if (row.repeat_count.value or 0) > 1]
-    split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
-    repeated = count(results, "repeated_count", "cases with repeats", rows)
-    repeats = least(results, "repeats_least", "least number of repeats", rows, "repeat_count")
-    differing = count(results, "split_count", "cases whose repeats end in different classes", split)
-    outcome = at_most(differing, 0, why="none") if rows else Outcome("unknown", "no case was repeated")
-    return Claim("repeats_agree", outcome, {"total": repeated, "repeats": repeats, "split": differing})

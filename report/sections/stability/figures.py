@@ -23,7 +23,7 @@ from measured_report.parts.figures import (
     tick_decades,
     write,
 )
-from measured_report.values.results import Row, Series
+from measured_report.values.results import Row
 from report.sections.stability.passing import CLASSES, is_stable, near_limit
 from report.shared.drawing import SHIPPED, STIFF, mark_points
 
@@ -172,11 +172,3 @@ def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
 
 def _share(row: Row) -> float:
     return 100.0 * row.penetration_mm.value / row.cube_edge_mm.value
-
-
-def draw_long(trace: Series) -> Drawing:
-    drawing, axes = new_figure(7.2, 2.6)
-    way = np.linalg.norm(trace.value[["x_mm", "y_mm", "z_mm"]], axis=1)
-    axes.plot(trace.value["time_s"] / 60.0, way, color=STIFF, linestyle="-", marker="")
-    axes.set(xlabel="time of the shake [min]", ylabel="displacement [mm]", ylim=(0.0, None))
-    return drawing

@@ -8,12 +8,12 @@ from typing import Any
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from measured_report.parts.claim import FAILS, OPPOSITE, Claim, Outcome, all_of, at_least, at_most, decided, decreases
+from measured_report.parts.claim import Claim, Outcome, all_of, at_least, at_most, decided, decreases
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability.families import count, family, family_claim, least, most
 from report.sections.stability.passing import is_stable, passed
-from report.shared.arithmetic import extreme, friction_rows_differ, ratio
+from report.shared.arithmetic import friction_rows_differ, ratio
 
 UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
 """Ways around the clamp."""
@@ -96,16 +96,3 @@ def clamp(results: Results) -> Claim:
     )
     numbers = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
     return family_claim(results, "clamp_off", rows, decided(parted, first, last), **numbers)
-
-
-def leans_on_clamp(results: Results) -> Claim:
-    """Tell whether without the clamp even runs are lost whose pads need none, with a timeconst of two steps or more."""
-    long = [row for row in family(results, "clamp") if row.clamp == "off" and row.timeconst_steps.value >= 2.0]
-    times, kept = [row.timeconst_steps for row in long], [is_stable(row) for row in long]
-    outcome = decided(not any(kept), *times) if long else Outcome("unknown", "it was not measured")
-    if outcome == FAILS and all(kept):
-        outcome = OPPOSITE.having_read(*times)
-    number = count(results, "clamp_long_count", "runs without the clamp that need none", long)
-    longest = extreme(results, "clamp_longest", "largest timeconst over dt", max, times)
-    own = friction_rows_differ(results.others.get("contacts"))
-    return Claim("leans_on_clamp", outcome, {"count": number, "most": longest, "own": own})
