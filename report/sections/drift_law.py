@@ -11,7 +11,6 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.sections.stiffness.runs import FIX, SHIPPED, is_held
 from report.shared import drawing as colours
 from report.shared.arithmetic import (
     Column,
@@ -20,6 +19,7 @@ from report.shared.arithmetic import (
     departure,
     difference,
     extreme,
+    is_held,
     largest_size,
     noise_floor,
     other_cell,
@@ -42,6 +42,7 @@ labels = {
     "solimp-dmax-#": "dmax {}",
 }
 
+SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
 PARTS = {"left_out": "the term", "step": "step"}
 """Columns of the large parts, and what they are called."""
 SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")

@@ -186,15 +186,15 @@ def _newton_lines(results: Results) -> list[Line]:
 
 
 def _line(
-    results: Results, key: str, named: Sequence[str], law: str, walks: Sequence[Quantity], sinks: Sequence[Quantity]
+    results: Results, key: str, named: tuple[str, str, str], law: str, walks: Sequence[Quantity], sinks: Sequence
 ) -> Line:
     """Derive a line from walks [1/s], measured, by law and with half the step, and sinkings [mm/s]."""
     names = ("walk", "walk_law", "short_walk")
-    found = {name: _percent(results, f"{key}_{name}", cell) for name, cell in zip(names, walks, strict=True)}
+    shown = [_percent(results, f"{key}_{name}", cell) for name, cell in zip(names, walks, strict=True)]
     for name, cell in zip(("sink", "sink_law"), sinks, strict=True):
         formula = "how fast the capsule sinks"
-        found[name] = results.value(f"{key}_{name}", formula, lambda rate: 1e3 * rate, cell, unit="µm/s")
-    return Line(*named, law, **found)
+        shown.append(results.value(f"{key}_{name}", formula, lambda rate: 1e3 * rate, cell, unit="µm/s"))
+    return Line(*named, law, *shown)
 
 
 def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:

@@ -217,3 +217,9 @@ def other_cell(results: Results, section: str, case: str, column: str, *, unit: 
 def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:
     """Return a cell that not every record has; without a number, and with the reason, when it isn't there."""
     return row[column] if row and column in row else absent(unit, reason)
+
+
+def is_held(row: Row) -> bool:
+    """Tell whether a run keeps the cube. One that comes to its shake too late to go through a cycle of it has shown
+    nothing: a hand that trembles takes seconds longer to close and to lift."""
+    return row.slip_mm.value is not None and not row.dropped and row.cycle_count.value is not None

@@ -14,7 +14,7 @@ from experiments.simulation.scene import CUBE_IN_HAND
 from experiments.simulation.simulation import is_due, simulate
 from experiments.stability import FREED_FRAMES, bracket, freed_columns, worst
 from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
-from report.sections.stability.extremes import MU
+from report.sections.stability.claims import MU
 
 STIFF = replace(BASE, **PADS["stiff"])
 

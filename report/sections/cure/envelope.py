@@ -7,7 +7,7 @@ from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
-from report.sections.envelope import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
+from report.shared.maps import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
 
 SIDES = {"term": "the term", "best": "the whole cure"}
 MAP = "map"

@@ -7,10 +7,9 @@ from markupsafe import Markup
 from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.claims import accuracy_claims, knob_claims, pads_claims
+from report.sections.error_runtime.claims import accuracy_claims, derive_worlds, knob_claims, pads_claims
 from report.sections.error_runtime.figures import draw_grasp, draw_numerical
 from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, assignment, is_clamped, points_of
-from report.sections.error_runtime.worlds import derive_worlds
 from report.shared.arithmetic import Column, table_of
 
 order = 155

@@ -10,9 +10,8 @@ from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value, absent
 from measured_report.values.results import Results, Row
-from report.sections.stability import extremes
-from report.sections.stability import steps as limits
-from report.sections.stability.families import count, family, family_claim
+from report.sections.stability import claims
+from report.sections.stability.claims import count, family, family_claim
 from report.sections.stability.figures import draw_loads, draw_maps, draw_sizes, draw_steps
 from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, is_stable
 
@@ -63,9 +62,9 @@ def derive(results: Results) -> Section:
     near = results.chosen("near_factor", "alike", NEAR_FACTOR)
     margin = results.chosen("limit_margin", "well below the limit, or well above", LIMIT_MARGIN, unit="%")
     depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
-    safe, gain = limits.safe(results, critical, default_kd), limits.gain_goes(results)
-    crossovers = [extremes.crossover(results, name, margin) for name in ("shake", "grip")]
-    size = extremes.size(results, depth)
+    safe, gain = claims.safe(results, critical, default_kd), claims.gain_goes(results)
+    crossovers = [claims.crossover(results, name, margin) for name in ("shake", "grip")]
+    size = claims.size(results, depth)
     steps = family(results, "steps")
     has_back = any((row.drift_mm_s.value or 0.0) < 0.0 for row in steps)
     return Section(
@@ -82,18 +81,18 @@ def derive(results: Results) -> Section:
         },
         claims=[
             safe,
-            limits.steps(results, near),
+            claims.steps(results, near),
             gain,
             family_claim(results, "explicit_boundary", default_kd, near=near),
-            limits.clamp(results),
+            claims.clamp(results),
             *crossovers,
-            extremes.friction(results),
-            extremes.masses(results),
+            claims.friction(results),
+            claims.masses(results),
             size,
-            extremes.overlap(results),
-            *extremes.gravity(results),
-            extremes.long(results),
-            extremes.buffers(results),
+            claims.overlap(results),
+            *claims.gravity(results),
+            claims.long(results),
+            claims.buffers(results),
         ],
     )
 

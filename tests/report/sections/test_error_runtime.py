@@ -9,8 +9,8 @@ from measured_report.files.root import ROOT
 from measured_report.records.reading import load_record
 from measured_report.records.record import units_of
 from measured_report.values.results import Results
+from report.sections.error_runtime.claims import crossing
 from report.sections.error_runtime.runs import ERROR, TIME, front
-from report.sections.error_runtime.worlds import crossing
 
 PATH = ROOT / "results/newton-1.4.0/error_runtime.json"
 

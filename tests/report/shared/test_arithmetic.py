@@ -10,7 +10,6 @@ from measured_report.records.reading import load_record
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.sections import fix
-from report.sections.stiffness.runs import is_held
 from report.shared import arithmetic
 
 
@@ -74,7 +73,7 @@ def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
 
     def is_held_with(**changed) -> bool:
         rows = [*record.rows[:index], record.rows[index] | changed, *record.rows[index + 1 :]]
-        return is_held(Results(replace(record, rows=rows), path).row["pad-ke-2.5e5"])
+        return arithmetic.is_held(Results(replace(record, rows=rows), path).row["pad-ke-2.5e5"])
 
     assert is_held_with()
     assert not is_held_with(cycle_count=None, cycle_count_reason="the shake is shorter than one cycle")

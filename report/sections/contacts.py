@@ -1,7 +1,9 @@
 """The solver's live contact rows: their residuals, what their velocities add up to, and what makes them slide."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
+
+from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import (
     HOLDS,
@@ -15,11 +17,12 @@ from measured_report.parts.claim import (
     greater,
     same_sign,
 )
+from measured_report.parts.figures import FAINT, INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.sections.contacts.figures import draw_slide
 from report.shared.arithmetic import departure, difference, noise_floor, ratio, resolved, size_share, table_of
+from report.shared.drawing import SHIPPED, STIFF, TERM, name_lines
 
 order = 70
 page = "cause"
@@ -170,3 +173,26 @@ def _slide_falls_with_timeconst(results: Results, left_out: list[Row], restored:
     outcome = all_of(greater(along, slide, noise=1.0, why="the same gain"), falls)
     numbers = {"slide": slide, "along": along, "hides": directions.said == OPPOSITE.said}
     return Claim("slide_falls_less_than_displacement", outcome, numbers)
+
+
+PADS = {"shipped pads": SHIPPED, "stiff pads": STIFF}
+
+
+def draw_slide(bars: Sequence[tuple[Quantity, Quantity, Quantity]]) -> Drawing:
+    """Draw for each pads three bars: slide from the left-out term, slide of the rows, and that with the term put
+    back."""
+    drawing, axes = new_figure(7.2, 2.6)
+    names: list[str] = []
+    for (pads, colour), cells in zip(PADS.items(), bars, strict=True):
+        whats = ("from the left-out term", "measured in the rows", "with the term put back")
+        for what, cell, face in zip(whats, cells, (FAINT, colour, TERM), strict=True):
+            if cell.value is not None:
+                axes.barh(len(names), cell.value, height=0.7, color=face, edgecolor=INK, linewidth=0.5)
+                say_value(axes, max(cell.value, 0.0), len(names), write(cell))
+            names.append(f"{pads}, {what}")
+    name_lines(axes, names)
+    axes.axvline(0.0, color=INK, linewidth=0.8)
+    axes.margins(x=0.12)
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel("slide of the friction rows along the main axis [mm]")
+    return drawing

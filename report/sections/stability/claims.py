@@ -1,0 +1,280 @@
+"""What the parts of section stability share: its rows by family, and claims about a family."""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+from markupsafe import Markup
+
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from measured_report.parts.claim import (
+    HOLDS,
+    Claim,
+    Outcome,
+    all_of,
+    at_least,
+    at_most,
+    contiguous,
+    decided,
+    decreases,
+    greater,
+)
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
+from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, is_stable, judged_by, passed, passing
+from report.shared.arithmetic import (
+    case_html,
+    cases_html,
+    cell_count,
+    cell_or_absent,
+    extreme,
+    friction_rows_differ,
+    ratio,
+    share,
+    some_html,
+)
+
+
+def family(results: Results, name: str) -> list[Row]:
+    return [row for row in results.rows if row["family"] == name]
+
+
+def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
+    """Count the rows, as a value that points to them."""
+    return cell_count(results, name, formula, [row.step_ms for row in rows])
+
+
+def least(results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
+    """Derive the least of a column; without a number when there is none."""
+    return extreme(results, name, formula, min, [row[column] for row in rows])
+
+
+def most(results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
+    """Derive the largest of a column; without a number when there is none."""
+    return extreme(results, name, formula, max, [row[column] for row in rows])
+
+
+def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome = HOLDS, **numbers: Any) -> Claim:
+    """Claim that all rows of a family pass, of those of which something is asked, and something else holds ``also``.
+
+    Its wording can name ``numbers``, ``count``, ``failed_count`` and ``failed``, which cases do not pass and how they
+    ended.
+    """
+    verdicts = [(row, passes) for row, passes in zip(rows, passing(rows), strict=True) if passes is not None]
+    asked, failed = [row for row, _ in verdicts], [row for row, passes in verdicts if not passes]
+    failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
+    own = {
+        "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
+        "failed_count": failed_count,
+        "failed": some_html([Markup("{} {}").format(case_html(row), row["class"]) for row in failed]),
+    }
+    cells = [cell for row in rows for cell in judged_by(row)]
+    outcome = all_of(at_most(failed_count, 0, why="all of them pass"), decided(True, *cells), also)
+    return Claim(name, outcome if rows else Outcome("unknown", "they were not measured"), own | numbers)
+
+
+UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
+"""Ways around the clamp."""
+
+
+def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
+    """Find from which ke on every step holds with damping ratio 1, and up to which ke the default kd does as
+    shipped."""
+    unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
+    safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
+    safe_ke = least(results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke")
+    step = most(results, "largest_step_tried", "largest step of these runs", safe, "step_ms")
+    stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
+    margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, safe_ke)
+    at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
+    broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
+    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=math.inf)]
+    limit = most(results, "kd_100_ke", "largest ke that holds at the shipped step", kept, "pad_ke")
+    shipped = results.value("shipped_ke", "given: ke as shipped", lambda: AS_SHIPPED.pad_ke)
+    default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
+    bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
+    numbers = {"least": safe_ke, "step": step, "stiff": stiff, "margin": margin, "bound": bound}
+    numbers |= {"limit": limit, "default_margin": default_margin}
+    outcome = at_least(margin, bound) if critical else Outcome("unknown", "the grid was not measured")
+    return Claim("safe_settings", outcome, numbers)
+
+
+def steps(results: Results, near: Value) -> Claim:
+    rows = family(results, "steps")
+    stable = [row for row in rows if is_stable(row)]
+    kept = passed(rows)
+    stiff = [row for row in kept if row.pads == "stiff"]
+    step = most(results, "stiff_step", "largest step at which stiff pads pass", stiff, "step_ms")
+    lost = [row for row in rows if row not in kept]
+    numbers: dict[str, Any] = {
+        **{"near": near, "step": step, "some_are_lost": len(stable) < len(rows)},
+        "stable": count(results, "steps_stable", "of them, runs that keep the cube", stable),
+        "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
+        "failed_are_stiff": all(row.pads == "stiff" and row.step_ms.value > (step.value or 0.0) for row in lost),
+    }
+    return family_claim(results, "steps", rows, **numbers)
+
+
+def gain_goes(results: Results) -> Claim:
+    """Return what stiff pads gain against shipped ones, from the shipped step to the longest."""
+    runs = {(row.pads, row.substeps.value): row for row in family(results, "steps")}
+    counts = [number for pads, number in runs if pads == "stiff" and number <= AS_SHIPPED.substeps]
+    gains = []
+    for number in sorted(counts, reverse=True):
+        if ("as-shipped", number) in runs:
+            # Of the creep, whose repeats are compared; the drift, along one axis, varies at the longest step.
+            creeps = (_creep(runs[pads, number]) for pads in ("as-shipped", "stiff"))
+            formula = f"creep in shipped pads over that in stiff ones, {number} substeps"
+            gains.append(ratio(results, f"step_gain_{number}", formula, *creeps))
+    if len(gains) < 2:
+        lack = "it was not measured with longer steps"
+        numbers = dict.fromkeys(("shipped", "twice", "longest", "step"), absent("1", lack))
+        return Claim("gain_goes", Outcome("unknown", lack), numbers)
+    falls = decreases([gains[0], gains[1], gains[-1]], noise=0.1, why="the same gain")
+    ends = all_of(at_least(gains[0], 4.0, why="a gain to take back"), at_most(gains[-1], 2.0, why="a gain"))
+    numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": runs["stiff", min(counts)].step_ms}
+    return Claim("gain_goes", all_of(ends, falls), numbers)
+
+
+def _creep(row: Row) -> Quantity:
+    return replace(row.creep_mm_s, noise=row.creep_floor_mm_s.value)
+
+
+def clamp(results: Results) -> Claim:
+    rows = family(results, "clamp")
+    failing, holding = ([row for row in rows if is_stable(row) == holds] for holds in (False, True))
+    first = most(results, "clamp_fails_at", "largest timeconst over dt that fails", failing, "timeconst_steps")
+    last = least(results, "clamp_holds_at", "least timeconst over dt that holds", holding, "timeconst_steps")
+    parted = first.value is None or last.value is None or first.value < last.value
+    formula = "explicit bound at damping ratio 1: 1 / (√8 - 2)"
+    predicted = results.value("clamp_predicted", formula, lambda: 1 / (8**0.5 - 2))
+    ends = {way: {is_stable(row) for row in rows if row.clamp == way} for way in UNCLAMPED}
+    never, always = (
+        Markup(", ").join(UNCLAMPED[way] for way, found in ends.items() if found == {kept}) for kept in (False, True)
+    )
+    numbers = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
+    return family_claim(results, "clamp_off", rows, decided(parted, first, last), **numbers)
+
+
+MU = {"shake": 0.0187, "grip": 0.1}
+"""Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
+SINK_LEAST_MM, NO_SINKING = 0.1, "no sinking"
+"""A hand that comes down by no more than that has not come down."""
+
+
+def crossover(results: Results, name: str, margin: Value) -> Claim:
+    rows = [row for row in family(results, name) if row.load.value is not None]
+    dropped = [row for row in rows if row["class"] == "dropped"]
+    kept = most(results, f"{name}_kept", "largest load that holds", filter(is_stable, rows), "load")
+    lost = least(results, f"{name}_lost", "least load that drops", dropped, "load")
+    over = {}
+    for kind, load in (("kept", kept), ("lost", lost)):
+        formula = f"{load.formula}, over the limit"
+        over[kind] = results.value(f"{name}_{kind}_over", formula, lambda share: 100.0 * (share - 1.0), load, unit="%")
+    mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
+    also = decided(True, kept, lost)
+    return family_claim(results, f"{name}_crossover", family(results, name), also, mu=mu, margin=margin, **over)
+
+
+def friction(results: Results) -> Claim:
+    rows = sorted(family(results, "friction"), key=lambda row: row.pad_mu.value)
+    kept = least(results, "friction_kept", "least μ that holds", filter(is_stable, rows), "pad_mu")
+    largest = most(results, "friction_most", "largest μ that holds", filter(is_stable, rows), "pad_mu")
+    also = contiguous([is_stable(row) for row in rows], kept, largest)
+    return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest)
+
+
+def masses(results: Results) -> Claim:
+    rows = sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
+    held = list(filter(is_stable, rows))
+    light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
+    heavy = most(results, "mass_most", "largest mass that is held", held, "cube_mass_kg")
+    also = contiguous([is_stable(row) for row in rows], light, heavy)
+    return family_claim(results, "masses", rows, also, light=light, heavy=heavy)
+
+
+def _sinks(rows: Iterable[Row]) -> list[Quantity]:
+    return [cell_or_absent(row, "hand_sink_mm", "mm") for row in rows]
+
+
+def size(results: Results, bound: Value) -> Claim:
+    rows = family(results, "size")
+    kept = passed(rows)
+    by_grip = {grip: [row for row in kept if row.grip == grip] for grip in ("as-shipped", "scaled")}
+    formula = "least edge that passes, grip"
+    shipped = least(results, "size_shipped", f"{formula} as shipped", by_grip["as-shipped"], "cube_edge_mm")
+    scaled = least(results, "size_scaled", f"{formula} scaled", by_grip["scaled"], "cube_edge_mm")
+    smallest = {"as-shipped": shipped.value, "scaled": scaled.value}
+    lost = [row for row in rows if row not in kept]
+    small = None not in smallest.values() and all(row.cube_edge_mm.value < smallest[row.grip] for row in lost)
+    return family_claim(results, "sizes", rows, bound=bound, shipped=shipped, scaled=scaled, small_ones_fail=small)
+
+
+def overlap(results: Results) -> Claim:
+    rows = family(results, "overlap")
+    formula = "exit speed over that of an undamped spring"
+    shares = [share(results, f"exit_share_{r.case}", formula, r.exit_speed_mm_s, r.exit_bound_mm_s) for r in rows]
+    largest = extreme(results, "exit_share_most", "largest share", max, shares)
+    deepest = most(results, "overlap_deepest", "deepest start", rows, "overlap_mm")
+    also = at_most(largest, 100.0, why="no faster than an undamped spring")
+    return family_claim(results, "overlaps", rows, also, deepest=deepest, most=largest)
+
+
+def gravity(results: Results) -> Iterator[Claim]:
+    """Say which gravities take the cube, whether the arm gives way there, and whether a freed cube gains energy."""
+    rows = family(results, "gravity")
+    pulled = [row for row in rows if not row.freed]
+    lost = [row for row in pulled if not is_stable(row)]
+    tried = Markup(", ").join(row.gravity_m_s2.bare for row in pulled)
+    text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
+    yield family_claim(results, "gravities", pulled, tried=tried, lost=text)
+    yield _arm_gives_way(results, lost, filter(is_stable, [*pulled, *family(results, "mass")]))
+
+    freed = [row for row in rows if row.freed]
+    cells = [cell_or_absent(row, "energy_growth", "1") for row in freed]
+    growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
+    at_rest = [row for row in passed(freed) if row.energy_growth.value is None]
+    also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
+    yield family_claim(results, "freed_cube", freed, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
+
+
+def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -> Claim:
+    sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
+    held_sink = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
+    needed = "largest share of the friction that is needed there"
+    load = results.value("gravity_load", needed, lambda *share: 100 * max(share), *(row.load for row in lost), unit="%")
+    is_farther = greater(sink, held_sink, noise=SINK_LEAST_MM, why=NO_SINKING)
+    outcome = all_of(is_farther, at_most(load, 50.0, why="friction to spare"))
+    if not lost:
+        outcome = Outcome("unknown", "no gravity that was tried takes the cube")
+    return Claim("arm_gives_way", outcome, {"sink": sink, "load": load})
+
+
+def long(results: Results) -> Claim:
+    """Tell whether the long run speeds up, as far as its first and its last creep say."""
+    rows = family(results, "long")
+    columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
+    columns |= {"last": "increment_last_mm_per_cycle"}
+    cells = {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
+    bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
+    formula = "creep per cycle in the first tenth times that bound"
+    allowed = results.value("long_creep_allowed", formula, lambda a, b: a * b, cells["first"], bound, unit="mm/cycle")
+    is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
+    also = HOLDS if is_lost else at_most(cells["last"], allowed)
+    return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
+
+
+def buffers(results: Results) -> Claim:
+    """Tell whether every buffer that is too small is named, and those are that hold less than the grasp was seen to
+    need."""
+    rows, ample = family(results, "buffers"), results.row.get("buffers-ample")
+    peaks, fits, needed = {}, [], []
+    for kind in ("contact", "constraint"):
+        full = [row for row in rows if row["class"] == "overflow" and f"-{kind}-" in row.case]
+        formula = f"largest buffer of {kind}s that was too small"
+        too_few = most(results, f"{kind}s_too_few", formula, full, f"{kind}_max")
+        peak = peaks[f"{kind}s"] = cell_or_absent(ample, f"peak_{kind}_count", "1")
+        fits.append(at_most(peak, cell_or_absent(ample, f"{kind}_max", "1")))
+        needed.append(at_least(peak, too_few))
+    return family_claim(results, "buffers", rows, all_of(*fits, *needed), **peaks)
