@@ -92,7 +92,8 @@ def _lines(edition: Edition, found: Mapping[str, Any], repeats: Sequence[Repeat]
         yield f"\nwith stiff pads the slip is {shipped / stiff:.1f} times less; tracked: {values['stiff_gain']}"
     if any(repeat.is_same_processor for repeat in repeats):
         noise = edition.chapters["noise"].results
-        yield f"noise: {noise.derived['slip_floor']}, by {len(noise.rows)} runs on this processor (noise.slip_floor)"
+        count = sum("of" in row for row in noise.rows)
+        yield f"noise: {noise.derived['slip_floor']}, by {count} runs on this processor (noise.slip_floor)"
     if not all(repeat.is_same_processor for repeat in repeats):
         yield f"devices: {values['engine_bound']}, chosen for other devices, whose noise is not known"
         yield f"  (reproduction.engine_bound); the tracked ones are {values['engine_difference']} apart"

@@ -1,13 +1,17 @@
 """How a page shows the clips of a release."""
 
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
+from typing import Any
 
+import jinja2
 from markupsafe import Markup
 
 from experiments.facts.clip_record import CLIPS, FIRST, RUNS, STILL, files_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
+from measured_report.files.root import ROOT
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.story.found import CASES
@@ -35,24 +39,16 @@ class Clips:
     def video(self, case: str, caption: Markup) -> Markup:
         """Return a clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
         row = self.results.row[case]
-        size = (row.width_px.value, row.height_px.value)
         files = (self.root + self._address(file) for file in (row.poster, row.file))
         label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
-        return Markup(
-            '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
-            'src="{}" aria-label="{}"{}></video><figcaption>{}</figcaption></figure>'
-        ).format(*size, *files, label, self._sources(row), self._marked(caption))
+        return _macros().video(row, *files, label, self._sources(row), self._marked(caption))
 
     def still(self, link: str, caption: Markup) -> Markup:
         """Return the long exposure, which leads to ``link``, where there is one."""
-        row, first = self.results.row[STILL], self.results.row[FIRST]
+        first = self.results.row[FIRST]
         alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
-        image = Markup('<img src="{}" width="{}" height="{}" alt="{}"{} loading="lazy">').format(
-            self.root + self.picture, row.width_px.value, row.height_px.value, alt, self._sources(first)
-        )
-        linked = Markup('<a href="{}">{}</a>').format(link, image) if link else image
-        caption = self._marked(caption)
-        return Markup('<figure class="clip">{}<figcaption>{}</figcaption></figure>').format(linked, caption)
+        row, file, sources = self.results.row[STILL], self.root + self.picture, self._sources(first)
+        return _macros().still(row, file, alt, sources, link, self._marked(caption))
 
     @property
     def picture(self) -> str:
@@ -60,15 +56,13 @@ class Clips:
         return self._address(self.results.row[STILL].file)
 
     def _marked(self, caption: Markup) -> Markup:
-        notes = self.state.words
-        return caption + Markup(' <span class="badge" title="{}">stale</span>').format(notes) if notes else caption
+        return _macros().stale(caption, self.state.words)
 
     def _moved(self, row: Row) -> dict[str, Quantity]:
         return {CASES[name]: row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
 
-    def _sources(self, row: Row) -> Markup:
-        there = [slip.source for slip in self._moved(row).values() if slip.value is not None]
-        return Markup(' data-src="{}"').format(" ".join(there)) if there else Markup("")
+    def _sources(self, row: Row) -> str:
+        return " ".join(slip.source for slip in self._moved(row).values() if slip.value is not None)
 
     def _said(self, row: Row) -> str:
         moved = self._moved(row)
@@ -76,3 +70,10 @@ class Clips:
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"
+
+
+@cache
+def _macros() -> Any:
+    loader = jinja2.FileSystemLoader(ROOT / "templates")
+    environment = jinja2.Environment(loader=loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True)
+    return environment.get_template("clips.html.j2").module
