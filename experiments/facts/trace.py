@@ -11,14 +11,11 @@ FRAME_COLUMNS = (
     "tangential_force_n",
     "cone_use",
     "penetration_m",
-    "unloaded_near_m",
-    "unloaded_far_m",
     "slide_m_s",
 )
 """Contact statistics of a frame, taken in its last substep: how many contacts there are and how many carry force, sums
 of normal and of tangential force, largest tangential force over friction times normal force (1 = sliding), largest
-penetration, least and largest distance of the contacts that carry no force (NaN if all do), and the mean velocity of
-the loaded contacts' friction rows along the shake's main axis, of the cube against what it touches."""
+penetration, and the mean velocity of the loaded contacts' friction rows along the shake's main axis."""
 
 
 @dataclass(frozen=True)

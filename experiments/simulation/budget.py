@@ -1,22 +1,16 @@
 """The parts of a held cube's slip, predicted from the arm's motion alone.
 
-Let x be the displacement of the cube's centre against the hand, u = J q̇ its velocity and g = J̇ q̇ what is left of its
-acceleration for q̈ = 0. A friction row asks for J q̈ = -b u - R f, where R f is what it yields under its force (MuJoCo
-documentation, "Computation"). The joints move by another q̈ than the solver's, since implicitfast has the damping of a
-step in the inertia; with e = J (q̈ that moves - q̈ of the solver) the velocity after a step of h is
-
-    u' = u + h (J q̈ + e + g),   at rest where   b u = g + e - R f.
-
-Positions move by h q̇' along a path that is curved in x, so that Δx = h J q̇' + h² g / 2 = h u' - h² g / 2. Over a run
+Let u = J q̇ be the velocity of the cube's centre against the hand and g = J̇ q̇ what is left of its acceleration for
+q̈ = 0. A friction row asks for J q̈ = -b u - R f, where R f is what it yields under its force (MuJoCo documentation,
+"Computation"). The joints move by another q̈ than the solver's, as implicitfast has a step's damping in the inertia;
+with e = J (q̈ that moves - q̈ of the solver) and steps of h the cube's displacement over a run is
 
     x = ∫ g/b dt  -  h/2 ∫ g dt  +  ∫ e/b dt  -  ∫ R f/b dt
         the term      the step      damping       creep under load
 
-With the term put back the first is gone, and centred, the second; RK4 has neither the second nor the third, Euler not
-the third; R goes with 1 / impratio. All four are along the pads: across them the normal rows hold the cube. Rounding of
-positions is a fifth: x moves by less than ∫ (u - h g / 2) dt where a joint's step is less than its position's last bit.
-g, e and R f are taken from one run through MuJoCo's C engine, in double precision with the term put back so that the
-cube stays; b, h and R's factor are those of the case that is predicted.
+along the pads: across them the normal rows hold the cube. RK4 has neither the second nor the third, Euler not the
+third; R goes with 1 / impratio. Rounding of positions is a fifth. g, e and R f are taken from one run through MuJoCo's
+C engine, with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted.
 """
 
 from dataclasses import dataclass, replace

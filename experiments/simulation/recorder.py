@@ -10,9 +10,7 @@ from experiments.simulation.c_warnings import failure_of
 from experiments.simulation.scene import TRACKED_BODIES, Scene
 
 NO_FRAME = np.iinfo(np.int32).max
-FAR = 1e9
-"""Starting value of the least and largest distances."""
-COUNT, LOADED, NORMAL, TANGENTIAL, CONE, PENETRATION, NEAR, FARTHEST, SLIDE = (wp.constant(i) for i in range(9))
+COUNT, LOADED, NORMAL, TANGENTIAL, CONE, PENETRATION, SLIDE = (wp.constant(i) for i in range(7))
 
 
 @wp.kernel
@@ -21,8 +19,6 @@ def begin_frame(cursor: wp.array[int], contacts: wp.array3d[float]):
     frame = cursor[world]
     for column in range(contacts.shape[2]):
         contacts[frame, world, column] = 0.0
-    contacts[frame, world, NEAR] = FAR
-    contacts[frame, world, FARTHEST] = -FAR
 
 
 @wp.kernel
@@ -105,7 +101,6 @@ def record_contacts(
     frame = cursor[world]
     wp.atomic_add(contacts, frame, world, COUNT, 1.0)
     row = address[contact, 0]
-    normal = float(0.0)
     if row >= 0 and row < constraint_capacity - 3:
         forces = row_force(force, world, row, dim[contact], elliptic, friction[contact, 0])
         normal = forces[0]
@@ -121,9 +116,6 @@ def record_contacts(
                 along = axes[contact][1, 0] * slide[0] + axes[contact][2, 0] * slide[1]
                 # The rows hold the velocity of the second geom against the first.
                 wp.atomic_add(contacts, frame, world, SLIDE, wp.where(geom[contact][1] == cube, along, -along))
-    if normal <= 0.0:
-        wp.atomic_min(contacts, frame, world, NEAR, distance[contact])
-        wp.atomic_max(contacts, frame, world, FARTHEST, distance[contact])
 
 
 @wp.kernel
@@ -220,7 +212,6 @@ class Recorder:
     def traces(self, frame_dt: float, frame_count: int, wall_s: float) -> list[Trace]:
         """Fetch the first ``frame_count`` frames and cut them into one trace per world."""
         poses, phases, contacts = (array.numpy()[:frame_count] for array in (self.poses, self.phases, self.contacts))
-        contacts[np.abs(contacts) == FAR] = np.nan
         contact_overflow, constraint_overflow = self.contact_overflow.numpy(), self.constraint_overflow.numpy()
         peak_constraint, peak_iteration = self.peak_constraint.numpy(), self.peak_iteration.numpy()
         result = []
@@ -281,7 +272,6 @@ def summarize_contacts(rows: ContactRows) -> np.ndarray:
     normal = rows.force_n[:, 0]
     loaded = normal > 0.0
     tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
-    free = rows.distance_m[~loaded]
     return np.array(
         [
             len(normal),
@@ -290,8 +280,6 @@ def summarize_contacts(rows: ContactRows) -> np.ndarray:
             tangential.sum(),
             (tangential / (rows.friction[loaded] * normal[loaded])).max(initial=0.0),
             (-rows.distance_m[loaded]).max(initial=0.0),
-            free.min() if free.size else FAR,
-            free.max() if free.size else -FAR,
             rows.slide_m_s[loaded].sum(),  # end_frame turns the sum into the mean
         ]
     )

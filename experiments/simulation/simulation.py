@@ -1,7 +1,5 @@
 """From cases to traces: cases that can share a simulation are worlds of one batch."""
 
-import gc
-import sys
 import time
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
@@ -21,7 +19,6 @@ from experiments.simulation.recorder import Recorder
 from experiments.simulation.remedies import install_remedies
 from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
 from experiments.simulation.task import FRAME_RATE, build_task
-from measured_report.measuring.error_text import is_out_of_memory
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.newton_models.compat import make_solver, warp_has_noslip
 
@@ -276,7 +273,7 @@ def simulate(
     with processes(len(away)) if away else nullcontext() as pool:
         waiting = start(pool, run_batch, [([cases[index] for index in members], "cpu") for members in away])
         groups = [[cases[index] for index in members] for members in here]
-        found = run_in_memory(groups, device, title, contact_frames) + gather(waiting, f"{title}, on the CPU")
+        found = run_groups(groups, device, title, contact_frames) + gather(waiting, f"{title}, on the CPU")
     traces: dict[int, Trace] = {}
     for members, worlds in zip(here + away, found, strict=True):
         traces.update(zip(members, worlds, strict=True))
@@ -296,36 +293,17 @@ def _device_of(case: Case, device: str | None) -> str | None:
     return "cpu" if case.backend == "mujoco" else case.device or device
 
 
-def run_in_memory(
+def run_groups(
     groups: Sequence[Sequence[Case]], device: str | None, title: str = "", contact_frames: Sequence[int] = ()
 ) -> list[list[Trace]]:
-    """Run groups of cases, those of a group with the same ``batch_key``, side by side: where the memory is too small
-    for that, in two halves one after the other. Worlds know nothing of each other, so the traces are the same."""
-    try:
-        simulations = [Simulation(group, wp.get_device(_device_of(group[0], device))) for group in groups]
-        return run(simulations, title, contact_frames)
-    except (RuntimeError, MemoryError) as error:
-        if not is_out_of_memory(error) or max(len(groups), *map(len, groups)) < 2:
-            raise
-    simulations = []
-    gc.collect()  # frees what did not fit; the error, which holds on to it, is gone
-    tqdm.write(f"{title}: the memory is too small for all at once; one half after the other", file=sys.stderr)
-    middle = len(groups) // 2
-    if middle:
-        return [
-            traces
-            for half in (groups[:middle], groups[middle:])
-            for traces in run_in_memory(half, device, title, contact_frames)
-        ]
-    [group] = groups
-    middle = len(group) // 2
-    halves = [run_in_memory([half], device, title, contact_frames) for half in (group[:middle], group[middle:])]
-    return [[trace for [traces] in halves for trace in traces]]
+    """Run groups of cases, those of a group with the same ``batch_key``, side by side."""
+    simulations = [Simulation(group, wp.get_device(_device_of(group[0], device))) for group in groups]
+    return run(simulations, title, contact_frames)
 
 
 def run_batch(cases: Sequence[Case], device: str) -> list[Trace]:
     """Run cases with the same ``batch_key`` and return their traces; for a process of its own."""
-    [traces] = run_in_memory([cases], device)
+    [traces] = run_groups([cases], device)
     return traces
 
 

@@ -11,7 +11,6 @@ from conftest import SLIP_MM
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
 from experiments.facts.trace import Failure
-from experiments.simulation import simulation
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
@@ -82,26 +81,6 @@ def test_an_overflow_is_marked_with_its_frame(change, buffer, frames):
     """With MuJoCo's contacts there are 12 to begin with, which its engine makes room for, and 17 from frame 37 on."""
     [trace] = simulate([replace(AS_SHIPPED, frame_count=max(frames) + 2, **change)], device="cpu")
     assert trace.failure in [Failure("overflow", frame, f"the {buffer} buffer overflowed") for frame in frames]
-
-
-def test_worlds_that_do_not_fit_into_the_memory_run_one_half_after_the_other(monkeypatch, capsys):
-    """Whatever more than two worlds are asked for, the device says what Warp says when it has no more memory."""
-    cases = [replace(case, frame_count=3) for case in (AS_SHIPPED, STIFF_PADS, AS_SHIPPED)]
-    cases.append(replace(cases[0], substeps=8))
-    together = simulate(cases, device="cpu")
-
-    class Small(Simulation):
-        def __init__(self, cases, device):
-            if len(cases) > 2:
-                raise RuntimeError("Failed to allocate 1024 bytes on device 'cpu'")
-            super().__init__(cases, device)
-
-    monkeypatch.setattr(simulation, "Simulation", Small)
-    traces = simulate(cases, device="cpu", title="shake")
-    assert [trace.world_count for trace in traces] == [1, 2, 2, 1]
-    for trace, expected in zip(traces, together, strict=True):
-        np.testing.assert_allclose(trace.poses, expected.poses, atol=2e-6)
-    assert capsys.readouterr().err.count("the memory is too small") == 2
 
 
 def test_a_state_that_is_not_finite_is_marked_in_its_world_alone_and_so_is_one_that_mujoco_resets():
