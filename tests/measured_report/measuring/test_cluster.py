@@ -15,9 +15,9 @@ from batches import begun, rows_of, section_of, spans
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
 from measured_report.files.errors import ReportError
-from measured_report.measuring import cluster
+from measured_report.measuring import cluster, host
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.cluster import cluster_pools, code_here, connected
+from measured_report.measuring.cluster import cluster_pools, connected
 from measured_report.measuring.loop import Loop
 
 SCHEDULER = """
@@ -42,6 +42,11 @@ def tidy():
     """What Dask leaves says so when it is collected, which breaks whatever Python is compiling just then."""
     yield
     gc.collect()
+
+
+@pytest.fixture(autouse=True)
+def plain_workers(monkeypatch):
+    monkeypatch.setattr(cluster, "host", lambda: host)
 
 
 def started(plain: Path, count: int) -> subprocess.Popen:
@@ -76,15 +81,14 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler,
 @pytest.mark.parametrize(
     ("device", "processor", "reason"),
     [
-        ("cpu", None, "would measure with another experiments/gap.py, newton"),
+        ("cpu", None, "has other code or packages"),
         ("cpu", "nvidia-h200", "has no CUDA device, and this is of nvidia-h200"),
         ("cuda", "nvidia-h200", "DEVICE=cuda"),
     ],
 )
 def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, processor, reason):
     if not processor:
-        other = {**code_here(), "experiments/gap.py": "0" * 64, "newton": "9.9.9"}
-        monkeypatch.setattr(cluster, "code_here", lambda: other)
+        monkeypatch.setattr(cluster, "digest_here", lambda: "0" * 64)
     with pytest.raises(ReportError, match=reason) as error, cluster_pools(scheduler, device, processor, 1):
         pass
     assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
@@ -108,7 +112,7 @@ def test_workers_for_what_is_exclusive_are_asked_for_and_a_scheduler_that_ends_i
             pools = [cluster.ClusterPool(client, resource, 1) for resource in ("shared", "exclusive")]
             section = section_of(toy, batches.plan(str(log), "a", 60.0))
             loop = Loop([section], *pools)
-            loop.status = lambda: begun(log) and process.kill()
+            loop._show = lambda bar: begun(log) and process.kill()
             loop.run()
     unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
     monkey = pytest.MonkeyPatch()

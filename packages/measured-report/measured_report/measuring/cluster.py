@@ -6,7 +6,7 @@ import pickle
 import platform
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future
 from functools import cache
 from hashlib import sha256
@@ -37,6 +37,7 @@ SETTINGS = {
 }
 LOCAL = {"host": "127.0.0.1", "protocol": "tls", "dashboard": False, "dashboard_address": "127.0.0.1:0"}
 CONNECT_S = 30.0
+OTHER_CODE = "has other code or packages"
 
 
 @contextlib.contextmanager
@@ -95,9 +96,12 @@ def cluster_pools(
         try:
             found = dict(zip(workers, _asked(client, introduce, device, workers), strict=True))
             for node, code, gpu in found.values():
-                _refuse_unfit(node, code, gpu, processor)
+                if code != digest_here():
+                    raise ReportError(f"{node} {OTHER_CODE}")
+                if processor and slug(gpu or "") != processor:
+                    raise ReportError(f"{node} has {gpu or 'no CUDA device'}, and this is of {processor}")
             first = {node: address for address, (node, *_) in found.items()}
-            _asked(client, prepare, device, first.values())
+            _asked(client, host().prepare, device, first.values())
         except KilledWorker:
             raise ReportError(f"CLUSTER={asked}: {KILLED}") from None
         for resource in (SHARED, EXCLUSIVE):
@@ -110,14 +114,6 @@ def cluster_pools(
 def _asked(client: Client, function: Callable, device: str, addresses: Iterable[str]) -> list[Any]:
     """Call a function once on each of these workers."""
     return client.gather([client.submit(function, device, workers=[each], pure=False) for each in addresses])
-
-
-def _refuse_unfit(node: str, code: Mapping[str, str], gpu: str | None, processor: str | None) -> None:
-    own = code_here()
-    if differing := sorted(name for name in {**own, **code} if own.get(name) != code.get(name)):
-        raise ReportError(f"{node} would measure with another {', '.join(differing):.200}")
-    if processor and slug(gpu or "") != processor:
-        raise ReportError(f"{node} has {gpu or 'no CUDA device'}, and this is of {processor}")
 
 
 class ClusterPool:
@@ -140,38 +136,29 @@ def call_here(digest: str, call: bytes) -> Any:
     """Call a function in this worker, unless it came later than others and has other code."""
     host().be_quiet()  # before a section is imported
     if digest != digest_here():
-        raise BatchError(f"{platform.node()} has other code or packages", "")
+        raise BatchError(f"{platform.node()} {OTHER_CODE}", "")
     function, arguments = pickle.loads(call)
     return function(*arguments)
 
 
-def introduce(device: str) -> tuple[str, Mapping[str, str], str | None]:
-    """Return what this worker's host is called, its code and packages, and its GPU."""
+def introduce(device: str) -> tuple[str, str, str | None]:
+    """Return what this worker's host is called, the digest of its code, and its GPU."""
     host().be_quiet()
     try:
         here = machine(device)
     except ReportError as error:
         raise ReportError(f"{platform.node()}: {error}") from None
-    return platform.node(), code_here(), here["gpu"]
-
-
-def prepare(device: str) -> None:
-    """Make ready what all sections need on this worker's host."""
-    host().prepare(device)
-
-
-@cache
-def code_here() -> Mapping[str, str]:
-    """Return the digest of each file that measuring may read, and the version of each package."""
-    places = [ROOT / "experiments", ROOT / "assets", *ROOT.glob("packages/*"), Path(__file__).parents[1]]
-    files = {f"{place.name}/{path.relative_to(place)}": path for place in places for path in place.rglob("*.*")}
-    kept = {name: path for name, path in files.items() if path.suffix != ".pyc" and path.is_file()}
-    return {name: sha256(path.read_bytes()).hexdigest() for name, path in kept.items()} | package_versions()
+    return platform.node(), digest_here(), here["gpu"]
 
 
 @cache
 def digest_here() -> str:
-    return sha256(repr(sorted(code_here().items())).encode()).hexdigest()
+    """Digest the files that measuring may read, and the versions of packages."""
+    places = [ROOT / "experiments", ROOT / "assets", *ROOT.glob("packages/*"), Path(__file__).parents[1]]
+    files = {f"{place.name}/{path.relative_to(place)}": path for place in places for path in place.rglob("*.*")}
+    kept = {name: path for name, path in files.items() if path.suffix != ".pyc" and path.is_file()}
+    code = {name: sha256(path.read_bytes()).hexdigest() for name, path in kept.items()} | package_versions()
+    return sha256(repr(sorted(code.items())).encode()).hexdigest()
 
 
 def gpu_of(asked: str) -> str:

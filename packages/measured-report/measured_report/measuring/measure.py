@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,13 +21,13 @@ from measured_report.editions.status import expected_packages, records_of
 from measured_report.files.atomic import locked, refuse_unwritable
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.processes import obey
+from measured_report.files.processes import end_with
 from measured_report.measuring.machine import gpus, share_count
-from measured_report.measuring.section import WHOLE, seconds_of
+from measured_report.measuring.section import WHOLE
 from measured_report.records.identity import sections as all_sections
 
+MODULE = "measured_report.measuring.run"
 UNFIT = 2  # exit status of a measurement that could not begin, because of what was asked for
-STOP_S = 4.0  # how long a measurement has to stop after a Ctrl-C
 TIME = re.compile(r"(?:batch|alone)_.+_s")  # under what a record has the time of a batch
 
 
@@ -49,9 +48,7 @@ def measure(
     kept = kept_by(project, machine, sections)
     refuse_unwritable(kept.results)
     try:
-        options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
-        options += ["--processes", str(_batches_at_once(project, device))]
-        _run(kept, release, "measured_report.measuring.run", device, *sections, *options)
+        _run(kept, release, MODULE, device, *sections, *options, "--edition", kept.release)
     finally:
         _note_measured(kept, release)
         with suppress(OSError):
@@ -62,7 +59,7 @@ def measure(
 def prepare(project: Project, release: Release, sections: Sequence[str], device: str) -> None:
     """Install a release and make it ready to measure these sections; UsageError where that can't be."""
     options = ["--profile", project.profile, "--edition", str(release), "--only-prepare"]
-    _run(project, release, "measured_report.measuring.run", device, *sections, *options)
+    _run(project, release, MODULE, device, *sections, *options)
 
 
 def measure_headline(project: Project, release: Release, device: str, program: str) -> Mapping[str, Any]:
@@ -78,7 +75,9 @@ def seconds_known(project: Project, device: str, sections: Sequence[str]) -> flo
     found = seconds_each(project, device)
     if not found.keys() >= {*sections}:
         return 0.0
-    return seconds_of([each for name in sections for each in found[name].items()], _batches_at_once(project, device))
+    times = [(name, took) for section in sections for name, took in found[section].items()]
+    shared = sum(took for name, took in times if name.startswith("batch_"))
+    return sum(took for _, took in times) - shared + shared / batches_at_once(project, device)
 
 
 def seconds_each(project: Project, device: str) -> Mapping[str, Mapping[str, float]]:
@@ -92,7 +91,7 @@ def seconds_each(project: Project, device: str) -> Mapping[str, Mapping[str, flo
     return found
 
 
-def _batches_at_once(project: Project, device: str) -> int:
+def batches_at_once(project: Project, device: str) -> int:
     """Return how many batches are measured at once: on a CPU quick ones and those that need no GPU take a core each."""
     if device == "cuda":
         return share_count(gpus()[0]) if gpus() else 1
@@ -106,24 +105,12 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     if device == "cpu":
         settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
-    # It ends with this process, since nobody would know of it otherwise. A Ctrl-C is for this process alone: it lets
-    # the other stop those that measure for it, which takes a moment.
-    begin = partial(obey, os.getpid())
-    with subprocess.Popen(
-        command, cwd=project.root, env=settings, preexec_fn=begin, start_new_session=True
-    ) as measuring:
-        try:
-            status = measuring.wait()
-        except KeyboardInterrupt:
-            measuring.send_signal(signal.SIGINT)
-            with suppress(subprocess.TimeoutExpired):
-                measuring.wait(timeout=STOP_S)
-            measuring.kill()
-            raise
-    if status == UNFIT:
+    end = partial(end_with, os.getpid())  # since nobody would know of it otherwise
+    done = subprocess.run(command, cwd=project.root, env=settings, preexec_fn=end, start_new_session=True, check=False)
+    if done.returncode == UNFIT:
         raise UsageError("")  # it has said why
-    if status:
-        raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
+    if done.returncode:
+        raise ReportError(f"measuring ended with exit status {done.returncode}; what was there is kept")
 
 
 def _gpu_of(cluster: str, root: Path) -> str:

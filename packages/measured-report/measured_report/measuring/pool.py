@@ -44,13 +44,8 @@ def host_pools(count: int) -> Iterator[tuple[HostPool, HostPool]]:
     try:
         yield HostPool(count, {}), HostPool(1, {MPS: "/nonexistent"})
     finally:
-        end_processes()
-
-
-def end_processes() -> None:
-    """Kill what this process has started, and whatever they have."""
-    for process in active_children():
-        process.kill()
+        for process in active_children():
+            process.kill()
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:

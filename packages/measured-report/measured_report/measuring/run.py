@@ -2,15 +2,13 @@
 
 import signal
 
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # while this is being imported there is nothing to say about a Ctrl-C
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # records are put in place whole: there is nothing to tidy up
 
 import argparse
 import gc
 import importlib
 import importlib.util
 import io
-import json
-import os
 import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures.process import BrokenProcessPool
@@ -28,17 +26,16 @@ from measured_report.files.processes import KILLED
 from measured_report.measuring.host import host
 from measured_report.measuring.loop import Loop, Pool
 from measured_report.measuring.machine import machine
-from measured_report.measuring.pool import end_processes, host_pools
+from measured_report.measuring.measure import UNFIT, batches_at_once, seconds_each
+from measured_report.measuring.pool import host_pools
 from measured_report.measuring.section import Section, section_of
 from measured_report.records.identity import sections
 from measured_report.records.provenance import EDITED, package_versions
 
-FAILED, UNFIT, STOPPED = 1, 2, 130
-"""Exit status where measuring failed, could not begin, and was stopped."""
+FAILED = 1
 
 
 def main() -> int:
-    signal.signal(signal.SIGINT, stop)  # which whoever started this may have ignored
     tqdm.monitor_interval = 0  # a thread of its own, which no process may be forked beside
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -47,7 +44,7 @@ def main() -> int:
     arguments.device = arguments.device or ("cuda" if has_cuda() else "cpu")
     try:
         asked = sections_asked(arguments)
-        with pools(arguments, {section.device for section in asked}) as (shared, exclusive):
+        with pools(arguments, asked) as (shared, exclusive):
             if arguments.only_prepare:
                 return 0
             status = FAILED
@@ -57,23 +54,14 @@ def main() -> int:
         return status
 
 
-def stop(*_: object) -> None:
-    """End at once, with all processes: a record is put in place whole, and Python would take seconds to tidy up."""
-    print("stopped; what is finished is kept", file=sys.stderr, flush=True)
-    end_processes()
-    os._exit(STOPPED)
-
-
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run", description=__doc__.split(":")[0])
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
-    parser.add_argument("--seconds", default="{}", metavar="JSON", help="how long batches took before, by section")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     parser.add_argument("--only-prepare", action="store_true", help="try whether it can be measured, and compile")
     parser.add_argument("--aside", metavar="FOLDER", default="", help="where below results/ they are kept apart")
-    parser.add_argument("--processes", type=int, default=1, help="batches at once, but for those about time")
     parser.add_argument("--cluster", metavar="CLUSTER", help="who measures: local, tcp://HOST:PORT or tls://HOST:PORT")
     parser.add_argument("--processor", metavar="NAME", help="the only GPU that the cluster may measure on")
     return parser.parse_args()
@@ -85,26 +73,28 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
     gc.disable()  # looking for garbage takes half the time of loading a simulator
     host().be_quiet()
-    modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)
+    modules = {name: section_module(name) for name in arguments.section}
+    known = seconds_each(project, arguments.device)
     gc.freeze()
     gc.enable()
     return [section_of(project, name, module, arguments.device, known.get(name)) for name, module in modules.items()]
 
 
 @contextmanager
-def pools(arguments: argparse.Namespace, devices: set[str]) -> Iterator[tuple[Pool, Pool]]:
+def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[tuple[Pool, Pool]]:
     """Open the pools that measure: of this host, or of a cluster's workers."""
+    count = batches_at_once(asked[0].project, arguments.device)
     if arguments.cluster:
         from measured_report.measuring.cluster import cluster_pools
 
-        with cluster_pools(arguments.cluster, arguments.device, arguments.processor, arguments.processes) as opened:
+        with cluster_pools(arguments.cluster, arguments.device, arguments.processor, count) as opened:
             yield opened
         return
     if arguments.device == "cpu":
         machine("cpu")  # once for all forks, which inherit what has no GPU
-    with host_pools(arguments.processes) as (shared, exclusive):
+    with host_pools(count) as (shared, exclusive):
         try:
-            for device in sorted(devices):
+            for device in sorted({section.device for section in asked}):
                 shared.submit(host().prepare, device).result()
         except BrokenProcessPool:
             raise ReportError(KILLED) from None

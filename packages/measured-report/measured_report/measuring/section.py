@@ -1,10 +1,10 @@
 """Sections: the way from a section's first batch to its record."""
 
 import inspect
-import re
+import math
 import sys
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from types import ModuleType
 
@@ -25,7 +25,6 @@ from measured_report.records.traces import packed
 
 WHOLE = "whole"
 """Name of the one batch of a section that has declared none."""
-NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
 @dataclass
@@ -50,7 +49,7 @@ class Section:
     losses: Counter = field(default_factory=Counter)
     """Count of killed processes, by batch."""
     is_over: bool = False
-    failure: str = ""
+    has_failed: bool = False
 
     def title(self, batch: Batch) -> str:
         return self.name if batch.name == WHOLE else f"{self.name}/{batch.name}"
@@ -60,8 +59,9 @@ class Section:
         return batch.exclusive or self.losses[batch.name] > 0
 
     def expected_s(self, batch: Batch) -> float:
-        """Return how long a batch will take [s]: a new one no longer than its section did."""
-        return self.known.get(batch.time_name, sum(self.known.values()))
+        """Return how long a batch will take [s]: a new one no longer than its section did, one of no GPU long."""
+        unknown = math.inf if self.device == "cpu" else 0.0
+        return self.known.get(batch.time_name, sum(self.known.values()) or unknown)
 
     def advance(self, at_once: int = 1) -> None:
         """Ask for the next batches once all of a stage are done, and write the record at the end.
@@ -77,10 +77,8 @@ class Section:
                     self._write(end.value, at_once)
                     return
                 names = [batch.name for batch in self.stage]
-                is_unique = len({*names, *self.results}) == len(names) + len(self.results)
-                if not (names and is_unique and all(map(NAME.fullmatch, names))):
-                    fault = "batches need names of their own, lower-case words joined by hyphens"
-                    raise ValueError(f"{fault}: {', '.join(names)}")
+                if not names or len({*names, *self.results}) < len(names) + len(self.results):
+                    raise ValueError(f"batches need names of their own: {', '.join(names)}")
         except Exception as error:
             self.fail(reason_of(error), trace_of(error))
 
@@ -100,7 +98,7 @@ class Section:
     def fail(self, reason: str, trace: str = "") -> None:
         """Give the section up, and say why."""
         if not self.is_over:
-            self.is_over, self.failure, self.waiting = True, reason, []
+            self.is_over, self.has_failed, self.waiting = True, True, []
             tqdm.write(f"{trace}{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
 
     def _write(self, measurement: Measurement, at_once: int) -> None:
@@ -142,13 +140,6 @@ def section_of(
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
     return Section(project, name, device, plan, identity_of(name, project.profile, project.root), known or {})
-
-
-def seconds_of(times: Collection[tuple[str, float]], at_once: int) -> float:
-    """Return how long batches take [s], given by ``Batch.time_name``, ``at_once`` of them beside each other."""
-    shared = [took for name, took in times if name.startswith("batch_")]
-    exclusive = [took for name, took in times if not name.startswith("batch_")]
-    return max([sum(shared) / at_once, *shared]) + sum(exclusive)
 
 
 def _as_one(batch: Batch) -> Plan:
