@@ -94,9 +94,9 @@ def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, 
     assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
 
 
-def test_a_worker_that_comes_late_with_other_code_measures_nothing(toy, log, scheduler, monkeypatch, capsys):
-    monkeypatch.setattr(cluster, "digest_here", lambda: "0" * 64)
+def test_a_worker_that_comes_late_with_other_code_measures_nothing(toy, log, scheduler, capsys):
     with cluster_pools(scheduler, "cpu", None, 1) as pools:
+        pools[0]._digest = "0" * 64
         assert Loop([section_of(toy, batches.plan(str(log), "a"))], *pools).run()
     assert f"{os.uname().nodename} has other code or packages" in capsys.readouterr().err and not begun(log)
 

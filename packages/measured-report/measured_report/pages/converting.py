@@ -5,11 +5,12 @@ What a template prints passes as a token between two private characters, so that
 
 import re
 import secrets
-from dataclasses import dataclass
 from typing import Any
+from xml.etree.ElementTree import Element, SubElement
 
 from markdown import Markdown
 from markdown.extensions.toc import slugify
+from markdown.treeprocessors import Treeprocessor
 from markupsafe import Markup
 
 from measured_report.files.errors import ReportError
@@ -19,10 +20,9 @@ OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 BLANK = "\ue002"
 """Stands for ``OPEN`` in what was converted."""
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
-TITLE = re.compile(r"\s*<(h[12])[^>]*>.*?</\1>", re.DOTALL)
-HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
-# It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
-ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
+AFTER_TOC = 1  # the lower the later
+ANCHOR = {"class": "anchor", "tabindex": "-1", "aria-hidden": "true"}
+"""A link of a heading to itself: no stop of the keyboard, which the contents lead to as well."""
 
 
 def token(printed: list[Any], thing: Any) -> Markup:
@@ -31,31 +31,35 @@ def token(printed: list[Any], thing: Any) -> Markup:
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
 
 
-@dataclass(frozen=True)
-class Converted:
-    """What Markdown makes of a text."""
+class Headings(Treeprocessor):
+    """Take the title off a text, and let every other heading link to itself."""
 
-    title: str
-    body: str
-    headings: list[tuple[str, str]]
-    """Id and text of each heading right below the title."""
+    def run(self, root: Element) -> None:
+        if len(root) and root[0].tag in ("h1", "h2"):
+            root.remove(root[0])
+        for heading in (each for each in root.iter() if "id" in each.attrib):
+            if len(heading):
+                heading[-1].tail = f"{heading[-1].tail or ''} "
+            else:
+                heading.text = f"{heading.text} "
+            SubElement(heading, "a", {**ANCHOR, "href": f"#{heading.get('id')}"}).text = "#"
 
 
-def converted(text: str, place: str, anchor: str, level: int) -> Converted:
-    """Make HTML of a text of the template ``place``, with a ``BLANK`` at the beginning of each token.
+def converted(text: str, place: str, anchor: str, level: int) -> tuple[str, str, list[tuple[str, str]]]:
+    """Make title and body of a text of the template ``place``, with id and text of each heading right below the title.
 
-    Its title is of that level, and the ids of further headings begin with ``anchor``.
+    Each token begins with a ``BLANK``. The title is of that level, and the ids of headings begin with ``anchor``.
     """
     headings = {
         "baselevel": level,
         "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),
     }
     markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
-    html = markdown.convert(text).replace(OPEN, BLANK)
-    if len(markdown.toc_tokens) != 1 or not TITLE.match(html):
+    markdown.treeprocessors.register(Headings(), "headings", AFTER_TOC)
+    body = markdown.convert(text).replace(OPEN, BLANK)
+    if len(markdown.toc_tokens) != 1 or not text.lstrip().startswith("# "):
         raise ReportError(f"templates/{place} must begin with its one title, a line with a single #")
     top = markdown.toc_tokens[0]
-    # What may be wider than the page is scrolled with the keyboard too.
-    body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
     inner = [(heading["id"], heading["name"].replace(OPEN, BLANK)) for heading in top["children"]]
-    return Converted(top["name"].replace(OPEN, BLANK), body, inner)
+    # What may be wider than the page is scrolled with the keyboard too.
+    return top["name"].replace(OPEN, BLANK), body.replace("<pre>", '<pre tabindex="0">'), inner

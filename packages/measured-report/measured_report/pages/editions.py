@@ -21,10 +21,10 @@ from measured_report.pages.outline import FRONT, PAGES, Page
 from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
-from measured_report.pages.quick import marks_of
 from measured_report.pages.sections import LostError, Read, derive_section, file_of, outline_of
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
+from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.records.code import files
 from measured_report.records.identity import files_digest, sections
@@ -44,6 +44,8 @@ class Edition:
     cache: DerivedCache = field(default_factory=DerivedCache)
     root: str = ""
     """The way from its pages to the root of the site."""
+    full: Chapters = field(default_factory=dict)
+    """Chapters of full runs, where these are short ones: a claim that they answer otherwise says so."""
 
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
@@ -175,31 +177,7 @@ def editions_of(
         root = "" if release == project.release else "../"
         derived[release] = replace(derive_edition(project.of(release), templates, cache), root=root)
     releases = {release: edition.chapters for release, edition in derived.items()}
-    editions = {release: _compared(edition, releases, templates) for release, edition in derived.items()}
-    return editions if project.profile == "full" else _marked(project, editions, templates)
-
-
-def _marked(project: Project, editions: Mapping[str, Edition], templates: Templates) -> dict[str, Edition]:
-    """The same with a mark at each claim that full runs, where there are any, answer otherwise."""
-    full = replace(project, profile="full")
-    there = [release for release in editions if full.of(release).results.is_dir()]
-    told = {release: derive_edition(full.of(release), templates).chapters for release in there}
-    marks = marks_of({release: edition.chapters for release, edition in editions.items()}, told)
-    marked = {}
-    for release, edition in editions.items():
-        chapters = {name: _remarked(each, marks[release], templates) for name, each in edition.chapters.items()}
-        marked[release] = replace(edition, chapters=chapters)
-    return marked
-
-
-def _remarked(chapter: Chapter, marks: Mapping[str, Any], templates: Templates) -> Chapter:
-    """A chapter in the same words, with marks at its claims, by ``section.claim``."""
-    name = chapter.name
-    if not any(place.startswith(f"{name}.") for place in marks):
-        return chapter
-    claims = [replace(each, mark=marks.get(f"{name}.{each.name}", each.mark)) for each in chapter.section.claims]
-    names = {**chapter.names, "claim": _finder(name, "claim", {each.name: each.html(name) for each in claims})}
-    return replace(chapter, names=names, prose=templates.text(f"sections/{name}.md.j2").prose(name, names))
+    return {release: _compared(edition, releases, templates) for release, edition in derived.items()}
 
 
 def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
@@ -223,8 +201,13 @@ def _derived(project: Project, states: Sequence[State], templates: Templates, ca
         if state.record
     ]
     left_out = [*(state for state in states if not state.record), *_damaged_manifest(project)]
-    edition = Edition(project, {}, left_out, cache or DerivedCache())
+    edition = Edition(project, {}, left_out, cache or DerivedCache(), full=_of_full_runs(project, templates))
     return _with_chapters(edition, measured, {}, templates)
+
+
+def _of_full_runs(project: Project, templates: Templates) -> Chapters:
+    full = replace(project, profile="full")
+    return derive_edition(full, templates).chapters if project.profile != "full" and full.results.is_dir() else {}
 
 
 def _with_noise(project: Project, state: State) -> State:
@@ -293,6 +276,8 @@ def _chapter(
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
     section = entry.section.worded(name, text.name, text.words, outline.source, project.rerun(name))
+    if name in edition.full:
+        section = _marked(section, edition.full[name].section)
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
         "release": results.record.origin.release,
@@ -310,6 +295,17 @@ def _chapter(
         edition.cache.tell(project.release, section, name)
     prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
+
+
+def _marked(section: Section, full: Section) -> Section:
+    """Put a mark before each claim that full runs answer otherwise."""
+    told = {claim.name: claim for claim in full.claims}
+    marks = {
+        claim.name: macros().otherwise(told[claim.name].text)
+        for claim in section.claims
+        if claim.name in told and told[claim.name].outcome.name != claim.outcome.name
+    }
+    return replace(section, claims=[replace(each, mark=marks.get(each.name, each.mark)) for each in section.claims])
 
 
 def _digests(places: Releases) -> list[str]:

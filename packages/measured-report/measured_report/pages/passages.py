@@ -29,13 +29,12 @@ from markupsafe import Markup
 from measured_report.pages.converting import token
 from measured_report.parts.claim import LOST, Claim
 from measured_report.parts.contradictions import contradictory
+from measured_report.parts.macros import macros
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
 NAMED = {"cell", "value", "row", "release", "config"}
 """What a passage may name besides the sections that it needs: each says itself which number it is."""
 SOURCE = re.compile('data-src="([^"]*)"')
-OPEN = '<{} class="passage" data-needs="{}" data-outcome="{}"{}>'
-WRITTEN = Markup('<span class="other-data">The paragraph that stands here was written for other data.</span>')
 
 
 @dataclass(frozen=True)
@@ -153,14 +152,13 @@ def teller(
         else:
             own = [claim.html(need.section) for need, claim in found]
             # What was not measured is listed on the page, and is no other answer.
-            said = token(printed, Markup(" ").join([*own, WRITTEN])) if len(own) == len(claims) else ""
+            said = token(printed, Markup(" ").join([*own, macros().other_data()])) if len(own) == len(claims) else ""
+        if not said:
+            return Markup("")
         element, edge = ("span", "") if is_inline else ("div", "\n\n")
-        answers = f' data-answer="{answer}"' if answer else ""
-        opened = OPEN.format(element, ", ".join(map(str, needs)), "holds" if stands else "fails", answers)
-        before, *behind = (
-            token(printed, Markup(end)) for end in (opened, *([stale] if stale else []), f"</{element}>")
-        )
-        return Markup(edge.join(["", before, said.strip(), *behind, ""]) + ("" if is_inline else "\n")) if said else ""
+        opened = macros().passage(element, ", ".join(map(str, needs)), stands, answer)
+        before, *behind = (token(printed, end) for end in (opened, *filter(None, [stale]), Markup(f"</{element}>")))
+        return Markup(edge.join(["", before, said.strip(), *behind, "" if is_inline else "\n"]))
 
     return passage
 

@@ -90,9 +90,9 @@ class Text:
         with _named(self.name):
             text = self.template.render({**names, "printed": printed, "passages": standing})
         text = LINK.sub(lambda link: token(printed, Inner(link[1])), text)
-        found = converted(text, self.name, anchor, level)
-        headings = [(place, _put_back(heading, printed)) for place, heading in found.headings]
-        return Prose(_put_back(found.title, printed), found.body, printed, anchor, headings, standing)
+        title, body, found = converted(text, self.name, anchor, level)
+        headings = [(place, _put_back(heading, printed)) for place, heading in found]
+        return Prose(_put_back(title, printed), body, printed, anchor, headings, standing)
 
 
 class Templates:
