@@ -17,12 +17,12 @@ from measured_report.parts.claim import (
     greater,
     same_sign,
 )
-from measured_report.parts.figures import FAINT, INK, new_figure, say_value, write
+from measured_report.parts.figures import FAINT
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import departure, difference, noise_floor, ratio, resolved, size_share, table_of
-from report.shared.drawing import SHIPPED, STIFF, TERM, name_lines
+from report.shared.drawing import SHIPPED, STIFF, TERM, draw_bars
 
 order = 70
 page = "cause"
@@ -181,18 +181,8 @@ PADS = {"shipped pads": SHIPPED, "stiff pads": STIFF}
 def draw_slide(bars: Sequence[tuple[Quantity, Quantity, Quantity]]) -> Drawing:
     """Draw for each pads three bars: slide from the left-out term, slide of the rows, and that with the term put
     back."""
-    drawing, axes = new_figure(7.2, 2.6)
-    names: list[str] = []
-    for (pads, colour), cells in zip(PADS.items(), bars, strict=True):
-        whats = ("from the left-out term", "measured in the rows", "with the term put back")
-        for what, cell, face in zip(whats, cells, (FAINT, colour, TERM), strict=True):
-            if cell.value is not None:
-                axes.barh(len(names), cell.value, height=0.7, color=face, edgecolor=INK, linewidth=0.5)
-                say_value(axes, max(cell.value, 0.0), len(names), write(cell))
-            names.append(f"{pads}, {what}")
-    name_lines(axes, names)
-    axes.axvline(0.0, color=INK, linewidth=0.8)
-    axes.margins(x=0.12)
-    axes.grid(axis="y", visible=False)
-    axes.set_xlabel("slide of the friction rows along the main axis [mm]")
-    return drawing
+    kinds = ("from the left-out term", "measured in the rows", "with the term put back")
+    names = [f"{pads}, {kind}" for pads in PADS for kind in kinds]
+    colours = [face for colour in PADS.values() for face in (FAINT, colour, TERM)]
+    cells = [cell for each in bars for cell in each]
+    return draw_bars(names, cells, colours, "slide of the friction rows along the main axis [mm]")[0]

@@ -3,11 +3,11 @@
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
-from measured_report.parts.figures import INK, new_figure, say_value, write
+from measured_report.parts.figures import INK
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import noise_floor, share
-from report.shared.drawing import SHIPPED, name_lines
+from report.shared.drawing import SHIPPED, draw_bars
 
 order = 60
 reads = ("noise",)
@@ -52,13 +52,6 @@ def _robot_is_still(results: Results) -> Claim:
 
 
 def _draw(rows: list[Row]) -> Drawing:
-    there = [row for row in rows if row.displacement_mm.value is not None]
-    drawing, axes = new_figure(7.2, 2.6)
-    for place, row in enumerate(there):
-        moved = row.displacement_mm
-        axes.barh(place, moved.value, height=0.6, color=INK if row.case in ROBOT else SHIPPED, linewidth=0)
-        say_value(axes, moved.value, place, write(moved))
-    axes.set(xlim=(0.0, 1.2 * max(row.displacement_mm.value for row in there)), xlabel="displacement [mm]")
-    name_lines(axes, [row.pair for row in there])
-    axes.grid(axis="y", visible=False)
-    return drawing
+    colours = [INK if row.case in ROBOT else SHIPPED for row in rows]
+    moved = [row.displacement_mm for row in rows]
+    return draw_bars([row.pair for row in rows], moved, colours, "displacement [mm]")[0]

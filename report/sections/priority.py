@@ -4,11 +4,11 @@ from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, greater, within
-from measured_report.parts.figures import SERIES, new_figure, say_value, write
+from measured_report.parts.figures import SERIES
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import noise_floor, settles, share, spread
-from report.shared.drawing import SHIPPED, STIFF
+from report.shared.drawing import SHIPPED, STIFF, draw_bars
 
 order = 100
 page = "fix"
@@ -75,15 +75,5 @@ def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
 
 
 def _draw_slips(rows: list[Row]) -> Drawing:
-    there = [row for row in reversed(rows) if row.slip_mm.value is not None]
-    drawing, axes = new_figure(7.2, 2.4)
-    for place, row in enumerate(there):
-        colour = STIFF if "pad_ke" in row else SHIPPED if row.case in CUBE else SERIES[5]
-        axes.barh(place, row.slip_mm.value, color=colour, height=0.65)
-        say_value(axes, row.slip_mm.value, place, write(row.slip_mm))
-    axes.set_yticks(range(len(there)), [row.label for row in there])
-    axes.margins(x=0.12)
-    axes.set_xlim(left=0.0)
-    axes.grid(visible=False, axis="y")
-    axes.set_xlabel("slip [mm]")
-    return drawing
+    colours = [STIFF if "pad_ke" in row else SHIPPED if row.case in CUBE else SERIES[5] for row in rows]
+    return draw_bars([row.label for row in rows], [row.slip_mm for row in rows], colours, "slip [mm]")[0]

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import HOLDS, Claim, Outcome, at_least, greater
-from measured_report.parts.figures import INK, new_figure, say_value, write
+from measured_report.parts.figures import INK
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cases_html, difference, largest_size, noise_floor, other_value, share
-from report.shared.drawing import SHIPPED, name_lines
+from report.shared.drawing import SHIPPED, draw_bars
 
 
 @dataclass(frozen=True)
@@ -89,14 +89,8 @@ def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: 
 
 
 def _draw_variants(variants: Variants) -> Drawing:
-    rows = [row for row in variants.all_rows if row.slip_mm.value is not None]
-    drawing, axes = new_figure(7.2, 0.8 + 0.28 * len(rows))
-    for place, row in enumerate(rows):
-        axes.barh(place, row.slip_mm.value, height=0.6, color=SHIPPED, alpha=0.75 if place else 1.0, linewidth=0)
-        say_value(axes, row.slip_mm.value, place, write(row.slip_mm))
-    if variants.baseline.slip_mm.value is not None:
-        axes.axvline(variants.baseline.slip_mm.value, color=INK, linewidth=1, linestyle="--", marker="")
-    axes.set(xlim=(0.0, 1.15 * max(row.slip_mm.value for row in rows)), xlabel="slip [mm]")
-    name_lines(axes, [row.label for row in rows])
-    axes.grid(axis="y", visible=False)
+    rows, base = variants.all_rows, variants.baseline.slip_mm.value
+    drawing, axes = draw_bars([r.label for r in rows], [r.slip_mm for r in rows], [SHIPPED] * len(rows), "slip [mm]")
+    if base is not None:
+        axes.axvline(base, color=INK, linewidth=1, linestyle="--", marker="")
     return drawing

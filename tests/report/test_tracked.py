@@ -49,39 +49,6 @@ def test_every_claim_table_and_figure_is_on_the_page_and_only_what_was_not_measu
     assert [state for edition in editions for state in edition.left_out if state.kind != "missing"] == []
 
 
-def claim_of(edition, section: str, name: str) -> Claim:
-    return next(claim for claim in edition.chapters[section].section.claims if claim.name == name)
-
-
-def test_what_the_cure_costs_is_written_with_the_digits_of_its_table(editions):
-    for edition in (edition for edition in editions if "cure_cost" in edition.chapters):
-        derived = edition.chapters["cure_cost"].results.derived
-        for case in ("term", "firm"):
-            worst = claim_of(edition, "cure_cost", f"{case}_costs_nothing").numbers["worst"]
-            assert worst.written in [derived[f"{case}_extra_{count}"].written for count in (1, 4096, 16384)]
-
-
-def test_the_longest_step_is_seen_to_make_pads_alike_where_their_drifts_are_apart(editions):
-    [edition] = [edition for edition in editions if "+" in edition.project.release]
-    gain = claim_of(edition, "stability", "gain_goes").numbers["longest"]
-    assert gain.value == pytest.approx(1.0, abs=0.05)
-
-
-def test_where_medians_say_otherwise_than_ratios_in_turn_the_caption_says_by_how_much(editions):
-    [edition] = [edition for edition in editions if "+" in edition.project.release]
-    row = next(row for row in edition.chapters["leave_out"].results.rows if row.case == "without-visuals")
-    first = next(row for row in edition.chapters["leave_out"].results.rows if row.case == "untrimmed")
-    apart = abs(row.frame_ms.value / first.frame_ms.value / row.frame_ratio.value - 1)
-    assert 100 * apart <= edition.chapters["leave_out"].section.tables["cost"].numbers["apart_cuda"].value < 10
-
-
-def test_a_run_time_that_is_the_same_within_its_resolution_is_said_to_be(editions):
-    for edition in (edition for edition in editions if "error_runtime" in edition.chapters):
-        for claim in (claim_of(edition, "error_runtime", name) for name in ("rk4", "rk4_warp")):
-            apart = abs(claim.numbers["cost"].value - 1.0)
-            assert ("in the same run time" in claim.text) == (100 * apart <= claim.numbers["seen"].value)
-
-
 def test_every_outcome_of_every_claim_can_be_said(editions):
     """A wording that names a number it does not have would fail only when the claim flips."""
     for edition in editions:

@@ -7,12 +7,12 @@ from matplotlib.figure import Figure as Drawing
 
 from measured_report.files.root import ROOT
 from measured_report.parts.claim import FAILS, HOLDS, Claim, all_of, at_least, at_most, greater
-from measured_report.parts.figures import INK, is_narrow, new_figure, say_value, write
+from measured_report.parts.figures import INK
 from measured_report.parts.section import Download, Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size, size_share
-from report.shared.drawing import CURE, SHIPPED, TERM, mark_cells, name_lines
+from report.shared.drawing import CURE, SHIPPED, TERM, draw_bars, mark_cells
 
 ENGINES = ("warp", "c")
 BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
@@ -141,17 +141,8 @@ def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -
 
 def _draw(measured: Mapping[str, Value], law: Mapping[str, Value]) -> Drawing:
     """Draw a bar for each variant, in MuJoCo C, with its number, since some are too short to be seen."""
-    drawing, axes = new_figure(7.2, 0.9 + (0.36 if is_narrow() else 0.27) * len(VARIANTS))
-    cells = [measured[f"{variant}-c"] for variant in VARIANTS]
-    for place, (variant, cell) in enumerate(zip(VARIANTS, cells, strict=True)):
-        if cell.value is not None:
-            colour = CURE if variant in CURED else TERM if variant.startswith("term") else SHIPPED
-            axes.barh(place, cell.value, 0.6, color=colour)
-            say_value(axes, max(cell.value, 0.0), place, write(cell))
-    mark_cells(axes, [law[f"{variant}-c"] for variant in VARIANTS], INK, "law", marker="|", markersize=13)
-    axes.axvline(0.0, color=INK, linewidth=0.8, marker="")
-    axes.set_xlim(right=1.15 * max((cell.value or 0.0 for cell in cells), default=1.0))
-    axes.grid(visible=False, axis="y")
-    name_lines(axes, VARIANTS.values())
-    axes.set_xlabel("growth of the distance from the axis [%/s]")
+    colours = [CURE if name in CURED else TERM if name.startswith("term") else SHIPPED for name in VARIANTS]
+    cells, xlabel = [measured[f"{name}-c"] for name in VARIANTS], "growth of the distance from the axis [%/s]"
+    drawing, axes = draw_bars(list(VARIANTS.values()), cells, colours, xlabel)
+    mark_cells(axes, [law[f"{name}-c"] for name in VARIANTS], INK, "law", marker="|", markersize=13)
     return drawing

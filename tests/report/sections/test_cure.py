@@ -70,11 +70,6 @@ def test_it_is_not_recommended_where(change):
     assert claims_with(change)["what_to_use"].outcome != HOLDS
 
 
-def test_a_part_of_which_no_gain_is_seen_is_named(claims):
-    told = claims["each_takes_its_part"]
-    assert (told.outcome, told.numbers["idle"]) == (FAILS, "compensated positions")
-
-
 @pytest.mark.parametrize("times", [0.05, 20.0])
 def test_an_explanation_covers_most_of_its_effect_and_no_more_than_there_is(claims, times):
     row = next(row for row in rows() if at(TERM, found=1.0)(row))
@@ -90,14 +85,6 @@ def test_the_budget_says_both_tolerances(claims):
     assert numbers["closed"] == sum(rest <= max(0.02, 0.05 * slip) for rest, slip in kept)
     assert numbers["relative"] == sum(rest <= 0.05 * slip for rest, slip in kept)
     assert numbers["little"] == sum(slip <= 0.04 for _, slip in kept)
-
-
-def test_the_caption_counts_the_points_in_the_band():
-    """A point is a slip and its prediction, both without direction; the text counts what agrees in that as well."""
-    numbers = section_with().figures["budget"].numbers
-    kept = [(row["predicted_slip_mm"], row["slip_mm"]) for row in rows() if row["slip_mm"] and row["slip_mm"] < 80.0]
-    in_band = sum(abs(predicted - slip) <= max(0.02, 0.05 * slip) for predicted, slip in kept)
-    assert numbers["alike"].value == in_band != numbers["closed"].value
 
 
 def test_a_price_is_seen_beyond_the_noise_alone():

@@ -30,12 +30,5 @@ def test_times_compare_where_both_were_measured_alone_on_machines_of_one_kind():
     assert machines_differ(others, "speed") is None
     older = {**releases, "1.8.0": {"speed": timed(20, driver="1")}}
     assert "measured on" in machines_differ(older, "speed").reason
-
-
-def test_a_release_between_may_have_been_shared():
-    releases = {
-        "1.4.0": {"speed": timed(10)},
-        "1.5.0": {"speed": timed(15), "cure": timed(15)},
-        "1.8.0": {"speed": timed(20)},
-    }
-    assert machines_differ(releases, "speed") is None
+    between = {"1.4.0": releases["1.4.0"], "1.5.0": {"speed": timed(15), "cure": timed(15)}, "1.8.0": releases["1.8.0"]}
+    assert machines_differ(between, "speed") is None

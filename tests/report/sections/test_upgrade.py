@@ -103,20 +103,6 @@ def test_claims_that_turned_are_said_as_other_releases_say_them(upgraded):
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in said
 
 
-def test_releases_with_the_same_numbers_stand_together_and_other_words_apart(upgraded):
-    measure_upgrade(upgraded, ENDS)
-    words = TEMPLATE.replace(
-        "It does not.", "It does not{% if gain.value < 1.5 %}, by far{% endif %}, {{ gain }} times."
-    )
-    upgraded.write("templates/sections/toy.md.j2", words)
-    for release, slip in (("1.6.0", 0.4), ("1.7.0", 0.5), ("1.8.0", 0.5)):
-        upgraded.of(release).measure([{**SOFT, "slip_mm": slip}, STIFF])
-    upgraded.build()
-    said = turned(upgraded)
-    assert "<b>1.6.0:</b> It does not, by far" in said and "<b>1.7.0, 1.8.0:</b> It does not, " in said
-    assert "So too" not in said
-
-
 def test_what_one_release_cannot_tell_is_counted_by_itself(upgraded):
     measure_upgrade(upgraded, ENDS)
     newer = upgraded.of("1.8.0")

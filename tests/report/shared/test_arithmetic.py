@@ -36,12 +36,6 @@ def test_ratios_shares_and_differences(results):
     assert arithmetic.ratio(results, "f", "", cells[0], quantity(0.0)).value is None
 
 
-@pytest.mark.parametrize("choose", [max, min])
-def test_the_largest_and_smallest_of_one_and_of_none(results, choose):
-    assert results.value("one", "", choose, quantity(2.0)).value == 2.0
-    assert results.value("none", "", choose).value is None
-
-
 def test_a_cell_that_is_not_there_says_why(results):
     soft = results.row["soft"]
     assert arithmetic.cell_or_absent(soft, "slip_mm", "mm") == soft.slip_mm

@@ -17,7 +17,6 @@ from measured_report.site.pages import contents_of
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.sections.reproduction import SCENE
-from report.story.found import Found
 from report.story.story import _advice
 from report.story.story import derive as story_of
 
@@ -104,12 +103,6 @@ def test_what_the_story_claims_can_be_said_with_every_outcome(editions, template
             assert claim.outcome.name == ("holds" if is_told else "unknown"), (release, claim.name)
 
 
-def test_releases_that_do_not_stand_in_order_have_no_first_fine_one(editions):
-    chapters = {release: edition.chapters for release, edition in reversed(editions.items())}
-    claims = {claim.name: claim.outcome for claim in story_of(chapters, "1.4.0").claims}
-    assert claims["fine_since"] == FAILS and claims["still_needed"] == HOLDS
-
-
 @pytest.mark.parametrize(
     ("slips", "said"),
     [
@@ -153,12 +146,6 @@ def test_alternative_texts_are_short(editions, templates):
         figures = [figure for part in parts for figure in part.figures]
         alts = {figure.anchor: figure.wording("alt", figure.numbers).striptags() for figure in figures}
         assert {anchor: len(alt) for anchor, alt in alts.items() if len(alt) > 300} == {}
-
-
-def test_what_is_not_there_is_said(editions):
-    found = Found(editions["1.5.0"].chapters)
-    assert found.cell("speed", "as-shipped", "frame_ms", "ms").reason == "section speed has no results here"
-    assert found.value("reproduction", "no_such", "mm").reason == "section reproduction does not say"
 
 
 def test_without_the_shake_test_there_is_a_title_alone(toy):
