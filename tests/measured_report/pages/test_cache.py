@@ -16,7 +16,7 @@ from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
-from measured_report.site.sums import SUMS
+from measured_report.site.publish import SUMS
 
 SECTION = """
 from report.shared.arithmetic import other_value

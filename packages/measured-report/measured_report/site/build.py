@@ -25,10 +25,10 @@ from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest
 from measured_report.records.provenance import package_versions
 from measured_report.records.traces import BYTE_LIMIT
-from measured_report.site.citing import citation, sources
+from measured_report.site.citing import citation
 from measured_report.site.feed import write_feed
 from measured_report.site.pages import Site
-from measured_report.site.sums import SUMS, sums_text
+from measured_report.site.publish import SUMS
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
 """Files that the site is made from, besides the folders."""
@@ -64,10 +64,10 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         with cached_sources(project.root), unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = editions_of(project, templates, derived)
-            known = (address, sources(project.root), citation())
-            site = Site(draft, project.release, editions, templates, *known, derived)
+            site = Site(draft, project.release, editions, templates, address, citation(), derived)
             site.write(partial(write_feed, site))
-            draft.write(SUMS, sums_text(draft.digests))
+            sums = "".join(f"{digest}  {name}\n" for name, digest in sorted(draft.digests.items()))
+            draft.write(SUMS, sums)
         replace(project.site, fresh)
         built = {
             release: Built(
@@ -98,7 +98,7 @@ def _digest(project: Project, address: str) -> str:
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
     # A checkout may be edited, and lie elsewhere.
     checkouts = [package_version(project.of(release)) for release in project.releases]
-    made_from = (place, address, sources(project.root), package_versions(), installed(), versions, checkouts, digests)
+    made_from = (place, address, package_versions(), installed(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

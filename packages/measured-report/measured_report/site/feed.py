@@ -10,7 +10,7 @@ from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import Edition
 from measured_report.pages.plugins import plugins
-from measured_report.site.archive import ARCHIVE, archived
+from measured_report.site.data import archived
 from measured_report.site.pages import CARD, Site
 
 TEMPLATES = ("404.html", "robots.txt", "feed.xml", "sitemap.xml")
@@ -30,8 +30,8 @@ def write_feed(site: Site) -> None:
     if card := plugins().card(site.editions, site.cache):
         site.draft.write(CARD, card)
     readme = site.templates.layout("archive.txt.j2", {"editions": site.editions})
-    data = {name.removeprefix("data/"): site.draft.folder / name for name in site.draft.digests if "data/" in name}
-    site.draft.write(ARCHIVE, archived(data, readme))
+    data = [name.removeprefix("data/") for name in site.draft.digests if name.startswith("data/")]
+    site.draft.write("data.zip", archived(site.draft.folder / "data", data, readme))
     site.draft.write(".gitkeep", "")
 
 

@@ -24,8 +24,8 @@ from measured_report.parts.macros import macros
 from measured_report.parts.section import Pictures
 from measured_report.records.record import Record
 from measured_report.records.traces import traces_of
-from measured_report.site.archive import rows_csv
 from measured_report.site.citing import Citation, measured_on
+from measured_report.site.data import rows_csv
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import Results
@@ -98,8 +98,6 @@ class Site:
     templates: Templates
     address: str
     """Address that it will have; empty where that is not known."""
-    sources: str
-    """Address of the report's sources on the web; empty where that is not known."""
     citation: Citation
     cache: DerivedCache
 
@@ -159,8 +157,7 @@ class Site:
             "card": CARD if CARD in self.draft.digests else "",
             "icon": ICON if icon.is_file() else "",
             "citation": self.citation,
-            "sources": self.sources,
-            "bibtex": self.citation.bibtex(edition, self.address and f"{self.address}{place}", self.sources),
+            "sources": config().repository,
             "measured_on": measured_on(edition),
             "floors": json.dumps(_floors(edition)),
             "beside": self.beside,

@@ -11,13 +11,13 @@ from pathlib import Path
 
 from measured_report.files.atomic import locked
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.staging import replace, staged, staging_folder
+from measured_report.files.staging import digests_below, replace, staged, staging_folder
 from measured_report.site.check import check_site
-from measured_report.site.sums import check_sums
 
 DEFAULT = "git:origin"
 BRANCH = "gh-pages"
 SUBJECT = "The report, as make publish made it"
+SUMS = "SHA256SUMS"  # the file that names all others with their digests, as ``sha256sum --check`` reads it
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 OF_ANOTHER_GIT = {"GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE"}  # as a hook sets them
@@ -53,8 +53,8 @@ def _checked_copy(site: Path, copy: Path) -> Path:
         if not (site / "index.html").is_file():
             raise UsageError(f"{site.name}/ holds no report; make report builds it")
         shutil.copytree(site, copy, symlinks=True)
-    if problems := check_sums(copy):
-        raise ReportError(f"not published: {site.name}/: {problems[0]}; make report builds it again")
+    if problem := _change(copy):
+        raise ReportError(f"not published: {site.name}/: {problem}; make report builds it again")
     if QUICK in (copy / "index.html").read_text(encoding="utf-8"):
         raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
     if problems := check_site(copy):
@@ -64,6 +64,17 @@ def _checked_copy(site: Path, copy: Path) -> Path:
     for path in copy.rglob("*"):
         path.chmod(0o755 if path.is_dir() else 0o644)
     return copy
+
+
+def _change(site: Path) -> str:
+    """Say in what a site is not what its build made; nothing where it is."""
+    if not (site / SUMS).is_file():
+        return f"there is no {SUMS}"
+    lines = (line.partition("  ") for line in (site / SUMS).read_text(encoding="utf-8").splitlines())
+    told, there = {name: digest for digest, _, name in lines}, digests_below(site)
+    links = {path.relative_to(site).as_posix() for path in site.rglob("*") if path.is_symlink()}
+    others = {name for name in told | there if told.get(name) != there.get(name)} - {SUMS}
+    return f"{min(links | others)} is not of the build" if links | others else ""
 
 
 def _to_folder(copy: Path, place: str, site: Path) -> str:

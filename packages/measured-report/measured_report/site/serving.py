@@ -24,11 +24,8 @@ setInterval(async () => {
   shown = built;
 }, 500);
 """
-POLICY = {b"default-src 'none'": b"default-src 'none'; connect-src 'self'", b"script-src ": b"script-src 'self' "}
-"""Rights of a page besides as it is served: ask for the number of the build, and run the script."""
 HOSTS = {"127.0.0.1", "localhost", "[::1]"}
 """Names of this machine: a page from elsewhere, whose name leads here, is not to read what is served."""
-RANGE = re.compile(r"bytes=(\d{1,18})-(\d{0,18})")
 
 
 class _Handler(SimpleHTTPRequestHandler):
@@ -36,7 +33,7 @@ class _Handler(SimpleHTTPRequestHandler):
 
     server: "Server"
 
-    def send_head(self) -> BinaryIO | None:
+    def send_head(self) -> io.BytesIO | BinaryIO | None:
         if re.sub(r":\d*$", "", self.headers.get("Host", "")).lower() not in HOSTS:
             self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
             return None
@@ -44,33 +41,27 @@ class _Handler(SimpleHTTPRequestHandler):
             return self._answer(RELOAD, "text/javascript")
         if self.path == BUILD:
             return self._answer(str(self.server.build_count).encode(), "text/plain")
-        path = Path(self.translate_path(self.path))
-        with suppress(OSError, ValueError):  # of a name that no file can have
-            if path.is_dir() and self.path.endswith("/"):
-                path = path / "index.html"
-            if path.is_file():
-                content, kind = path.read_bytes(), self.guess_type(path)
-                return self._answer(reloading(content) if path.suffix == ".html" else content, kind)
-            if path.is_dir():
-                return super().send_head()  # to the same with a slash at its end
-        self.send_error(HTTPStatus.NOT_FOUND)
-        return None
+        path = Path(self.translate_path(f"{self.path}index.html" if self.path.endswith("/") else self.path))
+        if path.suffix == ".html" and path.is_file():
+            return self._answer(reloading(path.read_bytes()), "text/html")
+        try:
+            return super().send_head()
+        except ValueError:  # a name that no file can have
+            return self.list_directory("")
 
     def _answer(self, content: bytes, kind: str) -> io.BytesIO:
-        """Begin an answer with some content, or with the part that was asked for, as players of clips do."""
-        first, last = 0, len(content) - 1
-        if asked := RANGE.fullmatch(self.headers.get("Range", "")):
-            first, last = int(asked[1]), min(int(asked[2] or last), last)
-        is_part = bool(asked) and first <= last
-        part = content[first : last + 1] if is_part else content
-        self.send_response(HTTPStatus.PARTIAL_CONTENT if is_part else HTTPStatus.OK)
-        if is_part:
-            self.send_header("Content-Range", f"bytes {first}-{last}/{len(content)}")
-        for name, value in {"Content-Type": kind, "Content-Length": len(part), "Accept-Ranges": "bytes"}.items():
-            self.send_header(name, str(value))
-        self.send_header("Cache-Control", "no-store")
+        self.send_response(HTTPStatus.OK)
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(content)))
         self.end_headers()
-        return io.BytesIO(part)
+        return io.BytesIO(content)
+
+    def end_headers(self) -> None:
+        self.send_header("Cache-Control", "no-store")
+        super().end_headers()
+
+    def list_directory(self, path) -> None:
+        self.send_error(HTTPStatus.NOT_FOUND)
 
     def log_message(self, format: str, *args) -> None:
         """Say nothing of what was asked for: what was built again would be lost in it."""
@@ -83,8 +74,8 @@ class Server(ThreadingHTTPServer):
         self.build_count = 0
         try:
             super().__init__(("127.0.0.1", port), partial(_Handler, directory=str(folder)))
-        except OSError as error:
-            raise UsageError(f"PORT={port} can't be served at: {error.strerror}; PORT=8001 may be free") from None
+        except (OSError, OverflowError) as error:
+            raise UsageError(f"PORT={port} can't be served at: {error}; PORT=8001 may be free") from None
 
     def handle_error(self, request, client_address) -> None:
         """Say in one line what went wrong, unless it is that whoever asked has gone."""
@@ -106,9 +97,9 @@ class Server(ThreadingHTTPServer):
 
 
 def reloading(page: bytes) -> bytes:
-    """Return a page as it is served."""
-    for strict, loose in POLICY.items():
-        page = page.replace(strict, loose, 1)
+    """Return a page as it is served: it may also run the script, and ask for the number of the build."""
+    page = page.replace(b"default-src 'none'", b"default-src 'none'; connect-src 'self'", 1)
+    page = page.replace(b"script-src ", b"script-src 'self' ", 1)
     return page.replace(b"</head>", b'<script src="%s" defer></script>\n</head>' % SCRIPT.encode(), 1)
 
 

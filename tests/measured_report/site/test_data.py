@@ -2,8 +2,8 @@
 
 from zipfile import ZipFile
 
-from measured_report.site.archive import rows_csv
 from measured_report.site.check import check_site
+from measured_report.site.data import rows_csv
 
 FOLDER = "shake-report-data/"
 
@@ -11,7 +11,7 @@ FOLDER = "shake-report-data/"
 def test_finding_8_no_text_of_a_table_is_a_formula():
     rows = [{"case": "=1+1", "said": "-x", "slip_mm": -1.5}, {"case": "@a", "said": "-1.5", "slip_mm": None}]
     rows += [{"case": "＝1+1", "said": "\n=1+1", "slip_mm": 1.0}]
-    assert rows_csv(rows).decode().split("\n", 3)[1:] == ["'=1+1,'-x,-1.5", "'@a,-1.5,", "'＝1+1,\"'\n=1+1\",1.0\n"]
+    assert rows_csv(rows).split("\n", 3)[1:] == ["'=1+1,'-x,-1.5", "'@a,'-1.5,", "'＝1+1,\"'\n=1+1\",1.0\n"]
 
 
 def test_the_archive_holds_records_and_values_and_is_the_same_again(toy):
