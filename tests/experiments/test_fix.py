@@ -1,6 +1,5 @@
 """The fix as it is offered: the very files, run in processes of their own, and against the scene of this report."""
 
-import ast
 import html
 import json
 import os
@@ -128,14 +127,6 @@ def test_the_patch_changes_the_pads_material_and_nothing_else_and_must_fit():
         without_patch(files["scene_as_shipped.py"], files["fix.patch"])
 
 
-def test_the_script_needs_newton_alone():
-    tree = ast.parse(fix_files()["fixed_scene.py"])
-    imported = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
-    imported |= {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
-    outside = {name.partition(".")[0] for name in imported} - sys.stdlib_module_names
-    assert outside == {"newton", "numpy", "warp"}
-
-
 CODE = re.compile(r"<pre[^>]*><code[^>]*>(.*?)</code></pre>", re.DOTALL)
 BEFORE = "    return robot\n"
 """Where the robot of the scene is whole."""
@@ -169,11 +160,6 @@ def assert_as_said(site: Path, slip_mm: float) -> None:
     moved = pd.read_csv(site / "data/newton-1.4.0/reproduction.stiff-pads.csv.gz")
     then = moved.loc[FRAME_COUNT - SETUP_FRAME_COUNT - 1, ["x_mm", "y_mm", "z_mm"]]
     assert slip_mm == pytest.approx(np.linalg.norm(then), abs=noise)
-
-
-def test_every_release_has_the_same_lines_to_paste(site):
-    pages = [*site.glob("**/index.html"), site / "fix.html"]
-    assert len({fix_block(page) for page in pages}) == 1
 
 
 class InMjcf(Simulation):

@@ -35,15 +35,6 @@ def test_forward_kinematics_of_the_kept_poses_gives_the_kept_displacement(kept, 
     assert 0.0 <= run.time_s[start] < 0.1
 
 
-def test_which_frames_are_kept(kept):
-    for row, poses in kept.values():
-        step = 6 if row["case"] == HELD.name else 1
-        assert row["kept_frame_step"] == step
-        assert (np.diff(poses["frame"]) == step).all()
-        assert poses["frame"].iloc[-1] == row["frame_count"] - 1
-        assert poses["frame"].iloc[0] < step
-
-
 def test_newton_has_the_links_where_the_forward_kinematics_has_them(kept):
     row, poses = kept["as-shipped"]
     newton.use_coord_layout_targets = True

@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from experiments.facts.case import LEAN
-from experiments.lab import scene_mjcf, scene_rows
+from experiments.lab import scene_mjcf
 from experiments.simulation.simulation import Simulation
 
 UNREAD = "_sizes names name_ nbuffer nnames signature geom_rgba bvh_ jnt_range actfrcrange".split()
@@ -26,7 +26,3 @@ def test_compiled_it_is_the_model_that_newton_makes():
         assert np.allclose(found, wanted, rtol=1e-6, atol=1e-7), name
     for name in ("timestep", "impratio", "tolerance", "ls_tolerance", "cone", "integrator", "solver", "disableflags"):
         assert getattr(compiled.opt, name) == getattr(own.opt, name), name
-
-
-def test_the_parts_are_the_text():
-    assert "".join(row["mjcf"] for row in scene_rows()) == scene_mjcf()

@@ -1,6 +1,5 @@
 """The real scene on the real engine: calibration, batching, and what happens when a run goes wrong."""
 
-from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +8,7 @@ import warp as wp
 from conftest import SLIP_MM
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
+from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError
 from experiments.facts.trace import Failure
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from measured_report.editions.project import own_release
@@ -17,7 +16,6 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.pool import gather, processes, start
 from measured_report.records.reading import load_record
 from measured_report.values.noise import noise_floors
-from newton_lint.newton_models import compat
 from newton_lint.newton_models.compat import kf_is_read, warp_has_noslip
 
 SLIP_WITH_KF_MM = SLIP_MM | {"as-shipped": (0.32, 0.01)}
@@ -103,12 +101,6 @@ def test_a_state_that_is_not_finite_is_marked_in_its_world_alone_and_so_is_one_t
     assert trace.failure.kind == "non-finite" and trace.failure.frame == 1 and "reset" in str(trace.failure)
 
 
-def test_cases_share_a_batch_only_where_one_simulation_can_hold_them():
-    assert batch_key(AS_SHIPPED) == batch_key(STIFF_PADS)
-    assert batch_key(AS_SHIPPED) != batch_key(replace(AS_SHIPPED, pad_priority=0))
-    assert batch_key(AS_SHIPPED) != batch_key(replace(AS_SHIPPED, iterations=2))
-
-
 @pytest.mark.parametrize(
     "change",
     [{"shake_amplitude_m": -0.01}, {"shake_frequency_hz": 0.0}, {"pad_ke": float("nan")}, {"pad_ke": 0.0}]
@@ -129,16 +121,6 @@ def test_noslip_reaches_the_engine(backend):
     else:
         one, other = simulate([plain, treated], device="cpu")
         assert not np.array_equal(one.poses, other.poses)
-
-
-def test_buffers_from_the_device_are_those_from_the_host(monkeypatch):
-    case = replace(AS_SHIPPED, contact_max=100, constraint_max=200, cube_in_hand=True, frame_count=20)
-    [found] = simulate([case], device="cpu")
-    monkeypatch.setattr(compat, "_buffers_on_the_device", nullcontext)
-    [expected] = simulate([case], device="cpu")
-    assert np.array_equal(found.poses, expected.poses)
-    assert np.array_equal(found.contacts, expected.contacts, equal_nan=True)
-    assert expected.peak_constraint_count > 20
 
 
 def test_a_run_in_a_process_of_its_own_is_the_run_here():
