@@ -35,7 +35,6 @@ class Plugins(plugins.Plugins):
 
     @cached_property
     def clips(self) -> Clips | None:
-        """Return its clips; None when there are none that can be shown."""
         return Clips(self.edition.project, self._clips_state, self.edition.root) if self._clips_state.record else None
 
     @cached_property
@@ -92,14 +91,12 @@ class Plugins(plugins.Plugins):
 
     @property
     def files(self) -> Mapping[str, Path]:
-        """Return the program of the lab."""
         if "lab" not in self.edition.chapters:
             return {}
         return {f"lab/{file.name}": file for file in (*LAB.glob("dist/*"), LAB / "lab.css")}
 
 
 def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
-    """Draw the slip of every edition."""
     slips = {release: _slips(edition) for release, edition in editions.items()}
 
     def make() -> bytes:

@@ -35,7 +35,6 @@ class Repeat:
 
     @property
     def difference(self) -> Quantity:
-        """Return its size."""
         reasons = [each.reason for each in (self.here, self.tracked) if each.value is None]
         return absent("mm", reasons[0]) if reasons else Quantity(abs(self.here.value - self.tracked.value), "mm", "")
 

@@ -47,7 +47,6 @@ def derive(results: Results) -> Section:
 
 
 def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str) -> Claim:
-    """Tell whether a frame is seen to take longer, by more than the resolution, with any number of worlds."""
     name = case.replace("-", "_")
     pairs = [(extra[case, count], seen[case, count]) for count in TIMED_WORLDS]
 

@@ -155,7 +155,6 @@ def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
 
 
 def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:
-    """Count the runs and those within the bound, and find how far off the farthest is."""
     offs, formula = [run.off for run in runs], f"runs within the bound, {KINDS[kind]}"
     inside = results.value(
         f"inside_{kind}", formula, lambda most, *found: sum(off <= most for off in found), bound, *offs

@@ -132,7 +132,6 @@ def _spaced(length: str) -> str:
 
 
 def _mujoco_lines(results: Results) -> list[Line]:
-    """Lines of what other sections measured."""
     lines = []
     for engine, name in (("c", "MuJoCo C"), ("warp", "MuJoCo Warp")):
         walks = [_of_turntable(results, f"plain-{engine}", column) for column in ("growth_per_s", WALK_LAW)]
@@ -155,7 +154,6 @@ def _newton(results: Results) -> str:
 
 
 def _model_lines(results: Results) -> list[Line]:
-    """Lines of the other engines' models."""
     lines = []
     for model, (name, law) in MODELS.items():
         step = "0ms" if law == "stribeck" else LONG
@@ -172,7 +170,6 @@ def _model_lines(results: Results) -> list[Line]:
 
 
 def _newton_lines(results: Results) -> list[Line]:
-    """Lines of those of Newton's solvers that keep the box."""
     turn = results.chosen("turn", "given: how fast the table turns", 2.0, unit="rad/s")
     long_ms = results.chosen("step", "given: the time step", 2.0, unit="ms")
     tangent = results.value("tangent", "ω²h/2", lambda turn, ms: 1e-3 * turn**2 * ms / 2, turn, long_ms, unit="1/s")
@@ -198,7 +195,6 @@ def _line(
 
 
 def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
-    """Return what the table shows: nothing is seen of what is below the bound."""
     return ["not seen" if cell.value is not None and abs(cell.value) <= bound.value else cell for cell in cells]
 
 
@@ -212,7 +208,6 @@ def _helps(line: Line, bound: Value) -> str:
 
 
 def _shown_solver(rows: Mapping[tuple[str, str], Row], growths: Growths, key: tuple[str, str]) -> Quantity | str:
-    """Return what the table shows of a run: its growth, or how the box was lost."""
     row = rows[key]
     if row and not row.stays:
         return "sinks in or lost" if row.end_radius_mm.value is not None else row.end_radius_mm
@@ -269,7 +264,6 @@ def _anchors_hold(results: Results, lines: Sequence[Line], walk_bound: Value, si
 
 
 def _test_lets_through(results: Results) -> Claim:
-    """Tell whether the shake as shipped passes the test, and so do pads with which the cube creeps far faster."""
     bound = results.chosen("test_bound", "the test passes below 3 cm", 30.0, unit="mm")
     shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
     part = share(results, "shipped_share", "slip as shipped, of the bound", shipped.slip_mm, bound)
@@ -284,7 +278,6 @@ def _test_lets_through(results: Results) -> Claim:
 
 
 def _discrete_walks(results: Results) -> dict[tuple[str, str], tuple[Value, Value]]:
-    """Derive the walks by law and as measured, by time constant and step."""
     walks = {}
     for timeconst, step in product(TIMECONSTS, STEPS):
         row, name = results.row[f"discrete-{timeconst}-turntable-{step}"], f"discrete_{timeconst}_{step}"
@@ -296,7 +289,6 @@ def _discrete_walks(results: Results) -> dict[tuple[str, str], tuple[Value, Valu
 def _discrete_adds_the_step(
     results: Results, walks: Mapping[tuple[str, str], tuple[Value, Value]], before: Value
 ) -> Claim:
-    """Tell whether ``discrete`` walks as its law says, and so faster than the other integrators and with the step."""
     formula = "largest departure from the law of discrete, of it"
     cells = [cell for law, measured in walks.values() for cell in (measured, law)]
     largest = results.value("discrete_off", formula, _largest_departure, *cells, unit="%", across=True)

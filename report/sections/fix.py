@@ -52,7 +52,6 @@ def derive(results: Results) -> Section:
 
 
 def _gains(results: Results, claim: str, name: str, shipped: Row, fixed: Row, bound: Value, *passes: Outcome) -> Claim:
-    """Tell whether the fixed script slips so many times less, and passes."""
     formula = f"slip of {shipped.case} over slip of {fixed.case}"
     gain = ratio(results, name, formula, shipped.slip_mm, fixed.slip_mm)
     numbers = {"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain}

@@ -105,7 +105,6 @@ def derive(results: Results) -> Section:
 
 
 def _is_faster(results: Results, row: Row, least: Value, name: str) -> Outcome:
-    """Test whether a frame is faster than exactly as shipped by what is worth naming, as well as the ratio is known."""
     formula = "what a frame takes less than exactly as shipped"
     saved = results.value(f"{name}_saved", formula, lambda taken: 100 * (1 - taken), row.frame_ratio, unit="%")
     return greater(saved, least, noise=resolution(results, f"{name}_resolution", [row]))
@@ -129,7 +128,6 @@ def _runs_on(results: Results, device: str, timed: Mapping[tuple[str, int], Row]
 
 
 def _medians_apart(results: Results, device: str, timed: Mapping[tuple[str, int], Row]) -> Value:
-    """Derive how far ratios of the medians are from those timed in turn, at most [%]."""
     cells: list[Quantity] = []
     for (_, worlds), row in timed.items():
         before = timed.get((REFERENCE, worlds))
@@ -145,7 +143,6 @@ def _medians_apart(results: Results, device: str, timed: Mapping[tuple[str, int]
 
 
 def _faster_on_gpu(results: Results, timed: Timed, faster: Faster) -> Claim:
-    """Tell whether it is faster both with one world and with the most, by more than the resolution."""
     rows = {name: timed["cuda", ALL, worlds] for name, worlds in (("one", 1), ("many", MANY_COUNT))}
     formula = "time of a frame exactly as shipped over that without all that is unneeded, timed in turn"
     gains = {
@@ -193,7 +190,6 @@ def _same_slip_on_gpu(results: Results, runs: Runs) -> Claim:
 
 
 def _each_helps(timed: Timed, faster: Faster, known_within: Sequence[Value], least: Value) -> Claim:
-    """Tell whether each thing left out alone makes a frame faster, with any number of worlds, on any device."""
     alone = {case: [faster[key] for key in faster if key[1] == case] for _, case, _ in faster if case != ALL}
     helping = [by_case(timed)[case] for case, found in alone.items() if HOLDS in found]
     outcome = decided(len(helping) == len(alone)) if alone else Outcome("unknown", "nothing was left out alone")
@@ -238,7 +234,6 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
 
 
 def by_case(timed: Timed) -> dict[str, Row]:
-    """Return a row of each case."""
     return {case: row for (_, case, _), row in timed.items()}
 
 
@@ -249,7 +244,6 @@ def cost_table(
     apart: Mapping[str, Value],
     cpu_reference: Row,
 ) -> Table:
-    """Make a line for each case, with its times and changes by device, on the CPU from those of ``cpu_reference``."""
     names = list(dict.fromkeys(case for _, case, _ in timed))
     places = sorted({(device, worlds) for device, _, worlds in timed}, key=lambda place: (place[0] == "cpu", place))
     columns: dict[str, Column] = {}
@@ -308,7 +302,6 @@ def _draw_cost(timed: Timed, panels: Sequence[tuple[str, int]]) -> Drawing:
 
 
 def _draw_time(axes: Axes, place: int, row: Row, whole: float) -> None:
-    """Draw the time of a frame as a share of ``whole``, with the range of its frames and the time in words."""
     middle, low, high = (100 * row[name].value / whole for name in ("frame_ms", "frame_ms_p5", "frame_ms_p95"))
     axes.barh(place, middle, height=0.62, color=SHIPPED, edgecolor=INK, linewidth=0.6)
     # Beside the line, and not on it.

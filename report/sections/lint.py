@@ -32,7 +32,6 @@ def derive(results: Results) -> Section:
 
 
 def _pads_decide(results: Results, claim: str, findings: list[Row], case: Case) -> Claim:
-    """Whether the lint says that ke and kd of the cube go unused, and the pads' of that case are used instead."""
     outcomes: list[Outcome] = []
     numbers: dict[str, Quantity] = {}
     for name in ("ke", "kd"):
@@ -49,7 +48,7 @@ def _same(found: Quantity, expected: Quantity) -> Outcome:
 
 
 def _gap_and_buffers_mended(results: Results, shipped: list[Row], fixed: list[Row]) -> Claim:
-    """Whether gap and buffers are named as shipped and not in the fixed scene; a list that lost rows can't tell."""
+    """Tell whether only the scene as shipped has them; a list that lost rows can't tell."""
     counts = [results.row[scene].finding_count for scene in SCENES]
     named, still = ({row.rule for row in findings} & set(MENDED) for findings in (shipped, fixed))
     outcome = decided(named == set(MENDED) and not still, *counts)
@@ -78,7 +77,7 @@ def _cell(finding: Row | None, column: str, unit: str = "1") -> Quantity:
 
 
 def _value(row: Row, name: str) -> Quantity:
-    """The cell of a column that has one of several units, whichever a row has."""
+    """Look up the cell of a column that has one of several units, whichever a row has."""
     lost = absent("1", "it was not kept")
     return next((row[name + unit] for unit in ("", "_m", "_s", "_count") if name + unit in row), lost)
 

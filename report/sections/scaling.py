@@ -72,7 +72,6 @@ def _rate(results: Results) -> Claim:
 
 
 def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
-    """Tell whether some worlds more cost next to nothing, as long as the machine is not full."""
     first, second = rows[:2]
     times = [quantity for row in rows for quantity in (row.worlds, row.frame_ms)]
 

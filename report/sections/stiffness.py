@@ -89,7 +89,6 @@ class Runs:
 
 
 def has_slip(results: Results) -> Outcome:
-    """Tell whether there is a slip as shipped to bring down, by what counts as one in the first section."""
     return at_least(results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
 
 
@@ -231,7 +230,6 @@ def together_they_hold(results: Results) -> Claim:
 
 
 def flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
-    """Look beyond kd ``clamp``, where the timeconst is two substeps."""
     slips = [row.slip_mm for row in runs.together if is_held(row) and row.pad_kd.value >= clamp.value]
     formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
     difference = spread(results, "clamped_spread", formula, slips, unit="mm")

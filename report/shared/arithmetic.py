@@ -8,7 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.parts.claim import FAILS, Bound, Claim, Outcome, at_most
-from measured_report.parts.section import Table
+from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 
@@ -223,3 +223,14 @@ def is_held(row: Row) -> bool:
     """Tell whether a run keeps the cube. One that comes to its shake too late to go through a cycle of it has shown
     nothing: a hand that trembles takes seconds longer to close and to lift."""
     return row.slip_mm.value is not None and not row.dropped and row.cycle_count.value is not None
+
+
+def joined(parts: Sequence[Section]) -> Section:
+    """Make one section of its parts, in their order."""
+    return Section(
+        tables={name: table for part in parts for name, table in part.tables.items()},
+        figures={name: figure for part in parts for name, figure in part.figures.items()},
+        claims=[claim for part in parts for claim in part.claims],
+        downloads=[download for part in parts for download in part.downloads],
+        unmeasured=[name for part in parts for name in part.unmeasured],
+    )

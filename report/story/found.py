@@ -17,17 +17,14 @@ class Found:
     chapters: Chapters
 
     def value(self, section: str, name: str, unit: str = "1") -> Quantity:
-        """Return a value that a section derived."""
         derived = self.chapters[section].results.derived if section in self.chapters else {}
         return derived.get(name) or absent(unit, self._reason(section))
 
     def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
-        """Return what a section measured."""
         row = self.chapters[section].results.row.get(case) if section in self.chapters else None
         return row[column] if row and column in row else absent(unit, self._reason(section))
 
     def trace(self, section: str, case: str) -> Series:
-        """Return a trace of a section."""
         chapter = self.chapters.get(section)
         return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
 

@@ -7,7 +7,6 @@ from report.story.found import CASES, Found
 
 
 def derive(chapters: Chapters) -> Section:
-    """Derive the figure of the front page of one release."""
     if "reproduction" not in chapters:
         return Section()
     found = Found(chapters)

@@ -3,6 +3,7 @@
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.sections.cure import bodies, budget, envelope, hold, limits, turntable
+from report.shared.arithmetic import joined
 
 order = 141
 page = "cure"
@@ -15,10 +16,4 @@ PARTS = (turntable, hold, envelope, limits, bodies, budget)
 
 
 def derive(results: Results) -> Section:
-    parts = [part.derive(results) for part in PARTS]
-    return Section(
-        tables={name: table for part in parts for name, table in part.tables.items()},
-        figures={name: figure for part in parts for name, figure in part.figures.items()},
-        claims=[claim for part in parts for claim in part.claims],
-        downloads=[download for part in parts for download in part.downloads],
-    )
+    return joined([part.derive(results) for part in PARTS])

@@ -39,7 +39,6 @@ def derive(results: Results) -> Section:
 
 
 def _of(runs: Runs, motions: Iterable[str], variant: str, engine: str = "") -> list[tuple[str, Found]]:
-    """List the runs of these motions, in one engine or in both, with this variant and with nothing done."""
     return [
         (f"{motion}_{body}_{backend}".replace(" ", "_"), found)
         for (motion, body, backend), found in runs.items()
@@ -48,14 +47,12 @@ def _of(runs: Runs, motions: Iterable[str], variant: str, engine: str = "") -> l
 
 
 def _off(results: Results, name: str, formula: str, row: Row, other: Row) -> Value:
-    """Derive the distance between the places where two runs end."""
     columns = ("travel_mm", "sideways_mm", "rise_mm")
     cells = [each[column] for each in (row, other) for column in columns]
     return results.value(name, formula, lambda *ends: math.dist(ends[:3], ends[3:]), *cells, unit="mm")
 
 
 def _largest(results: Results, names: Sequence[str], formula: str, shares: Sequence[Value]) -> dict[str, Value]:
-    """Derive the largest of the shares and how many there are, by the names of both."""
     largest = extreme(results, names[0], "largest of these", max, shares)
     return {"largest": largest, "count": cell_count(results, names[1], formula, shares)}
 
@@ -81,7 +78,6 @@ def _stands_on_any_feet(results: Results, runs: list[tuple[str, Found]]) -> Clai
 
 
 def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
-    """Tell how far aside a ball ends that rolls and spins, with the exact term and with that of material points."""
     exact = _of(runs, ("pivot",), "exact")
 
     def aside(name: str, words: str, found: Found, variant: str) -> Value:
@@ -101,7 +97,6 @@ def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
 
 
 def _rolls_no_deeper(results: Results, runs: Runs) -> Claim:
-    """Tell how much deeper bodies roll with normal rows too, exact and by material points."""
     deeper = partial(size_difference, results)
     formula = "how much deeper the body ends than with nothing done"
     exact, points = (
@@ -119,7 +114,6 @@ def _rolls_no_deeper(results: Results, runs: Runs) -> Claim:
 
 
 def _tumbles_as_stiff_bodies_do(results: Results, runs: list[tuple[str, Found]]) -> Claim:
-    """Tell whether tumbling bodies end nearer to where stiff contacts take them."""
     formula, shares = "how far from where stiff contacts take it the body ends with", []
     for name, found in runs:
         exact = _off(results, f"stray_exact_{name}", f"{formula} the exact term", found["exact"], found["limit"])

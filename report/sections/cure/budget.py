@@ -82,7 +82,6 @@ def derive(results: Results) -> Section:
 
 
 def _each_takes_its_part(results: Results) -> Claim:
-    """Tell whether each part of the cure takes more of the slip, beyond the noise, and of which none is seen to."""
     noise = noise_floor(results, "slip_floor")
     slips = {name: variant.row(results, "3cm").slip_mm for name, variant in {"shipped": SHIPPED, **STEPS}.items()}
     idle = [after for before, after in pairwise(slips) if greater(slips[before], slips[after], noise=noise) != HOLDS]
@@ -93,7 +92,6 @@ def _each_takes_its_part(results: Results) -> Claim:
 
 
 def _budget_closes(results: Results, kept: Sequence[Row], bounds: Bounds) -> Claim:
-    """Tell whether the parts add up to the slip, and in how many runs the absolute tolerance is what lets them."""
     slips = [row.slip_mm for row in kept]
     numbers = {"count": cell_count(results, "kept_count", "runs that keep the cube", slips)}
     numbers |= {name: _count_of(results, name, kept, bounds) for name in ("closed", "relative", "little")}
@@ -148,7 +146,6 @@ def _with_other_contacts(results: Results) -> Iterator[Claim]:
 
 
 def _count_of(results: Results, what: str, runs: Sequence[Row], bounds: Bounds) -> Value:
-    """Count the runs of which what ``COUNTED`` names is so."""
     words, is_so = COUNTED[what]
     column = "predicted_slip_mm" if what == "alike" else "remainder_mm"
 
@@ -182,7 +179,6 @@ def _budget_table(results: Results) -> Table:
 
 
 def _draw_budget(runs: Sequence[Row], least: float, most: float) -> Drawing:
-    """Draw the slip of each run over what is predicted of it, and in a band what counts as the same."""
     drawing, axes = new_figure(7.2, 4.4)
     line = np.geomspace(0.002, GRASP_MM, 60)
     low, high = np.minimum(line - least, line / (1.0 + most)), np.maximum(line + least, line / (1.0 - most))

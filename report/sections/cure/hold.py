@@ -39,7 +39,6 @@ def derive(results: Results) -> Section:
 
 
 def _compensation_helps(results: Results, rows: Mapping[str, Row]) -> Claim:
-    """Tell whether compensated positions take the creep away."""
     floor = noise_floor(results, "slip_floor")
     before, after = rows["rounded"], rows["kept"]
     rounded, kept = before.increment_final_mm, after.increment_final_mm

@@ -53,17 +53,14 @@ def derive(results: Results) -> Section:
 
 
 def _kept(runs: Runs, *variants: str) -> Runs:
-    """Select the runs that keep the cube in each of these variants."""
     return {name: found for name, found in runs.items() if all(found[variant].kept for variant in variants)}
 
 
 def _count(results: Results, name: str, formula: str, runs: Iterable[Mapping[str, Row]]) -> Value:
-    """Count runs, as a value that points to them."""
     return cell_count(results, name, formula, [found["plain"].substeps for found in runs])
 
 
 def _breaks_nothing(results: Results, runs: Runs, variant: str) -> Claim:
-    """Tell whether each run that keeps the cube with nothing done keeps it with this variant too."""
     plain, mine, name = _kept(runs, "plain"), _kept(runs, variant), variant.replace("-", "_")
     lost = [run for run in plain if run not in mine]
     won = [found for run, found in mine.items() if run not in plain]
@@ -80,7 +77,6 @@ def _breaks_nothing(results: Results, runs: Runs, variant: str) -> Claim:
 
 
 def _creeps_less(results: Results, runs: Runs) -> Iterator[Claim]:
-    """Tell for each variant how much less the cube creeps, by the median of the runs that keep it either way."""
     for variant in VARIANTS:
         both = _kept(runs, "plain", variant)
         creeps = {name: [found[each].creep_mm_s for each in ("plain", variant)] for name, found in both.items()}

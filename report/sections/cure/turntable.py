@@ -110,7 +110,6 @@ def _by_hand(results: Results, plain: Value) -> Claim:
 
 
 def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
-    """Tell whether what one would try helps; in C, which has noslip in all releases."""
     plain, formula = measured["plain-c"], "change of the growth, in size, of the growth with nothing done"
     found = {variant: measured[f"{variant}-c"] for variant in NO_HELP}
     changes = [departure(results, f"{variant}_change", formula, growth, plain) for variant, growth in found.items()]
@@ -140,7 +139,6 @@ def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -
 
 
 def _draw(measured: Mapping[str, Value], law: Mapping[str, Value]) -> Drawing:
-    """Draw a bar for each variant, in MuJoCo C, with its number, since some are too short to be seen."""
     colours = [CURE if name in CURED else TERM if name.startswith("term") else SHIPPED for name in VARIANTS]
     cells, xlabel = [measured[f"{name}-c"] for name in VARIANTS], "growth of the distance from the axis [%/s]"
     drawing, axes = draw_bars(list(VARIANTS.values()), cells, colours, xlabel)

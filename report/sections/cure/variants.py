@@ -48,7 +48,6 @@ KF_OFF = Variant("as shipped, kf off", "newton-implicitfast-50-shipped-{}-kf-off
 
 
 def use_table(results: Results) -> Table:
-    """Make the table of the slips of each variant."""
     variants = [*VARIANTS, *([KF_OFF] if KF_OFF.row(results, "3cm") else [])]
     columns = {
         above: ["lost" if row.dropped else row.slip_mm for row in (variant.row(results, shake) for variant in variants)]

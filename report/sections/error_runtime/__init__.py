@@ -49,7 +49,6 @@ def derive(results: Results) -> Section:
 
 
 def _as_shipped(points: Points, error: str) -> dict[str, Any]:
-    """Write by engine the errors as shipped with either pads, and the run time with the first."""
     found = {}
     for name, backend in zip(("warp", "c"), points.engines, strict=True):
         rows = [row for row in (points.shipped(pads, backend) for pads in PADS) if row]
@@ -73,6 +72,5 @@ def _engine(row: Row) -> str:
 
 
 def _settings(row: Row) -> Markup:
-    """Write what to set, as the parameters are called in the scene."""
     parts = [assignment(row, name) for name in ("substeps", *PARAMETERS) if name in row]
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))

@@ -60,7 +60,6 @@ def accuracy_claims(points: Points) -> Iterator[Claim]:
 
 
 def _c_is_cheapest(points: Points) -> Claim:
-    """Tell whether every point of the fronts over all engines is C's."""
     front = points.best(points.front)
     others = [row for row in front if row.backend != "mujoco-c"]
     warp, c = points[SHIPPED][TIME], points[SHIPPED_C][TIME]
@@ -80,7 +79,6 @@ def _c_is_cheapest(points: Points) -> Claim:
 
 
 def _rk4(points: Points, name: str, method: str) -> Claim:
-    """Compare few steps of RK4 with the shipped steps of the shipped integrator, in one engine."""
     results, cases = points.results, (f"as-shipped/{method}-rk4/substeps-4", with_shipped_steps("as-shipped", method))
     error, before = (points[case][ERROR] for case in cases)
     time, time_before = (points[case].time_ratio for case in cases)  # medians are of their own rounds
@@ -191,7 +189,6 @@ def pads_claims(points: Points) -> Iterator[Claim]:
 
 
 def _impratio(points: Points) -> Claim:
-    """Tell whether the grasp moves more with a low impratio than as set, with the pads whose grasp is worth saving."""
     soft, stiff = PADS
     pads = stiff if f"{stiff}/newton/impratio-1" in points.results.row else soft
     low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
@@ -202,7 +199,6 @@ def _impratio(points: Points) -> Claim:
 
 
 def derive_worlds(points: Points) -> tuple[Figure, Claim]:
-    """Derive the figure of speed against the number of worlds, and from how many worlds on Warp beats one core."""
     results, rows = points.results, points.worlds
     # From the times that it took in turn with each number of worlds: alone a core may run at another pace.
     formula = "simulated seconds of one world per second, MuJoCo C on one core, median of all comparisons"

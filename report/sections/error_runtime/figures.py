@@ -24,7 +24,6 @@ LEAST_ERROR_MM = 1e-5
 
 
 def draw_numerical(points: Points) -> Drawing:
-    """Draw the best of each engine at each error, and where it ships."""
     drawing, panels = new_figure(7.2, 4.4, ncols=2, sharex=True, sharey=True, squeeze=False)
     rows = [row for row in points.settings if counts(row) and row[ERROR].value is not None]
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
@@ -46,7 +45,6 @@ def draw_numerical(points: Points) -> Drawing:
 
 
 def draw_grasp(points: Points) -> Drawing:
-    """Draw how far the cube moves as shipped, and what each model converges to."""
     drawing, axes = new_figure(7.2, 2.2)
     lines = {
         f"{NAMES[backend]}, shipped": [points.shipped(pads, backend) for pads in PADS] for backend in points.engines
@@ -81,7 +79,6 @@ def _place(row: Row) -> tuple[float, float]:
 
 
 def _draw_engine(axes: Axes, rows: Sequence[Row], front: frozenset[str], backend: str) -> None:
-    """Draw the front of an engine, and its name above its slowest setting."""
     colour = COLOURS[backend]
     best = sorted((row for row in rows if row.case in front), key=lambda row: row[ERROR].value)
     if best:
@@ -101,7 +98,6 @@ def _draw_engine(axes: Axes, rows: Sequence[Row], front: frozenset[str], backend
 
 
 def _mark_shipped(axes: Axes, row: Row | None) -> None:
-    """Mark the shipped setting so that it can be seen, with its error."""
     if row and row[ERROR].value:
         style: dict[str, Any] = {"s": 130, "marker": "*", "edgecolors": INK, "linewidths": 0.7, "zorder": 5}
         axes.scatter(*_place(row), color=COLOURS[row.backend], **style)

@@ -27,7 +27,6 @@ LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
-    """Name the case with the substeps as shipped."""
     return f"{pads}/{method}/substeps-{AS_SHIPPED.substeps}"
 
 
@@ -51,7 +50,6 @@ class Points:
     """The same among those of one backend."""
 
     def __getitem__(self, case: str) -> Row:
-        """Look up a setting; one that was not measured is without anything."""
         return self.results.row[case]
 
     @property

@@ -99,7 +99,6 @@ def _noslip_helps(results: Results, rows: Rows, has_newton: bool) -> Iterator[Cl
 
 
 def _newton_changes_a_mass(results: Results, rows: Rows) -> Claim:
-    """Tell whether the steady rate is another through Newton, and so are the pads' inverse masses."""
     plain, newton = rows["within-pads-warp"], rows["within-pads-newton"]
     formula = "steady rate through Newton less that in MuJoCo Warp, in size, of the latter"
     moved = departure(results, "newton_change", formula, newton.steady_creep_mm_s, plain.steady_creep_mm_s)

@@ -57,7 +57,6 @@ def _is_firm(results: Results, plain: Row) -> Claim:
 
 
 def _follows_law(results: Results, found: Mapping[str, Row], runs: Mapping[str, Sequence[Row]]) -> Iterator[Claim]:
-    """Compare the law with the largest steps that hold, and with the slip of all runs that creep and hold."""
     steps = {name: (found[name].largest_step_ms, found[name].predicted_largest_step_ms) for name in CREEPING}
     formula = "largest step that holds less that of the law, in size, of the latter"
     off = [departure(results, f"{name}_step_off", formula, *cells) for name, cells in steps.items()]
@@ -99,7 +98,6 @@ def _softer_with_the_step(results: Results) -> Claim:
 
 
 def _other_settings(results: Results, found: Mapping[str, Row], least: Mapping[str, Value]) -> Iterator[Claim]:
-    """Tell by how much each of RK4, MuJoCo's own timeconst and the term put back moves the steps that hold."""
     plain, rk4, term = (found[name].largest_step_ms for name in ("implicitfast", "rk4", "term"))
     part = share(results, "rk4_share", "largest step with RK4, of that with implicitfast", rk4, plain)
     yield Claim("rk4_halves", at_most(part, 60.0, why="about half"), {"rk4": rk4, "plain": plain})

@@ -53,7 +53,6 @@ def derive(results: Results) -> Section:
 
 
 def _fails_as_published(results: Results, rows: Rows) -> Claim:
-    """Tell whether no grasp holds, with both steps, in C and through Newton."""
     mine = [rows[f"{kind}-{step}-published-{engine}"] for kind, step in PUBLISHED_DROP_S for engine in ENGINES]
     formula = "shakes that a grasp stood as published"
     held = total(results, "published_held", formula, [row.held_count for row in mine])
@@ -74,7 +73,6 @@ def _elliptic_holds(results: Results, rows: Rows, engine: str) -> Claim:
 
 
 def _shorter_does_not(results: Results, rows: Rows) -> Claim:
-    """Tell whether some of the shakes end in a drop, and later than as published."""
     mine = [rows[f"{kind}-2ms-short-{engine}"] for kind in OBJECTS for engine in ENGINES]
     held = total(results, "short_held", "shakes stood with a timeconst of 4 ms", [row.held_count for row in mine])
     count = total(results, "short_count", "shakes with it", [row.seed_count for row in mine])

@@ -41,7 +41,6 @@ def family(results: Results, name: str) -> list[Row]:
 
 
 def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
-    """Count the rows, as a value that points to them."""
     return cell_count(results, name, formula, [row.step_ms for row in rows])
 
 
@@ -222,7 +221,6 @@ def overlap(results: Results) -> Claim:
 
 
 def gravity(results: Results) -> Iterator[Claim]:
-    """Say which gravities take the cube, whether the arm gives way there, and whether a freed cube gains energy."""
     rows = family(results, "gravity")
     pulled = [row for row in rows if not row.freed]
     lost = [row for row in pulled if not is_stable(row)]
@@ -252,7 +250,6 @@ def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -
 
 
 def long(results: Results) -> Claim:
-    """Tell whether the long run speeds up, as far as its first and its last creep say."""
     rows = family(results, "long")
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
     columns |= {"last": "increment_last_mm_per_cycle"}

@@ -125,7 +125,6 @@ def draw_steps(rows: Sequence[Row]) -> Drawing:
 
 
 def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
-    """Draw the runs of each series at the share of the friction limit that they need, with how they ended."""
     drawing, axes = new_figure(7.2, 1.3 + 0.5 * len(series))
     axes.axvspan(*near_limit(), color=FAINT, alpha=0.6, linewidth=0, zorder=0)
     axes.axvline(1.0, color=INK, linewidth=1, linestyle="--")
@@ -145,7 +144,6 @@ def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
 
 
 def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
-    """Draw the depth in the pads as a share of the edge, over the edge; lost cubes on the upper border."""
     drawing, axes = new_figure(7.2, 3.2)
     held = [_share(row) for row in rows if is_stable(row)]
     top = 3.0 * max([*held, bound_percent])

@@ -40,7 +40,6 @@ def derive(results: Results, releases: Releases) -> Section:
     return Section(
         tables={
             "turns": FlipList([flip for flip in flipped if flip.is_decided], shown, list(results.others)),
-            "live": tables.live_table(releases),
             "tried": tables.tried_table(releases),
             "speed": tables.speed_table(results, releases),
             "options": tables.option_table(releases),
@@ -121,14 +120,12 @@ SAME = 5.0
 
 
 def nothing_to_explain(same: Outcome) -> Outcome | None:
-    """Say why nothing can be told of a change in slip: there is none, or none that can be told."""
     if same == HOLDS:
         return Outcome("unknown", "the slip is the same in both", reads=same.reads)
     return same if same.name == "unknown" else None
 
 
 def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
-    """Return what is new in the live contacts, and whether the old number comes back without it."""
     was, own = ends.live(SHIPPED, "friction_timeconst_s")
     is_new = ends.one or all_of(decided(not was.value, was), decided((own.value or 0) > 0, own))
     old, new = ends.live(SHIPPED, "slip_mm")

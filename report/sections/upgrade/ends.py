@@ -28,7 +28,6 @@ def up_to(releases: Releases, shown: str) -> Releases:
 
 
 def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
-    """Derive the largest noise floor of that name that a release has."""
     floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
     formula = "largest of the releases' noise floors"
     return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True, is_noise=True)
@@ -59,14 +58,12 @@ class Ends:
 
     @property
     def one(self) -> Outcome | None:
-        """Say why nothing can be told, when both are the same."""
         return Outcome("unknown", f"only Newton {self.old} has results") if self.old == self.new else None
 
     def cells(self, headline: Query) -> tuple[Quantity, Quantity]:
         return headline.cell(self.releases[self.old], self.old), headline.cell(self.releases[self.new], self.new)
 
     def live(self, case: str, column: str) -> tuple[Quantity, Quantity]:
-        """Return what this section measured in the two."""
         return self.cells(Query(f"upgrade.{case}.{column}"))
 
 

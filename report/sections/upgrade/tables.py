@@ -36,12 +36,6 @@ SPEEDS = (
 )
 ONE_WORLD, ON_CPU = SPEEDS[0], SPEEDS[3]
 FLOORS = {"mm": "slip_floor", "mm/s": "drift_floor"}
-LIVE = {
-    "timeconst_s": "time constant",
-    "friction_timeconst_s": "friction rows' own time constant",
-    "friction_damping_per_s": "friction rows' damping, measured",
-}
-"""Columns that say what a live contact of the scene as shipped has."""
 TRIED = {
     SHIPPED: "shipped pads",
     TAKEN: "friction rows' time constant taken out",
@@ -91,11 +85,6 @@ def edge(headline: Query, end: str) -> Query:
     return replace(headline, text=headline.text + end)
 
 
-def live_table(releases: Releases) -> Table:
-    asked = [Query(f"upgrade.{SHIPPED}.{column}", label=label) for column, label in LIVE.items()]
-    return _table(asked, {release: [each.bare for each in cells] for release, cells in _cells(releases, asked)})
-
-
 def tried_table(releases: Releases) -> Table:
     cells = dict(_cells(releases, [Query(f"upgrade.{case}.slip_mm") for case in TRIED]))
     lines = [alike(line) for line in zip(*cells.values(), strict=True)]
@@ -108,7 +97,6 @@ def _cells(releases: Releases, asked: Sequence[Query]) -> Iterator[tuple[str, li
 
 
 def option_table(releases: Releases) -> Table:
-    """Show solver options and defaults that the releases do not have alike."""
     found: dict[str, dict[str, Quantity | str]] = {}
     measured = {release: sections for release, sections in releases.items() if "upgrade" in sections}
     for release, sections in measured.items():
