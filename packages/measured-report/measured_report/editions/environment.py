@@ -31,8 +31,6 @@ from measured_report.records.provenance import EDITED, MISSING, package_versions
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
-PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
-"""Beginnings of lines in which uv says how far it is, once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
 FILTER = "UV_EXCLUDE_NEWER"
 """The variable that names another day for the installer's filter than the one on which a release came out."""
@@ -222,8 +220,9 @@ def _from_requirements(root: Path, release: Release, rest: Sequence[str], uv: st
 
 
 def _run(command: list[str], name: str, **settings: str) -> None:
-    """Run a program, which takes a while, and pass on what it says of its progress."""
-    with subprocess.Popen(
+    """Run a program, which takes a while; UsageError, one line, with the last that it said where it fails."""
+    print(f"{name}: {Path(command[0]).name} {' '.join(command[1:3])} …", flush=True)
+    program = subprocess.run(
         command,
         stderr=subprocess.STDOUT,
         stdout=subprocess.PIPE,
@@ -231,14 +230,10 @@ def _run(command: list[str], name: str, **settings: str) -> None:
         errors="replace",
         env={**os.environ, **settings},
         preexec_fn=partial(end_with, os.getpid()),
-    ) as program:
-        lines = []
-        for line in program.stdout or ():
-            lines.append(line.strip(" ×╰─▶\t\n"))
-            if PROGRESS.match(line):
-                print(f"{name}: {line.strip()}", flush=True)
+        check=False,
+    )
     if program.returncode:
-        said = [line for line in lines if line]
+        said = [*filter(None, (line.strip(" ×╰─▶\t") for line in program.stdout.splitlines()))]
         hint = " (this takes the network, once)" if any(map(OFFLINE.search, said)) else ""
         if "--exclude-newer" in command:
             day = command[command.index("--exclude-newer") + 1]

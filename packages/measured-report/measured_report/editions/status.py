@@ -1,7 +1,7 @@
 """Status: which sections of which releases are fresh, and what changed for those that aren't."""
 
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -34,7 +34,12 @@ class State:
 
     @property
     def words(self) -> str:
-        return in_words(self.notes)
+        """Write its notes in one line, with each kind, as code, said once."""
+        kinds: dict[str, list[str]] = {}
+        for note in self.notes:
+            kind, _, what = note.partition(": ")
+            kinds.setdefault(kind, []).extend([what] if what else [])
+        return "; ".join(f"{kind}: {', '.join(found)}" if found else kind for kind, found in kinds.items())
 
 
 def states_of(project: Project) -> list[State]:
@@ -115,36 +120,17 @@ def status_matrix(project: Project) -> str:
 
 
 def status_table(states: Sequence[State], profile: str) -> str:
-    """Write the state of every section of one release; what changed for several is numbered and said below."""
-    shared = _shared_changes([state for state in states if state.kind == "stale"])
-    numbered = {f"[{number}]": notes for number, notes in enumerate(shared, 1)}
-    lines = [("section", "state", "measured on", "date", "profile", "what changed")]
+    """Write the state of every section of one release, and below which sections each change is of."""
+    lines = [("section", "state", "measured on", "date", "profile")]
+    sections_of: dict[str, list[str]] = {}
     for state in states:
         record = state.record
         where, when = (record.processor, record.time_text) if record else ("–", "–")
-        marks = [mark for mark, notes in numbered.items() if notes[0] in state.notes]
-        own = in_words(note for note in state.notes if not any(note in notes for notes in shared))
-        lines.append((state.section, state.kind, where, when, profile, " ".join([*marks, own])))
-    said = [f"{mark} {in_words(notes)}" for mark, notes in numbered.items()]
+        lines.append((state.section, state.summary, where, when, profile))
+        for note in state.notes:
+            sections_of.setdefault(note, []).append(state.section)
+    said = [f"{note} ({', '.join(names)})" for note, names in sorted(sections_of.items())]
     return "\n".join([aligned(lines), *(["", *said] if said else [])])
-
-
-def _shared_changes(states: Sequence[State]) -> list[list[str]]:
-    """Group the changes that several sections have; what most have comes first."""
-    changes_of: dict[tuple[str, ...], list[str]] = {}
-    for note in sorted({note for state in states for note in state.notes}):
-        names = tuple(state.section for state in states if note in state.notes)
-        changes_of.setdefault(names, []).append(note)
-    return [changes_of[names] for names in sorted(changes_of, key=len, reverse=True) if len(names) > 1]
-
-
-def in_words(notes: Iterable[str]) -> str:
-    """Write changes in one line, with each kind, as code, said once."""
-    kinds: dict[str, list[str]] = {}
-    for note in notes:
-        kind, _, what = note.partition(": ")
-        kinds.setdefault(kind, []).extend([what] if what else [])
-    return "; ".join(f"{kind}: {', '.join(found)}" if found else kind for kind, found in kinds.items())
 
 
 def aligned(lines: Sequence[Sequence[str]]) -> str:

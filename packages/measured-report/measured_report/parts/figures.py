@@ -25,7 +25,7 @@ from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.text import Text
 from matplotlib.textpath import TextToPath
 
-from measured_report.parts.picture import Picture
+from measured_report.parts.section import Picture
 from measured_report.values.format import format_number, format_power, format_short, whole
 from measured_report.values.quantities import Quantity
 
@@ -223,34 +223,21 @@ class _Drawing(Drawing):
 
 
 class _Renderer(RendererSVG):
-    """Asks only once in a process how large a text is, and how high lines of a font are."""
+    """Measures each text once in a process, which Matplotlib does for each drawing."""
 
     def get_text_width_height_descent(self, s, prop, ismath):
         return _size_of(s, prop, ismath)
 
-    def _get_font_height_metrics(self, prop):  # which Matplotlib asks for where there is one
+    def _get_font_height_metrics(self, prop):  # read anew from the font for each text where there is no such method
         return _heights_of(prop)
 
 
-class _Canvas(FigureCanvasSVG):
-    """Lays out with a renderer of its own, where Matplotlib's would begin a file for it."""
-
-    def get_renderer(self) -> _Renderer:
-        return _Renderer(1.0, 1.0, io.StringIO())
-
-
-_texts_to_paths = TextToPath()
-
-
-@cache
-def _size_of(text: str, font: FontProperties, is_formula: bool) -> tuple[float, float, float]:
-    """Return width, height and descent; no font that is given here changes later."""
-    return _texts_to_paths.get_text_width_height_descent(text, font, is_formula)
+_size_of = cache(TextToPath().get_text_width_height_descent)  # no font that is given here changes later
 
 
 @cache
 def _heights_of(font: FontProperties) -> tuple[float, float, float]:
-    """Return ascent, descent and gap of its lines, which Matplotlib would read anew from the font for each text."""
+    """Return ascent, descent and gap of its lines."""
     face = get_font(findfont(font))
     head, table = face.get_sfnt_table("head"), face.get_sfnt_table("OS/2")
     assert head and table
@@ -331,7 +318,7 @@ def _draw_svgs(draw: Callable[[], Drawing], name: str) -> tuple[Picture, Picture
 def _svg(drawing: Drawing, told: Mapping[str, Sequence[str]], kind: str, name: str) -> Picture:
     buffer = io.StringIO()
     # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
-    _Canvas(drawing)
+    FigureCanvasSVG(drawing)
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
     inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
     vectors = _Renderer(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
