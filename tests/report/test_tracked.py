@@ -14,7 +14,7 @@ from markupsafe import escape
 from measured_report.changes.flips import flips_between
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
-from measured_report.pages.dependencies import READ_BY_NAME, files_of
+from measured_report.pages.cache import READ_BY_NAME, files_of
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
 from measured_report.pages.sections import derive_section, outline_of

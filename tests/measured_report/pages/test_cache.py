@@ -9,8 +9,7 @@ import pytest
 from conftest import MODULE, REPORT, ROWS, TEMPLATE, Toy, killed_at, link, program
 
 from measured_report.files.cache import Cache
-from measured_report.pages import dependencies
-from measured_report.pages.dependencies import installed
+from measured_report.pages import cache as derived
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
@@ -108,20 +107,20 @@ def test_a_module_that_the_section_imports_counts(toy):
 def test_a_file_that_the_section_names_counts(toy):
     """The file is the checkout's, for it is where modules of this side look."""
     code = toy.project.root / "report/sections/toy.py"
-    assert "assets/fix/fix.patch" not in dependencies.files_of(code)
+    assert "assets/fix/fix.patch" not in derived.files_of(code)
     toy.write("report/sections/toy.py", MODULE + '\nNAMED = "assets/fix/fix.patch"\n')
-    assert "assets/fix/fix.patch" in dependencies.files_of(code)
+    assert "assets/fix/fix.patch" in derived.files_of(code)
 
 
-@pytest.mark.parametrize("package", dependencies.PACKAGES)
+@pytest.mark.parametrize("package", derived.PACKAGES)
 def test_what_is_installed_counts(monkeypatch, package):
     def digest() -> str:
-        installed.cache_clear()
-        return installed()
+        derived.installed.cache_clear()
+        return derived.installed()
 
     before = digest()
-    version = dependencies.metadata.version
-    monkeypatch.setattr(dependencies.metadata, "version", lambda name: "9.9" if name == package else version(name))
+    version = derived.metadata.version
+    monkeypatch.setattr(derived.metadata, "version", lambda name: "9.9" if name == package else version(name))
     assert digest() != before
     monkeypatch.undo()
     assert digest() == before

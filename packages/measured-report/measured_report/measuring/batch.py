@@ -1,15 +1,14 @@
 """Batches: the parts of a section that can be measured apart, by any process of any host, in any order.
 
-A section that has batches measures with a generator. It yields the batches that can run now and is sent what they
-return, in the order in which it has named them; what needs others' results is yielded after them::
+A section that has batches yields those that can run now, and is sent what they return, in that order::
 
     def measure(conditions: Conditions) -> Plan:
         points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
         [times] = yield [Batch("times", time_cell, (conditions, cells[0]), exclusive=True)]
         return Measurement([*points, *cells, times])
 
-The generator itself runs where the records are kept, which may have no GPU: what takes a device or long is a batch. A
-section whose ``measure`` is no generator is one batch, which measures no times.
+The generator itself runs where the records are kept, which may have no GPU. A ``measure`` that is no generator is one
+batch, which measures no times.
 """
 
 import gc

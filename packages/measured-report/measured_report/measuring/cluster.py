@@ -54,8 +54,6 @@ def connected(asked: str, device: str, count: int = 1) -> Iterator[Client]:
                     print(f"CLUSTER={asked}: {said}", file=sys.stderr, flush=True)
                 client = Client(asked, timeout=CONNECT_S)
             stack.enter_context(client)
-            if not client.nthreads():
-                print(f"waiting for workers at {asked}", file=sys.stderr, flush=True)
             client.wait_for_workers(1)
         except (OSError, ValueError, RuntimeError) as error:
             said = " ".join(str(error).split()) or type(error).__name__

@@ -5,10 +5,9 @@ import os
 import platform
 import subprocess
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from measured_report.files.root import ROOT
 from measured_report.measuring.host import host
@@ -24,11 +23,10 @@ SHARE_MIB = 2048
 """Memory of a GPU that there has to be for each of them."""
 
 
-@dataclass(frozen=True)
-class Gpu:
+class Gpu(NamedTuple):
     uuid: str
-    name: str
     memory_mib: int
+    name: str
 
 
 @cache
@@ -81,14 +79,13 @@ def said(*command: str) -> str:
 
 def gpus() -> list[Gpu]:
     """List the GPUs that this process may use."""
-    query = "--query-gpu=index,uuid,memory.total,name"
-    listing = said("nvidia-smi", query, "--format=csv,noheader,nounits").splitlines()
-    found = [[part.strip() for part in line.split(",", 3)] for line in listing if line.count(",") > 2]
+    listing = said("nvidia-smi", "--query-gpu=index,uuid,memory.total,name", "--format=csv,noheader,nounits")
+    found = [line.split(", ", 3) for line in listing.splitlines() if line.count(", ") > 2]
     allowed = os.environ.get("CUDA_VISIBLE_DEVICES")
     names = None if allowed is None else {name.strip() for name in allowed.split(",")}
-    there = [each for each in found if names is None or names & {*each[:2]}]
     # What shares memory with the processor may not say how much it has.
-    return [Gpu(uuid, name, int(size) if size.isdecimal() else 0) for _, uuid, size, name in there]
+    there = [each for each in found if names is None or names & {*each[:2]}]
+    return [Gpu(uuid, int(size) if size.isdecimal() else 0, name) for _, uuid, size, name in there]
 
 
 def share_count(gpu: Gpu, gpu_count: int = 1) -> int:

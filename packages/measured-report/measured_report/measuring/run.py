@@ -8,7 +8,6 @@ import argparse
 import gc
 import importlib
 import importlib.util
-import io
 import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures.process import BrokenProcessPool
@@ -37,11 +36,7 @@ FAILED = 1
 
 def main() -> int:
     tqdm.monitor_interval = 0  # a thread of its own, which no process may be forked beside
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")  # the output may know ASCII alone
     arguments, status = parse_arguments(), UNFIT
-    arguments.device = arguments.device or ("cuda" if has_cuda() else "cpu")
     try:
         asked = sections_asked(arguments)
         with pools(arguments, asked) as (shared, exclusive):
@@ -57,7 +52,7 @@ def main() -> int:
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run", description=__doc__.split(":")[0])
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
-    parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
+    parser.add_argument("--device", choices=("cuda", "cpu"), default="cuda" if has_cuda() else "cpu")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     parser.add_argument("--only-prepare", action="store_true", help="try whether it can be measured, and compile")

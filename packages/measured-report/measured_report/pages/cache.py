@@ -1,17 +1,28 @@
 """A cache of what sections make of their results, their figures drawn, as long as all that it was made from is so."""
 
 import functools
+import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from importlib import metadata
 from pathlib import Path
+from platform import python_version
 from typing import Any
 
 from measured_report.files.cache import Cache
-from measured_report.pages.dependencies import code_digest, digest_of
+from measured_report.files.config import config
+from measured_report.files.root import ROOT
+from measured_report.parts import macros
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Figure, Pictures, Section
+from measured_report.records.code import files, roots_of
 from measured_report.values.quantities import Value
 
+PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
+"""What decides how numbers are computed and figures are drawn."""
+FONT = "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf"  # how wide its letters are decides where things stand
+READ_BY_NAME = config().sources
+"""What says what columns are, and nobody imports."""
 Derivation = tuple[Section, Mapping[str, Value]]
 """A section without its words, and the values that were derived for it."""
 
@@ -94,3 +105,34 @@ class DerivedCache:
                 kept = replace(entry, section=entry.section.kept(drawn))
                 Cache(self.root).put(".".join(entry.place), entry.digest, kept, lambda thing: names.get(id(thing)))
         self._new.clear()
+
+
+def digest_of(*texts: str) -> str:
+    """Digest texts, told apart."""
+    return hashlib.sha256(repr(texts).encode()).hexdigest()
+
+
+def code_digest(code: Path) -> str:
+    """Digest a module, and all else of the project and of what is installed that decides what it makes."""
+    return digest_of(installed(), *map(repr, sorted(files_of(code).items())))
+
+
+def files_of(code: Path) -> dict[str, str]:
+    """Digest, by name, a module, what it and this room import of the project, and the files that all these name."""
+    root = next(folder for folder in code.parents if (folder / "report").is_dir())
+    graph = files().graph(tuple(dict.fromkeys([*roots_of(root), *roots_of(ROOT)])))
+    closure = {file for start in (Path(__file__).resolve(), code) for file in graph.closure(str(start))}
+    sources = {graph.name_of(file): graph.source(file) for file in closure}
+    named = {name for source in sources.values() for name in source.assets} | set(READ_BY_NAME)
+    found = {name: (ROOT / name).read_bytes() for name in named if (ROOT / name).is_file()}
+    found[macros.FILE.name] = macros.FILE.read_bytes()
+    digests = {name: hashlib.sha256(content).hexdigest() for name, content in found.items()}
+    return digests | {name: source.digest for name, source in sources.items()}
+
+
+@functools.cache
+def installed() -> str:
+    """Digest what is installed, as far as it decides what is made."""
+    font = Path(str(metadata.distribution("matplotlib").locate_file(FONT))).read_bytes()
+    versions = [f"{name} {metadata.version(name)}" for name in PACKAGES]
+    return digest_of(python_version(), *versions, hashlib.sha256(font).hexdigest())

@@ -17,8 +17,7 @@ from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft, digests_below, replace, staging_folder
-from measured_report.pages.cache import DerivedCache
-from measured_report.pages.dependencies import installed
+from measured_report.pages.cache import DerivedCache, installed
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
