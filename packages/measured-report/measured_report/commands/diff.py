@@ -4,18 +4,14 @@ import argparse
 
 from measured_report.changes.alarm import diff_text
 from measured_report.changes.compare import compare
-from measured_report.commands.options import one_of, refuse_lacking_ends, refuse_unmeasured, shared
+from measured_report.commands.options import refuse_lacking_ends, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 
 OPTIONS = {
     **shared("a", "b", "profile", "format"),
-    "values": {
-        "type": one_of("VALUES", ("sums", "all")),
-        "default": "sums",
-        "help": "all: list every value that moved",
-    },
+    "values": {"choices": ("sums", "all"), "default": "sums", "help": "all: list every value that moved"},
 }
 
 

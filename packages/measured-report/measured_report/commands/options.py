@@ -2,7 +2,6 @@
 
 import re
 from argparse import Namespace
-from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any
 
@@ -14,17 +13,6 @@ from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 
 SCHEDULER = re.compile(r"(?:tcp|tls)://(?:[A-Za-z0-9._-]+|\[[0-9a-fA-F:.]+\]):([0-9]{1,5})")
-
-
-def one_of(option: str, names: Iterable[str]) -> Callable[[str], str]:
-    """Make what reads an option that is one of some names."""
-
-    def read(name: str) -> str:
-        if name not in names:
-            raise UsageError(f"{option}={name} is no {option.lower()}; use one of: {', '.join(names)}")
-        return name
-
-    return read
 
 
 def read_cluster(asked: str) -> str:
@@ -53,18 +41,18 @@ SHARED: dict[str, dict[str, Any]] = {
     },
     "with": {"dest": "pins", "default": "", "help": "other packages than it comes with, as PACKAGE==1.19.0"},
     "profile": {
-        "type": one_of("PROFILE", PROFILES),
+        "choices": PROFILES,
         "default": "full",
         "help": "quick: small grids and short runs, kept apart in results/quick/",
     },
-    "device": {"type": one_of("DEVICE", DEVICES), "help": "cuda or cpu: where to measure; a CPU only when asked"},
+    "device": {"choices": DEVICES, "help": "cuda or cpu: where to measure; a CPU only when asked"},
     "cluster": {"type": read_cluster, "help": "who measures: local (all GPUs of this host) or tls://scheduler:8786"},
     "address": {"type": read_address, "default": "", "help": "where the site will lie: https://example.org/report/"},
     "a": {"type": partial(release_of, option="A"), "help": "edition to compare from"},
     "b": {"type": partial(release_of, option="B"), "help": "edition to compare with it"},
     "claim": {"default": "", "help": "claim to follow, as SECTION.NAME"},
     "value": {"default": "", "help": "value, as SECTION.NAME of the page, or SECTION.CASE.COLUMN of a row"},
-    "format": {"type": one_of("FORMAT", FORMATS), "default": "text", "help": "text, markdown or json (docs/alarm.md)"},
+    "format": {"choices": FORMATS, "default": "text", "help": "text, markdown or json (docs/alarm.md)"},
 }
 
 
