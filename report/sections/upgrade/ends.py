@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from measured_report.changes.costs import beside
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
@@ -74,14 +73,8 @@ def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) 
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:
-    """Return unknown where times of the oldest and the newest release do not compare: machines differ, or were
-    shared."""
-    there = {release: chapters[section].results.record for release, chapters in releases.items() if section in chapters}
-    records = list(there.values())
+    """Return unknown where times of the oldest and the newest release do not compare: machines differ."""
+    records = [chapters[section].results.record for chapters in releases.values() if section in chapters]
     if records and records[0].machine_for_speed != records[-1].machine_for_speed:
         return Outcome("unknown", f"measured on {records[0].machine_in_full} and on {records[-1].machine_in_full}")
-    others = [chapter.results.record for chapters in releases.values() for chapter in chapters.values()]
-    ends = dict.fromkeys((*list(there)[:1], *list(there)[-1:]))
-    shared = [release for release in ends if beside(there[release], others)]
-    reason = f"other sections ran on the same host while it was timed in Newton {' and '.join(shared)}"
-    return Outcome("unknown", reason) if shared else None
+    return None

@@ -1,7 +1,6 @@
 """Costs: what says how long something takes or how much room, and what must be the same for two of them to compare."""
 
-from collections.abc import Collection, Iterable, Mapping
-from datetime import timedelta
+from collections.abc import Collection, Mapping
 from typing import Any
 
 from measured_report.files.config import config
@@ -19,46 +18,6 @@ def is_cost(column: str) -> bool:
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
     """Return what two costs must share to be compared: the machine, and how many frames and worlds."""
     return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
-
-
-def is_timed(record: Record) -> bool:
-    """Tell whether it says how long something takes, in numbers that are compared."""
-    kinds = (column_of(name).kinds for name in record.units)
-    return any("cost" in each and "chance" not in each for each in kinds)
-
-
-def beside(record: Record, others: Iterable[Record]) -> list[Record]:
-    """Return those that were measured on the same host while this one was timed; none where no host is known.
-
-    Where they may have taken turns they don't count: they overlap for no longer than this one was not timed and the
-    other not measured.
-    """
-    host = record.machine.get("host")
-    there = [other for other in others if other is not record and host and other.machine.get("host") == host]
-    timed = _seconds(record, "alone") or [_measured_s(record)]
-    untimed = _rest(record, sum(timed))
-    return [other for other in there if _overlap(record, other) > untimed + _rest(other, _measured_s(other))]
-
-
-def _overlap(record: Record, other: Record) -> timedelta:
-    (started, ended), (other_started, other_ended) = record.span, other.span
-    return min(ended, other_ended) - max(started, other_started)
-
-
-def _rest(record: Record, seconds: float) -> timedelta:
-    """Return what is left of the time between its beginning and its end, which are told to the second."""
-    started, ended = record.span
-    return max(timedelta(seconds=1), ended - started - timedelta(seconds=seconds))
-
-
-def _measured_s(record: Record) -> float:
-    """Sum for how long it was measured at least: its batches that were not alone may have been beside each other."""
-    alone, shared = _seconds(record, "alone"), _seconds(record, "batch")
-    return sum(alone) + max(shared, default=0.0) if alone or shared else record.measured["seconds"]
-
-
-def _seconds(record: Record, kind: str) -> list[float]:
-    return [value for name, value in record.measured.items() if name.startswith(f"{kind}_")]
 
 
 def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:

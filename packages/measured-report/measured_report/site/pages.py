@@ -9,7 +9,6 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.changes.costs import beside, is_timed
 from measured_report.files.config import config
 from measured_report.files.staging import Draft
 from measured_report.pages.cache import DerivedCache
@@ -22,7 +21,6 @@ from measured_report.parts.citations import Cited
 from measured_report.parts.drawing import draw
 from measured_report.parts.macros import macros
 from measured_report.parts.section import Pictures
-from measured_report.records.record import Record
 from measured_report.records.traces import traces_of
 from measured_report.site.citing import Citation, measured_on
 from measured_report.site.data import rows_csv
@@ -111,13 +109,6 @@ class Site:
     def records(self) -> list[Results]:
         return [chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()]
 
-    def beside(self, record: Record) -> list[str]:
-        """Name what was measured on the same host at the same time, where this says how long something takes."""
-        if not is_timed(record):
-            return []
-        found = beside(record, (results.record for results in self.records))
-        return sorted({other.section.replace("_", " ") for other in found})
-
     def write(self, once: Callable[[], None]) -> None:
         """Draw all figures, and write data, what is there ``once``, and pages of all releases."""
         places = self.places
@@ -160,7 +151,6 @@ class Site:
             "sources": config().repository,
             "measured_on": measured_on(edition),
             "floors": json.dumps(_floors(edition)),
-            "beside": self.beside,
             **names,
         }
         pages = dict(edition.plugins.pages(self.templates))
