@@ -181,8 +181,8 @@ def test_the_noise_is_the_machines(measured):
     def still(record: Record) -> Record:
         if record.section != "noise":
             return on_a_cpu(record)
-        first = {row["of"]: row for row in reversed(record.rows)}
-        rows = [row | {name: first[row["of"]][name] for name in SHAKEN} for row in record.rows]
+        first = {row["of"]: row for row in reversed(record.rows) if "of" in row}
+        rows = [row | {name: first[row["of"]][name] for name in SHAKEN} if "of" in row else row for row in record.rows]
         return replace(record, rows=rows, machine=on_a_cpu(record).machine)
 
     def still_on_the_same(record: Record) -> Record:
