@@ -20,7 +20,7 @@ from measured_report.pages.prose import LAYOUT, Inner, Prose, Templates, stylesh
 from measured_report.parts.citations import Cited
 from measured_report.parts.drawing import draw
 from measured_report.parts.macros import macros
-from measured_report.parts.section import Pictures
+from measured_report.parts.section import Picture, Pictures
 from measured_report.records.traces import traces_of
 from measured_report.site.citing import Citation, measured_on
 from measured_report.site.data import rows_csv
@@ -183,7 +183,10 @@ class Site:
                 address = f"figures/{figure.anchor}"
                 found[figure.anchor] = figure.html(drawn, address, root)
                 for end, picture in zip(("", "-narrow"), drawn, strict=True):
-                    self.draft.write(f"{place}{address}{end}.svg", local(picture.file, self.shown))
+                    self.draft.write(
+                        f"{place}{address}{end}.svg",
+                        local(picture.file if isinstance(picture, Picture) else picture, self.shown),
+                    )
             else:
                 found[figure.anchor] = figure.html(drawn, root=root)
                 has_drawing = has_drawing or bool(drawn and all(drawn))

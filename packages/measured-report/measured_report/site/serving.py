@@ -47,7 +47,8 @@ class _Handler(SimpleHTTPRequestHandler):
         try:
             return super().send_head()
         except ValueError:  # a name that no file can have
-            return self.list_directory("")
+            self.send_error(HTTPStatus.NOT_FOUND)
+            return None
 
     def _answer(self, content: bytes, kind: str) -> io.BytesIO:
         self.send_response(HTTPStatus.OK)
