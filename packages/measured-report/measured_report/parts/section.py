@@ -10,6 +10,7 @@ from markupsafe import Markup
 from measured_report.files.errors import ReportError
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
+from measured_report.parts.picture import Picture
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Series
@@ -17,35 +18,6 @@ from measured_report.values.results import Series
 if TYPE_CHECKING:  # these take long to import, and what is kept from before needs none of them
     import pandas as pd
     from matplotlib.figure import Figure as Drawing
-
-
-@dataclass(frozen=True)
-class Picture:
-    """A drawing in SVG, of which the element itself is left out."""
-
-    kind: str
-    """``broad`` or ``narrow``: the screens that it is for."""
-    view: str
-    """The box that it shows, as an SVG element has it."""
-    content: Markup
-
-    def __html__(self) -> Markup:
-        return self.html("", ())
-
-    def html(self, alt: str, sources: Sequence[str]) -> Markup:
-        """Show it on a page, with what it says to whoever can't see it and where the numbers in that are from."""
-        return macros().drawing(self, alt, sources)
-
-    @property
-    def file(self) -> str:
-        """Return it as a file: an image has the scheme of the page that it is on, and nothing else of it."""
-        return macros().drawing_file(self)
-
-    @property
-    def size(self) -> tuple[int, int]:
-        """Return width and height, as far as their proportion goes."""
-        _, _, width, height = map(float, self.view.split())
-        return round(width), round(height)
 
 
 Pictures = tuple[Picture | Markup, Picture | Markup]

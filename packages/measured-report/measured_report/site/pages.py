@@ -20,7 +20,8 @@ from measured_report.pages.prose import LAYOUT, Inner, Prose, Templates, stylesh
 from measured_report.parts.citations import Cited
 from measured_report.parts.drawing import draw
 from measured_report.parts.macros import macros
-from measured_report.parts.section import Picture, Pictures
+from measured_report.parts.picture import Picture
+from measured_report.parts.section import Pictures
 from measured_report.records.traces import traces_of
 from measured_report.site.citing import Citation, measured_on
 from measured_report.site.data import rows_csv
