@@ -91,8 +91,10 @@ def _means(rows: Sequence[Row], section: str) -> list[dict[str, float]]:
     cells: dict[tuple[str, str], list[float]] = {}
     for row in rows:
         for column, value in measured(row).items():
-            cells.setdefault((row["of"], column), []).append(value)
-    return [{column: fmean(cells[row["of"], column]) for column in measured(row)} for row in rows]
+            cells.setdefault((row.get("of"), column), []).append(value)
+    return [
+        {column: fmean(cells[row["of"], column]) for column in measured(row)} if "of" in row else {} for row in rows
+    ]
 
 
 def moving(name: str, factor: float) -> Scenario:
