@@ -24,13 +24,15 @@ def worlds_name(count: int) -> str:
 
 
 class RowsBy(dict):
-    """Rows by the cells that tell them apart; of those that were not measured, a row without anything."""
+    """Rows by the cells that tell them apart, but for those that lost one; of what was not measured, a row without
+    anything."""
 
     def __init__(self, results: Results, rows: Iterable[Row], *columns: str):
         self.results = results
         for row in rows:
-            cells = (row[column] for column in columns)
-            self[tuple(cell.value if isinstance(cell, Quantity) else cell for cell in cells)] = row
+            key = tuple(row.plain.get(column) for column in columns)
+            if None not in key:
+                self[key] = row
 
     def __missing__(self, key: tuple) -> Row:
         return self.results.row[" ".join(map(str, key))]
