@@ -2,15 +2,14 @@
 
 import re
 import shutil
-import subprocess
 from argparse import Namespace
 from dataclasses import replace
 
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE, Toy, git
 
-from measured_report.changes import bisect
-from measured_report.changes.bisect import Bisection, bisect_commits, bisect_releases, common_repository, first_change
+from measured_report.changes import bisect as module
+from measured_report.changes.bisect import Bisection, first_change, points_between
 from measured_report.changes.flips import flips
 from measured_report.changes.history import flip_history, history
 from measured_report.changes.query import Query
@@ -55,98 +54,64 @@ MIDDLE = ("1.5.9", "1.6.9", "1.7.9")
 @pytest.fixture
 def search(toy, monkeypatch) -> Bisection:
     """The toy's claim holds up to 1.5.9 and fails from 1.6.9 on. Nobody can have installed one of these."""
-    monkeypatch.setattr(bisect, "releases_between", lambda first, last: [*map(release_of, MIDDLE)])
+    monkeypatch.setattr(module, "releases_between", lambda first, last: [*map(release_of, MIDDLE)])
     keep(toy, "1.5.9", ROWS, OLD)
     for release in ("1.6.9", "1.7.9", "1.8.9"):
         keep(toy, release, WORSE, NEW)
     return Bisection(toy.project, Query("toy.helps", True), "cpu", Templates(toy.project.templates))
 
 
+def searched(search: Bisection, last: str = "1.8.9") -> list[str]:
+    return module.bisect(search, release_of("1.4.0"), release_of(last)).splitlines()
+
+
 def test_the_release_and_then_newton_itself(toy, search, capsys):
-    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
-    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9")).splitlines()
-    assert said[0] == "toy.helps changes between 1.5.9 and 1.6.9"
-    assert said[1].startswith("newton 1.6.9 did it: it is so with warp-lang 1.15.0, mujoco-warp 3.10.0")
+    keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
+    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
+    assert searched(search) == [
+        "toy.helps changes between 1.5.9 and 1.6.9: holds → fails",
+        "newton did it: 1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0 is as before, 1.6.9 is not",
+    ]
     assert "1.7.9" not in capsys.readouterr().out, "what lies behind the change is not asked"
-    search = replace(search, query=Query("toy.soft.slip_mm", False))
-    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9"))
-    assert said.startswith("toy.soft.slip_mm changes between 1.5.9")
+    found = searched(replace(search, query=Query("toy.soft.slip_mm", False), answers={}))
+    assert found[0].startswith("toy.soft.slip_mm changes between 1.5.9")
 
 
-def test_a_claim_of_a_section_that_compares_editions_is_found_where_it_is_about_each(toy, search):
+def test_or_another_package_of_it_in_a_section_that_compares_editions_with_records_kept_aside(toy, search):
     toy.write("report/sections/toy.py", MODULE.replace("def derive(results):", "def derive(results, releases):"))
-    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
-    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9"))
-    assert said.startswith("toy.helps changes between 1.5.9 and 1.6.9")
-
-
-def test_the_package_is_named_where_the_search_itself_measured_and_kept_its_records_aside(toy, search):
+    keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
+    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", WORSE, NEW)
     for release in ("1.5.9", "1.6.9", "1.7.9", "1.8.9"):
         own = toy.project.of(release)
-        shutil.move(own.results, replace(own, aside=bisect.ASIDE).results)
-    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
-    assert "newton 1.6.9 did it" in bisect_releases(search, release_of("1.4.0"), release_of("1.8.9"))
+        shutil.move(own.results, replace(own, aside=module.ASIDE).results)
+    assert searched(search)[1].startswith("mujoco-warp and mujoco did it: 1.5.9+warp-1.16.0 is as before")
 
 
-def test_newton_is_found_where_it_does_not_run_with_older_packages(toy, search, monkeypatch):
-    def refuse(project, release, *others):
-        raise ReportError("it does not compile")
-
-    monkeypatch.setattr(bisect, "measure", refuse)
-    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
-    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9")).splitlines()[1]
-    assert said == "newton 1.6.9 did it: 1.5.9 stays as it is with all others of 1.6.9"
-
-
-def test_or_another_package_of_it(toy, search):
-    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", ROWS, OLD)
-    keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
-    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0", WORSE, {**NEW, "warp-lang": "1.15.0"})
-    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9")).splitlines()[1]
-    assert said.startswith("mujoco-warp and mujoco did it: newton 1.5.9 does so too")
-
-
-def test_an_end_that_cannot_be_measured_ends_the_search_and_so_do_ends_that_agree(search, monkeypatch):
+def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_ends_that_agree_do(search, monkeypatch):
     """And does not begin one with full runs, which take hours."""
 
     def fail(project, release, *others):
         raise ReportError("measuring ended")
 
-    monkeypatch.setattr(bisect, "measure", fail)
+    monkeypatch.setattr(module, "measure", fail)
+    assert searched(search)[1] == "it is one of warp-lang or mujoco-warp and mujoco or newton"
     with pytest.raises(ReportError, match="measuring ended") as error:
-        search.ends(release_of("1.4.0"), release_of("1.9.0"))
+        searched(search, "1.9.0")
     assert not isinstance(error.value, UsageError)
     with pytest.raises(UsageError, match="holds at A and holds at B"):
-        bisect_releases(search, release_of("1.4.0"), release_of("1.5.9"))
+        searched(search, "1.5.9")
 
 
-def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):
-    code = checkout / "newton/__init__.py"
-    commits = []
-    for value in range(2, 8):
-        code.write_text(f"x = {value}\n")
-        git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
-        commits.append(git(checkout, "rev-parse", "--short", "HEAD"))
-    clone = tmp_path / "clone"
-
-    def is_first() -> bool:
-        return int((clone / "newton/__init__.py").read_text().split()[-1]) < 5
-
-    for _ in range(2):  # again, as after an interruption
-        found = bisect_commits(checkout, "HEAD~6", "main", clone, is_first)
-        assert found.startswith(commits[3]) and found.endswith("x is 5")
-        subprocess.run(["git", "-C", clone, "bisect", "start", "HEAD", "HEAD~2"], capture_output=True, check=True)
-
-
-def test_commits_of_one_repository_are_seen_as_such_and_one_that_cannot_be_judged_is_no_answer(checkout, tmp_path):
-    first, last = (release_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
-    assert common_repository(first, last) == (checkout, "HEAD", "main")
-    assert common_repository(first, release_of("1.8.9")) is None
+def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout):
     for value in range(2, 5):
         (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
         git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
-    with pytest.raises(ReportError, match="no first commit was found"):
-        bisect_commits(checkout, "HEAD~3", "main", tmp_path / "clone", lambda: None)
+    commits = git(checkout, "rev-list", "--reverse", "HEAD").split()
+    first, last = (release_of(f"{checkout}@{reference}") for reference in (commits[0], "main"))
+    points = points_between(first, last)
+    assert points == [first.asked, *(f"{checkout}@{commit}" for commit in commits[1:3]), last.asked]
+    assert release_of(points[1]).source == f"g{commits[1][:7]}"
+    assert points_between(first, release_of("1.4.0")) == [first.asked, "1.4.0"]
 
 
 @pytest.fixture
@@ -211,7 +176,7 @@ def test_a_retired_edition_leaves_nothing(toy, search):
     release = release_of("1.6.9")
     side = toy.project.of("1.6.9")
     write_manifest(side.results, Manifest("1.6.9"))
-    replace(side, profile="quick", aside=bisect.ASIDE).results.mkdir(parents=True)
+    replace(side, profile="quick", aside=module.ASIDE).results.mkdir(parents=True)
     (toy.project.root / ".venv-newton-1.6.9").mkdir()
     assert retire.run(side, Namespace(release=release, address="")) == 0
     assert not side.results.exists() and not list(toy.project.root.glob(".venv*"))
@@ -224,7 +189,7 @@ def test_a_retired_edition_leaves_nothing(toy, search):
 
 def test_what_searches_left_goes_without_a_name_and_checkouts_and_editions_stay(toy, search):
     root, own = toy.project.root, Namespace(release=release_of("1.4.0"), address="")
-    left = (".venv-bisect", ".venv-newton-.venv-bisect-1234567", ".venv-newton-1.6.8", "results/bisect/quick")
+    left = (".venv-newton-1.9.0.dev0+g1234567", ".venv-newton-1.6.8", "results/bisect/quick")
     kept = (".venv-newton-1.6.9", ".venv-newton-checkout-1234567", ".venv")
     for name in (*left, *kept):
         (root / name).mkdir(parents=True)
@@ -242,8 +207,8 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hour
         measured.append(project)
         return toy.project.of("1.5.9")
 
-    monkeypatch.setattr(bisect, "measure", note)
-    monkeypatch.setattr(command, "releases_between", lambda first, last: [release_of("1.5.9")])
+    monkeypatch.setattr(module, "measure", note)
+    monkeypatch.setattr(module, "releases_between", lambda first, last: [release_of("1.5.9")])
     monkeypatch.setattr(command, "sections", lambda: ["toy"])
     search.is_first(("holds", "fails"), release_of("1.4.9"))
     assert [side.results.relative_to(toy.project.root).as_posix() for side in measured] == [

@@ -1,10 +1,7 @@
 """Bisect: between which two editions a claim or a value changes, and which package did it; measures what that takes."""
 
-import re
-import subprocess
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
@@ -12,25 +9,19 @@ from measured_report.changes.query import Answer, Query
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of, releases_between
 from measured_report.editions.status import state_of
-from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import measure
-from measured_report.pages.editions import Edition, editions_of
+from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections as all_sections
-from measured_report.records.provenance import MISSING
+from measured_report.records.provenance import MISSING, git
 from measured_report.records.reading import load_record
 from measured_report.values.noise import NOISE
 
 Point = TypeVar("Point")
-FIRST = re.compile(r"^([0-9a-f]{40}) is the first bad commit", re.MULTILINE)
 ASIDE = "bisect"
 """The folder below ``results`` of what a search measured."""
-CLONE = ".venv-bisect"
-"""The clone that git bisects in."""
-ONLY_SKIPPED = "only 'skip'ped commits left"
-"""Said by git where no more can be told."""
 
 
 class Alike(UsageError):
@@ -45,42 +36,47 @@ class Bisection:
     query: Query
     device: str
     templates: Templates
-    answers: dict[tuple[str, ...], Answer | None] = field(default_factory=dict)
-    """Found before, by what was asked of which edition."""
+    answers: dict[str, Answer | None] = field(default_factory=dict)
+    """Found before, by edition."""
 
-    def _answer(self, release: Release) -> Answer | None:
+    def answer(self, release: Release) -> Answer | None:
         """Return what a release answers, measured unless that was done before."""
         label = str(release)
-        asked = (self.query.text, self.project.profile, label)
-        if asked not in self.answers:
-            edition = self._edition(release, [self.query.section])
-            answer = self.query.answer(edition.chapters)
+        if label not in self.answers:
+            answer, noise = None, [NOISE] if NOISE in all_sections(self.project.root) else []
             # Without its noise most differences can't be told.
-            if answer is None and NOISE not in edition.chapters and NOISE in all_sections(self.project.root):
-                answer = self.query.answer(self._edition(release, [self.query.section, NOISE]).chapters)
-            self.answers[asked] = answer
+            for names in ([self.query.section], [self.query.section, *noise]):
+                if answer is None:
+                    answer = self._measured(release, names)
+            self.answers[label] = answer
             print(f"step {len(self.answers)}: {label}: {self.query.text} {said(answer)}", flush=True)
-        return self.answers[asked]
+        return self.answers[label]
 
-    def _edition(self, release: Release, sections: Sequence[str]) -> Edition:
-        """Derive these sections; what has no record is measured, and kept apart from those of the editions.
+    def _measured(self, release: Release, sections: Sequence[str]) -> Answer | None:
+        """Ask what a release has of these sections; what has no record is measured, and kept apart.
 
         A section that compares editions has this one alone, which is all that its claims about each of them take.
         """
-        side = self.side(release, sections)
-        lacking = _lacking(side, sections)
-        side = measure(side, release, lacking, self.device) if lacking else side
-        return editions_of(side, self.templates, among=[side.release])[side.release]
+        side = self._side(release, sections)
+        if lacking := _lacking(side, sections):
+            side = measure(side, release, lacking, self.device)
+        edition = editions_of(side, self.templates, among=[side.release])[side.release]
+        return self.query.answer(edition.chapters)
 
-    def side(self, release: Release, sections: Sequence[str] = ()) -> Project:
-        """Return where a release's records of these sections, by default the one asked for, are or will be."""
+    def _side(self, release: Release, sections: Sequence[str]) -> Project:
+        """Return where a release's records of these sections are or will be."""
         own = self.project.of(str(release))
-        return replace(own, aside=ASIDE) if _lacking(own, sections or [self.query.section]) else own
+        return replace(own, aside=ASIDE) if _lacking(own, sections) else own
+
+    def packages(self, release: Release) -> dict[str, str]:
+        """Return the versions that a release was measured with."""
+        section = self.query.section
+        return load_record(self._side(release, [section]).record_path(section)).identity.packages
 
     def is_first(self, ends: tuple[Answer, Answer], release: Release) -> bool | None:
         """Tell whether a release answers as the first end does; None, and say why, where it can't."""
         try:
-            answer = self._answer(release)
+            answer = self.answer(release)
         except ReportError as error:
             print(f"{release}: cannot be measured: {error}".rstrip(": "), flush=True)
             return None
@@ -88,7 +84,7 @@ class Bisection:
 
     def ends(self, first: Release, last: Release) -> tuple[Answer, Answer]:
         """Return what both ends answer, which must be measured; Alike when there is nothing to find between them."""
-        a, b = self._answer(first), self._answer(last)
+        a, b = self.answer(first), self.answer(last)
         if a is None or b is None or a == b:
             raise Alike(f"{self.query.text} is {said(a)} at A and {said(b)} at B")
         return a, b
@@ -124,87 +120,44 @@ def first_change(points: Sequence[Point], is_first: Callable[[Point], bool | Non
     return points[low], points[high], [points[place] for place in sorted(skipped) if low < place < high]
 
 
-def bisect_releases(search: Bisection, first: Release, last: Release) -> str:
-    """Say which release is the first that answers otherwise, and which of its packages does it."""
-    is_first = partial(search.is_first, search.ends(first, last))
-    between = releases_between(first, last)
-    before, after, skipped = first_change([first, *between, last], is_first)
-    said = f"{search.query.text} changes between {before} and {after}\n"
-    if skipped:
-        said += f"between them cannot tell: {', '.join(str(release) for release in skipped)}\n"
-    return said + _which_package(search, before, after, is_first)
+def points_between(first: Release, last: Release) -> list[str]:
+    """Name what a search may look at, as NEWTON= does: commits of one local repository, or else releases."""
+    (path, _, old), (other, _, new) = (release.asked.rpartition("@") for release in (first, last))
+    if path and path == other and Path(path).is_dir():
+        commits = git(Path(path), "rev-list", "--reverse", "--first-parent", f"{old}..{new}").split()
+        return [first.asked, *(f"{path}@{commit}" for commit in commits[:-1]), last.asked]
+    return [first.asked, *map(str, releases_between(first, last)), last.asked]
+
+
+def bisect(search: Bisection, first: Release, last: Release) -> str:
+    """Say which edition is the first that answers otherwise, and which of its packages does it."""
+    ends = search.ends(first, last)
+
+    def is_first(release: Release) -> bool | None:
+        return search.is_first(ends, release)
+
+    names = first_change(points_between(first, last), lambda asked: is_first(release_of(asked)))
+    before, after = map(release_of, names[:2])
+    told = [f"{search.query.text} changes between {before} and {after}: {said(ends[0])} → {said(ends[1])}"]
+    told += [f"between them cannot tell: {', '.join(names[2])}"] if names[2] else []
+    return "\n".join([*told, _which_package(search, before, after, is_first)])
 
 
 def _which_package(
     search: Bisection, before: Release, after: Release, is_first: Callable[[Release], bool | None]
 ) -> str:
-    """Say which package did it: the first alone, with the others as they were, or one of those, with the first so."""
-    package, together = config().package, config().changes.together
-    others = [name for names in together for name in names]
-    paths = (search.side(release).record_path(search.query.section) for release in (before, after))
-    old, new = (load_record(path).identity.packages for path in paths)
-    if not others:
-        return f"{package} {after.version} did it: it is the only package"
-    if any(old[name] == MISSING for name in others):
-        return "which package did it cannot be told: one of them is not there in all"
-    if all(old[name] == new[name] for name in others):
-        return f"{package} {after} did it: the other packages are the same"
-    alone = is_first(_pinned(after, old, others))
-    if alone is False:
-        kept = ", ".join(f"{name} {old[name]}" for name in others)
-        return f"{package} {after.version} did it: it is so with {kept} as well, which {before} has"
-    # A newer edition may not run with older packages, but an older one with newer.
-    if alone is None and is_first(_pinned(before, new, others)):
-        return f"{package} {after.version} did it: {before} stays as it is with all others of {after}"
-    found = [
-        " and ".join(names)
-        for names in together
-        if any(old[name] != new[name] for name in names) and is_first(_pinned(before, new, names)) is False
-    ]
-    if found:
-        so = f"{package} {before.version} does so too with that of {after}"
-        return f"{' or '.join(found)} did it: {so}"
-    return "which package did it cannot be told: no one of them does it alone"
+    """Say which package did it: the older edition takes the other packages of the newer one, one after the other.
 
-
-def _pinned(release: Release, versions: Mapping[str, str], packages: Sequence[str]) -> Release:
-    return release_of(str(release), " ".join(f"{package}=={versions[package]}" for package in packages))
-
-
-def bisect_commits(repository: Path, first: str, last: str, clone: Path, is_first: Callable[[], bool | None]) -> str:
-    """Find the first commit of a repository that is not as ``first`` is, by ``git bisect`` in a clone at ``clone``.
-
-    ``is_first`` says whether the commit that the clone has now is as the first is; None where it can't tell.
+    A newer edition may not run with older packages, but an older one with newer.
     """
-    if not clone.exists():
-        _git(clone.parent, "clone", "--quiet", str(repository), str(clone))
-    with locked(clone):
-        _git(clone, "remote", "set-url", "origin", str(repository))  # it may be left of a search in another one
-        _git(clone, "fetch", "--quiet", "--tags", "origin")
-        known = [_git(repository, "rev-parse", f"{name}^{{commit}}").strip() for name in (last, first)]
-        _git(clone, "bisect", "reset")  # it may be left of a search that was stopped
-        said = _git(clone, "bisect", "start", *known)
-        while not (found := FIRST.search(said)):
-            if ONLY_SKIPPED in said:
-                raise ReportError(f"no first commit was found: {said.strip().splitlines()[-1]}")
-            said = _git(clone, "bisect", {True: "good", False: "bad", None: "skip"}[is_first()])
-        _git(clone, "bisect", "reset")
-        return _git(clone, "show", "-s", "--format=%h %cs %s", found[1]).strip()
-
-
-def _git(folder: Path, *command: str) -> str:
-    done = subprocess.run(["git", "-C", folder, *command], stdout=subprocess.PIPE, text=True, check=False)
-    if done.returncode and ONLY_SKIPPED not in done.stdout:
-        raise UsageError(f"git {' '.join(command[:2])} failed in {folder}")
-    return done.stdout
-
-
-def commit_count(repository: Path, first: str, last: str) -> int:
-    """Count the commits that a search between two may have to look at."""
-    return int(_git(repository, "rev-list", "--count", f"{first}..{last}"))
-
-
-def common_repository(first: Release, last: Release) -> tuple[Path, str, str] | None:
-    """Return the local repository that both are commits of, and their references; None where they are not."""
-    (path, _, old), (other, _, new) = (release.asked.rpartition("@") for release in (first, last))
-    return (Path(path), old, new) if path and path == other and Path(path).is_dir() else None
+    old, new = search.packages(before), search.packages(after)
+    groups = [names for names in config().changes.together if any(old[name] != new[name] for name in names)]
+    pins = [f"{name}=={new[name]}" for names in groups for name in names]
+    if any(MISSING in pin for pin in pins):
+        return "which package did it cannot be told: one of them is not there in all"
+    ways = [sum(map(len, groups[:count])) for count in range(1, len(groups) + 1)]
+    steps = [before, *(release_of(before.asked, " ".join(pins[:count])) for count in ways), after]
+    low, high, skipped = first_change(steps, is_first)
+    found = [*groups, (config().package,)][steps.index(low) : steps.index(high)]
+    names = " or ".join(" and ".join(names) for names in found)
+    return f"{names} did it: {low} is as before, {high} is not" if not skipped else f"it is one of {names}"
