@@ -9,8 +9,8 @@ from statistics import fmean
 import pytest
 from conftest import SOURCES, compared, link
 
+from measured_report.changes.alarm import LINES
 from measured_report.changes.compare import Comparison, compare
-from measured_report.changes.largest import LINES
 from measured_report.changes.upgrade import verdict
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT

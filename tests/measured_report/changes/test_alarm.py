@@ -14,7 +14,6 @@ from damage import damage
 
 from measured_report.changes.alarm import check_text, diff_text
 from measured_report.changes.compare import Comparison
-from measured_report.changes.costs import is_cost
 from measured_report.changes.upgrade import verdict
 from measured_report.commands import check as check_command
 from measured_report.commands import diff
@@ -201,11 +200,6 @@ def test_a_cost_flips_for_as_many_frames_and_worlds_alone(measured, column):
     assert changed(measured("1.9.0", change)).flips == []
 
 
-def test_what_is_a_cost():
-    assert all(map(is_cost, ("frame_ms", "frame_ms_p95", "wall_s", "realtime_factor", "buffer_bytes_per_world")))
-    assert not any(map(is_cost, ("step_ms", "timeconst_ms", "friction_damping_per_s", "shake_start_s", "drift_mm_s")))
-
-
 def test_what_moved_and_flips_nothing_is_to_be_looked_at(measured):
     def farther(row: dict) -> dict:
         return row | {"wander_mm": 2.0 * row["wander_mm"]} if row["case"] == "hold" else row
@@ -238,7 +232,7 @@ def test_the_documentation_names_what_the_json_has(measured):
         assert {name for name in names if f"`{name}`" not in text} == set()
 
 
-def test_diff_and_check_say_it_in_every_format_and_markdown_is_not_made_of_what_a_record_says(toy, capsys, tmp_path):
+def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_markdown(toy, capsys, tmp_path):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
     sides = {"a": release_of("1.4.0"), "b": release_of("1.8.0")}
     for form in FORMATS:
@@ -247,6 +241,6 @@ def test_diff_and_check_say_it_in_every_format_and_markdown_is_not_made_of_what_
         assert check_command.run(toy.project, Namespace(release=sides["a"], format=form, strict=True)) == 0
         assert "holds" in capsys.readouterr().out
     newer = toy.of("1.8.0")
-    newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])
+    newer.measure([{**SOFT, "failure": "<img> | [x](y) ``` @all"}, STIFF])
     said = diff_text(changed(newer.project, before="1.4.0"), "markdown", all_values=False)
-    assert "\\<img\\> \\| \\[x\\](y)" in said and "@all" not in said
+    assert said.startswith("```text\n") and said.endswith("\n```") and "<img> | [x](y) ''' @all" in said

@@ -1,14 +1,12 @@
 """Measuring for an upgrade: what it is held against, and where progress is said."""
 
-import subprocess
-import sys
 from argparse import Namespace
 
 import pytest
+from conftest import program
 
 from measured_report.changes.upgrade import base_of, unmeasured
 from measured_report.commands import upgrade
-from measured_report.commands.upgrade import printing_to_stderr
 from measured_report.editions import environment
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
@@ -31,12 +29,13 @@ def test_what_the_system_says_is_the_reason_and_names_a_file_only_where_it_has_o
     assert reason_of(error).startswith(reason) and is_expected(error)
 
 
-def test_progress_does_not_run_into_an_answer_for_a_program(capfd):
-    with printing_to_stderr():
-        print("measuring")
-        subprocess.run([sys.executable, "-c", "print('compiling')"], check=True)
-    print("{}")
-    assert capfd.readouterr() == ("{}\n", "measuring\ncompiling\n")
+def test_progress_does_not_run_into_an_answer_for_a_program():
+    code = (
+        "import subprocess, sys; from measured_report.commands.upgrade import _apart; answer = _apart();"
+        "print('measuring', flush=True); subprocess.run(['echo', 'compiling']); print('{}', file=answer)"
+    )
+    done = program("-c", code)
+    assert (done.stdout, done.stderr) == ("{}\n", "measuring\ncompiling\n")
 
 
 def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(toy):
@@ -61,10 +60,10 @@ def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monke
     def refuse(project, release, *others):
         raise UsageError(f"{release} cannot run the scene")
 
-    monkeypatch.setattr(upgrade, "prepare", refuse)
-    monkeypatch.setattr(upgrade, "measure", lambda *arguments: pytest.fail("the base was measured"))
+    monkeypatch.setattr(upgrade, "measure", refuse)
+    monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
     asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
-    with pytest.raises(UsageError, match="cannot run the scene"):
+    with pytest.raises(UsageError, match=r"1\.9\.0 cannot run the scene"):
         upgrade.run(toy.project.of("1.9.0"), asked)
 
 

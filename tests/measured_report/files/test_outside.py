@@ -10,7 +10,7 @@ from argparse import Namespace
 import pytest
 from conftest import EXPERIMENT, MODULE, ROWS, derived
 
-from measured_report.changes.faults import faults_of
+from measured_report.changes.compare import faults_of
 from measured_report.commands import page
 from measured_report.editions.project import Manifest, read_manifest, write_manifest
 from measured_report.editions.release import release_of

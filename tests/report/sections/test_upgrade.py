@@ -99,7 +99,7 @@ def test_claims_that_turned_are_said_as_other_releases_say_them(upgraded):
     upgraded.build()
     said = turned(upgraded)
     assert ">toy</a></dt>" in said and "It helps" not in said
-    assert "<b>1.8.0:</b> It does not" in said and "So too, with other numbers: 1.6.0, 1.7.0." in said
+    assert "<b>1.8.0:</b> It does not" in said and "So too: 1.6.0, 1.7.0." in said
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in said
 
 
@@ -109,7 +109,7 @@ def test_what_one_release_cannot_tell_is_counted_by_itself(upgraded):
     newer.measure([SOFT, {**STIFF, "slip_mm": None, "slip_mm_reason": "as a test"}])
     measure_noise(newer)  # without it a section is missing
     upgraded.build()
-    assert "<p>None.</p>" in turned(upgraded)
+    assert "None." in turned(upgraded)
     values = json.loads((upgraded.project.site / "data/values.json").read_text())["upgrade"]
     assert (values["turned_count"]["value"], values["undecided_count"]["value"]) == (0, 1)
 

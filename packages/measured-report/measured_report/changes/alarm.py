@@ -4,146 +4,95 @@ docs/alarm.md says what the JSON holds.
 """
 
 import json
+import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
-from measured_report.changes.compare import Comparison
-from measured_report.changes.faults import Fault, faults_of
-from measured_report.changes.largest import largest, settings_text
+from measured_report.changes.compare import Comparison, faults_of
 from measured_report.changes.moves import Move
 from measured_report.files.config import config
 from measured_report.pages.editions import Edition
-from measured_report.parts.claim import Claim
+from measured_report.parts.claim import NEAR_NOISE, Claim
+from measured_report.records.columns import column_of
+from measured_report.values.noise import ROUNDING_SHARE
 from measured_report.values.quantities import Quantity
 
 SCHEMA = 1
-
+LINES = 5
+"""Chosen: so many of the largest moves are told."""
+NAMED = 4
+"""Chosen: so many claims, and twice as many settings, are named in a line."""
 MARKDOWN_LIMIT = 60_000
 """Characters; a comment on GitHub holds 65,536."""
 
 
+def _formed(kind: str, is_alarm: bool, lines: Iterable[str], parts: dict[str, Any], form: str) -> str:
+    """Write lines as text, as a block of Markdown, in which none of it means anything, or their parts as JSON."""
+    if form == "json":
+        said = {"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts}
+        return json.dumps(said, indent=1, ensure_ascii=False)
+    text = "\n".join(lines).rstrip()
+    return text if form == "text" else "\n".join(["```text", text.replace("```", "'''")[:MARKDOWN_LIMIT], "```"])
+
+
 def check_text(edition: Edition, form: str) -> str:
     """Return what an edition says, each claim once, as text, markdown or json."""
-    release, faults = edition.project.release, faults_of(edition)
+    faults = faults_of(edition)
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
-    if form == "json":
-        parts = {
-            "faults": list(map(vars, faults)),
-            "claims": [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in claims],
-            "absent": [{"section": section, "reason": reason} for section, reason in absent],
-        }
-        return _json("check", bool(faults), **{config().package: release}, **parts)
-    said = [(f"{section}.{claim.name}", claim.outcome.said, claim.text) for section, claim in claims]
-    if form == "markdown":
-        counts = Counter(outcome for _, outcome, _ in said)
-        counted = ", ".join(f"{count} {outcome}" for outcome, count in counts.items())
-        told = _table(("claim", "outcome", "says"), [line for line in said if line[1] != "holds"])
-        return _markdown(f"### {config().edition_name} {release}: {counted}", *_fault_table(faults), *told)
+    parts = {
+        config().package: edition.project.release,
+        "faults": list(map(vars, faults)),
+        "claims": [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in claims],
+        "absent": [{"section": section, "reason": reason} for section, reason in absent],
+    }
     lines = [fault.text for fault in faults]
-    lines += [f"{outcome:12} {name}: {text}" for name, outcome, text in said]
+    lines += [f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}" for section, claim in claims]
     lines += [f"{'absent':12} {section}: {reason}" for section, reason in absent]
-    return "\n".join(lines)
+    return _formed("check", bool(faults), lines, parts, form)
 
 
 def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
     """Return the comparison as text, markdown or json, every value that moved in it or only how many did."""
-    if form == "json":
-        return _json("diff", found.is_alarm, **_diff_data(found))
-    if form == "markdown":
-        return _markdown(*_diff_in_markdown(found))
-    lines = [" → ".join(f"{config().package} {release}" for release in found.releases), _summary(found)]
-    lines += [fault.text for fault in found.faults] + _leading(found) + [flip.text for flip in found.flips]
-    lines += ["", *(_sum_line(section, sums) for section, sums in _sums(found.moves).items())]
-    if all_values:
-        for section in _sums(found.moves):
-            lines += ["", section, *(f"  {move.text}" for move in found.moves if move.section == section)]
-    elif found.moves:
-        lines += ["VALUES=all lists them"]
-    lines += ["", *(f"not compared: {note}" for note in found.notes)]
-    lines += [f"missing in one of them, so that no alarm says: {', '.join(found.missing)}"] if found.missing else []
-    return "\n".join(lines).rstrip()
+    return _formed("diff", found.is_alarm, _diff_lines(found, all_values=all_values), _diff_data(found), form)
 
 
 def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
     """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
-    if form == "json":
-        return _json("upgrade", found.is_alarm, verdict=list(verdict), **_diff_data(found))
-    if form == "markdown":
-        return _markdown(*(f"- {_escaped(line)}" for line in verdict), "", *_diff_in_markdown(found))
-    return "\n".join(verdict)
+    lines = verdict if form == "text" else [*verdict, "", *_diff_lines(found, all_values=False)]
+    return _formed("upgrade", found.is_alarm, lines, {"verdict": list(verdict), **_diff_data(found)}, form)
 
 
-def _leading(found: Comparison) -> list[str]:
-    """Say which settings changed, and the largest moves."""
-    return [f"settings: {settings_text(found.settings)}", *(group.text for group in largest(found))]
-
-
-def _summary(found: Comparison) -> str:
-    """Count what differs, in one line."""
-    near = sum(move.is_inconclusive for move in found.moves)
-    return (
-        f"can't be trusted: {len(found.faults)}; alarms: {len(found.alarms)}; claims that flipped: {len(found.flips)}; "
-        f"values that moved beyond the noise: {len(found.moves)}, of these near it: {near}"
-    )
-
-
-def _diff_in_markdown(found: Comparison) -> list[str]:
-    lines = [f"### {config().edition_name} {' → '.join(found.releases)}", "", _summary(found).capitalize() + "."]
-    flipped = [(flip.claim, flip.outcomes, flip.after.text) for flip in found.flips]
-    sums = [(section, *sums.values()) for section, sums in _sums(found.moves).items()]
-    lines += [*_fault_table(found.faults), "", *(f"- {_escaped(line)}" for line in _leading(found))]
-    lines += _table(("claim that flipped", "outcome", "now"), flipped)
-    lines += _table(("section", "moved", "better", "worse", "near the noise"), sums)
-    if found.notes:
-        notes = (f"- {_escaped(note)}" for note in found.notes)
-        lines += ["", "<details><summary>Not compared</summary>", "", *notes, "", "</details>"]
+def _diff_lines(found: Comparison, *, all_values: bool) -> list[str]:
+    counts = {
+        "can't be trusted": found.faults,
+        "alarms": found.alarms,
+        "claims that flipped": found.flips,
+        "values that moved beyond the noise": found.moves,
+        "of these near it": [move for move in found.moves if move.is_inconclusive],
+    }
+    lines = [" → ".join(f"{config().package} {release}" for release in found.releases)]
+    lines += ["; ".join(f"{words}: {len(those)}" for words, those in counts.items())]
+    lines += [*(fault.text for fault in found.faults), f"settings: {settings_text(found.settings)}", *largest(found)]
+    for flip in found.flips:
+        lines += [f"{flip.claim}: {flip.outcomes}", f"  {flip.before.text}", f"  {flip.after.text}"]
+    for section, sums in _sums(found).items():
+        lines += ["", f"{section}: {', '.join(f'{count} {word}' for word, count in sums.items() if count)}"]
+        lines += [f"  {move.text}" for move in found.moves if all_values and move.section == section]
+    lines += ["VALUES=all lists them"] if found.moves and not all_values else []
+    lines += ["", *(f"not compared: {note}" for note in found.notes)]
+    lines += [f"missing in one of them, so that no alarm says: {', '.join(found.missing)}"] if found.missing else []
     return lines
 
 
-def _fault_table(faults: Iterable[Fault]) -> list[str]:
-    rows = [(fault.kind, fault.release, fault.place, fault.reason) for fault in faults]
-    return _table(("can't be trusted", config().package, "where", "why"), rows)
-
-
-def _table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> list[str]:
-    """Return the lines of a table, after an empty one; none without rows."""
-    if not rows:
-        return []
-    lines = [f"| {' | '.join(_escaped(cell) for cell in row)} |" for row in rows]
-    return ["", f"| {' | '.join(heads)} |", f"|{'---|' * len(heads)}", *lines]
-
-
-def _escaped(cell: Any) -> str:
-    """Return text that no Markdown is made of: records may hold any."""
-    text = " ".join(str(cell).split())
-    for mark in "\\`*_[]<>|@#":
-        text = text.replace(mark, f"\\{mark}" if mark != "@" else "@\u200b")
-    return text
-
-
-def _markdown(*lines: str) -> str:
-    """Return the lines, no more of them than a comment holds."""
-    text = "\n".join(lines)
-    return text if len(text) <= MARKDOWN_LIMIT else f"{text[:MARKDOWN_LIMIT].rpartition(chr(10))[0]}\n\n… and more\n"
-
-
-def _sums(moves: Iterable[Move]) -> dict[str, dict[str, int]]:
+def _sums(found: Comparison) -> dict[str, Counter]:
     """Count by section how many values moved, how many of them for better and worse, and how many near the noise."""
-    sums: dict[str, dict[str, int]] = {}
-    for move in moves:
-        found = sums.setdefault(move.section, dict.fromkeys(("moved", "better", "worse", "near"), 0))
-        for name in ("moved", "near" if move.is_inconclusive else move.direction):
-            if name:
-                found[name] += 1
+    sums: dict[str, Counter] = {}
+    for move in found.moves:
+        counts = sums.setdefault(move.section, Counter(moved=0, better=0, worse=0, near=0))
+        counts.update(filter(None, ("moved", "near" if move.is_inconclusive else move.direction)))
     return sums
-
-
-def _sum_line(section: str, sums: Mapping[str, int]) -> str:
-    words = {"better": "better", "worse": "worse", "near": "near the noise"}
-    parts = [f"{sums[name]} {said}" for name, said in words.items() if sums[name]]
-    return f"{section}: {sums['moved']} values moved" + (f" ({', '.join(parts)})" if parts else "")
 
 
 def _diff_data(found: Comparison) -> dict[str, Any]:
@@ -159,8 +108,8 @@ def _diff_data(found: Comparison) -> dict[str, Any]:
         "flips": flips,
         "settings": [_move_data(move) for move in found.settings],
         "alarms": [move.name for move in found.alarms],
-        "largest": [group.text for group in largest(found)],
-        "moved": _sums(found.moves),
+        "largest": largest(found),
+        "moved": _sums(found),
         "moves": [_move_data(move) for move in found.moves],
         "notes": found.notes,
     }
@@ -186,6 +135,60 @@ def _move_data(move: Move) -> dict[str, Any]:
     }
 
 
-def _json(kind: str, is_alarm: bool, **parts: Any) -> str:
-    said = {"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts}
-    return json.dumps(said, indent=1, ensure_ascii=False)
+def largest(found: Comparison) -> list[str]:
+    """Tell the largest moves in a line each, one of each column and in how many rows that moved; alarms first."""
+    columns: dict[str, list[Move]] = {}
+    for move in sorted(filter(_is_told, found.moves), key=_rank, reverse=True):
+        columns.setdefault(move.column, []).append(move)
+    lines = []
+    for lead, *others in list(columns.values())[:LINES]:
+        share = "" if lead.share is None or math.isinf(lead.share) else f", {100 * lead.share:+.2g} %"
+        place = f"{lead.section} {lead.place.get('case', '')}".strip()
+        place += f"; and {len(others)} more" if others else ""
+        said = f"{'alarm: ' if lead.exceeds_threshold else ''}{column_of(lead.column).words} {lead.ends}{share}"
+        lines.append(f"{said} {lead.direction}".rstrip() + f" ({place})")
+    return lines
+
+
+def _is_told(move: Move) -> bool:
+    """Tell whether it may lead: a number that changed or is gone, or an alarm; settings are told by themselves."""
+    is_setting = move.is_setting or column_of(move.column).is_setting
+    is_lost = move.is_gone and move.values[1] is None
+    return not (is_setting or move.is_inconclusive) and bool(move.share or is_lost or move.exceeds_threshold)
+
+
+def _rank(move: Move) -> tuple[bool, bool, float]:
+    """Put alarms first, then what the deciding sections measured, and then what is farthest beyond its noise."""
+    (before, after), sure = move.values, 1.0
+    if move.share:
+        sure = (abs(after - before) - move.least) / max(abs(before), abs(after))
+    return move.exceeds_threshold, move.section in config().changes.deciding, sure
+
+
+def settings_text(settings: Sequence[Move]) -> str:
+    """Name the settings that changed, alarms first, and those that only one edition has."""
+    changed = [move for move in settings if None not in move.values]
+    changed.sort(key=lambda move: not move.exceeds_threshold)
+    told = [few([f"{move.place['case']} {move.ends}" for move in changed], 2 * NAMED)] if changed else []
+    for word, index in (("new", 0), ("gone", 1)):
+        if lone := [move.place["case"] for move in settings if move.values[index] is None]:
+            told.append(f"{word}: {', '.join(lone)}")
+    notes = config().changes.setting_notes
+    told += dict.fromkeys(notes[kind] for kind in (move.place["kind"] for move in changed) if kind in notes)
+    return "; ".join(told) or "all as they were"
+
+
+def few(names: Sequence[str], count: int = NAMED) -> str:
+    more = f"; and {len(names) - count} more" if len(names) > count else ""
+    return "; ".join(names[:count]) + more
+
+
+def power(found: Comparison) -> str:
+    """Say the least change of each named number that would have shown, and which were not measured in both."""
+    least: dict[str, float] = {}
+    for cell in found.cells:
+        if cell.name in config().changes.thresholds and cell.share is not None and cell.values[0]:
+            words = column_of(cell.column).words
+            least[words] = max(least.get(words, ROUNDING_SHARE), NEAR_NOISE * cell.least / abs(cell.values[0]))
+    told = ", ".join(f"{words} from {100 * share:.2g} %" for words, share in least.items()) or "nothing that is named"
+    return told + (f"; not measured in both: {', '.join(found.missing)}" if found.missing else "")

@@ -1,17 +1,34 @@
 """Comparison of two editions: what can't be trusted, which claims flipped, and which values moved beyond the noise."""
 
-from collections.abc import Iterable
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
-from measured_report.changes.costs import is_cost
-from measured_report.changes.faults import Fault, faults_between, faults_of
-from measured_report.changes.flips import Flip, flips_between
-from measured_report.changes.moves import Move, cells_between, rows_by_key, unlike
+from measured_report.changes.flips import Flip, cells, flips_between
+from measured_report.changes.moves import Move, cells_between
 from measured_report.files.config import config
-from measured_report.pages.chapters import Chapters
 from measured_report.pages.editions import Edition
+from measured_report.records.columns import UNBELIEVED, column_of
 from measured_report.values.noise import NOISE, Repeats, repeats_of
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A reason not to trust results."""
+
+    release: str
+    section: str
+    kind: str
+    """``damaged``, ``missing``, ``not shown``, ``broken`` or ``cannot tell``."""
+    reason: str
+    claim: str = ""
+    """The claim that can't be told for it."""
+
+    @property
+    def text(self) -> str:
+        place = f"{self.section}.{self.claim}".rstrip(".")
+        return f"{self.kind}: {config().package} {self.release}, {place}: {self.reason}"
 
 
 @dataclass(frozen=True)
@@ -60,55 +77,70 @@ def compare(before: Edition, after: Edition) -> Comparison:
     shared = [name for name in before.chapters if name in after.chapters]
     return Comparison(
         releases=(before.project.release, after.project.release),
-        faults=list(dict.fromkeys([*faults_between(before, after), *faults_of(before), *faults_of(after)])),
+        faults=list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)])),
         flips=flips_between(*sides),
         cells=[each for name in shared for each in cells_between(sides[0][name], sides[1][name], repeats)],
-        notes=[*_unshared(before, after), *_costs_apart(*sides), *_unlike_runs(*sides), *_inconclusive_claims(*sides)],
+        notes=[*_uncompared(before, after)],
     )
 
 
-def _unshared(*sides: Edition) -> list[str]:
-    """Name the sections that only one has; that the other's are gone is a fault, and is said as one."""
-    names = dict.fromkeys(section for side in sides for section in side.chapters)
-    return [
-        f"{section}: {config().package} {side.project.release} has no results of it"
-        for section in names
-        for side in sides
-        if any(state.section == section and state.kind == "missing" for state in side.left_out)
-    ]
+def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
+    """Name the sections that one edition lacks, and those whose costs are of other machines."""
+    for side, other in ((before, after), (after, before)):
+        for state in side.left_out:
+            if state.kind == "missing" and state.section in other.chapters:
+                yield f"{state.section}: {config().package} {side.project.release} has no results of it"
+    apart: dict[str, list[str]] = {}
+    for section in (name for name in before.chapters if name in after.chapters):
+        records = [side.chapters[section].results.record for side in (before, after)]
+        has_costs = any("cost" in column_of(name).kinds for name in records[0].units)
+        if has_costs and len({record.machine_for_speed for record in records}) > 1:
+            apart.setdefault(" and on ".join(record.machine_in_full for record in records), []).append(section)
+    for machines, names in apart.items():
+        yield f"speed and cost in {', '.join(names)}: measured on {machines}"
 
 
-def _costs_apart(before: Chapters, after: Chapters) -> list[str]:
-    """Say where costs are not compared, once for each pair of machines, with the sections."""
-    sections: dict[tuple[str, str], list[str]] = {}
-    for section in before:
-        if section in after and any(map(is_cost, before[section].results.record.units)):
-            sides = before[section].results.record, after[section].results.record
-            if sides[0].machine_for_speed != sides[1].machine_for_speed:
-                machines = sides[0].machine_in_full, sides[1].machine_in_full
-                sections.setdefault(machines, []).append(section)
-    return [
-        f"speed and cost in {', '.join(names)}: measured on {' and on '.join(machines)}"
-        for machines, names in sections.items()
-    ]
+def faults_of(edition: Edition) -> list[Fault]:
+    """Return what an edition's own results say against it: records that are damaged, gone or can't be shown, and claims
+    that can't be told because a run broke down."""
+    release, manifest, sections = edition.project.release, edition.project.manifest, edition.chapters
+    found = []
+    for state in edition.left_out:
+        if state.kind != "missing":
+            kind = "damaged" if state.kind == "damaged" else "not shown"
+            found.append(Fault(release, state.section, kind, state.words))
+        elif manifest and state.section in manifest.sections:
+            found.append(Fault(release, state.section, "missing", "it was measured, and its results are gone"))
+    for name, chapter in sections.items():
+        for claim in chapter.section.claims:
+            if claim.outcome.name == "unknown" and not claim.outcome.is_inconclusive:
+                lost = (row for _, row, column in cells(claim.outcome.reads, sections) if row.get(column) is None)
+                broken = next(filter(None, map(_breakdown, lost)), "")
+                found += [Fault(release, name, "cannot tell", broken, claim.name)] if broken else []
+    return found
 
 
-def _unlike_runs(before: Chapters, after: Chapters) -> Iterable[str]:
-    """Say of which runs rates alone are compared, or nothing, for what was not alike."""
-    for section in (name for name in before if name in after):
-        old, new = rows_by_key(before[section]), rows_by_key(after[section])
-        found = {key: unlike(old[key].plain, new[key].plain) for key in old if key in new}
-        if names := list(dict.fromkeys(name for names in found.values() for name in names)):
-            count = sum(map(bool, found.values()))
-            yield f"{section}: all but rates of {count} runs, for another {' or '.join(names)}"
+def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
+    """Yield what speaks against one of two editions only because the other is sound there: sections that are gone, and
+    the first run that breaks down in a section that has none such in the other.
+
+    Where runs break down in both, as where a section looks for the edge at which they do, its claims decide.
+    """
+    for state in () if after.project.manifest else after.left_out:  # one that has it says itself what it misses
+        if state.kind == "missing" and state.section in before.chapters:
+            reason = f"no results, which {config().package} {before.project.release} has"
+            yield Fault(after.project.release, state.section, "missing", reason)
+    for section in (name for name in before.chapters if name in after.chapters):
+        records = [side.chapters[section].results.record for side in (before, after)]
+        broken = [list(filter(None, map(_breakdown, record.rows))) for record in records]
+        for edition, reasons in zip((before, after), broken, strict=True):
+            if reasons and not all(broken):
+                others = f", and {len(reasons) - 1} more" if reasons[1:] else ""
+                yield Fault(edition.project.release, section, "broken", reasons[0] + others)
 
 
-def _inconclusive_claims(*sides: Chapters) -> Iterable[str]:
-    """Name the claims that are no flips only because one of the editions has them near the noise."""
-    return dict.fromkeys(
-        f"{section}.{claim.name}: near the noise"
-        for side in sides
-        for section, chapter in side.items()
-        for claim in chapter.section.claims
-        if claim.outcome.is_inconclusive
-    )
+def _breakdown(row: Mapping[str, Any]) -> str:
+    """Say which run it is and why it can't be trusted; empty where nothing is against it."""
+    unbelieved = (cell for cell in row.values() if isinstance(cell, str) and cell.startswith(UNBELIEVED))
+    reason = row.get("failure") or next(unbelieved, "")
+    return reason and f"{row['case']}: {reason}"

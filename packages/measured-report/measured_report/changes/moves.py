@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from measured_report.changes.costs import cost_terms
 from measured_report.files.config import config
 from measured_report.pages.chapters import Chapter
 from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import REASON, column_of, is_number, parameters
+from measured_report.records.record import Record
 from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost, is_repeated
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
@@ -79,15 +79,6 @@ class Move:
         return (after - before) / abs(before) if before else math.copysign(math.inf, after) if after else 0.0
 
     @property
-    def sure_share(self) -> float:
-        """Return what of the change is beyond the noise, as a share of the larger value; all of what is gone."""
-        if self.share is None:
-            return 1.0
-        before, after = self.values
-        larger = max(abs(before), abs(after))
-        return max(0.0, abs(after - before) - self.least) / larger if larger else 0.0
-
-    @property
     def exceeds_threshold(self) -> bool:
         """Tell whether a setting, or a number that report.toml names, moved by more than its threshold.
 
@@ -130,19 +121,10 @@ class Move:
 
     @property
     def ends(self) -> str:
-        """Write before and after, the unit once; of a setting as many digits as tell them apart."""
+        """Write before and after; of a setting as many digits as tell them apart."""
         if self.is_setting:
             return " → ".join("none" if value is None else f"{value:.7g}" for value in self.values)
-        if isinstance(self.before, Quantity) and None not in self.values:
-            return f"{self.before.written} → {self.after}"
         return f"{_said(self.before)} → {_said(self.after)}"
-
-    @property
-    def setting(self) -> str:
-        """Name a setting, before and after."""
-        kind = config().changes.settings[self.place["kind"]]
-        name = self.place["case"].removeprefix(f"{self.place['kind']}-")
-        return f"{kind} {name} {self.ends}"
 
 
 def cells_between(before: Chapter, after: Chapter, repeats: Sequence[Repeats]) -> Iterator[Move]:
@@ -151,7 +133,7 @@ def cells_between(before: Chapter, after: Chapter, repeats: Sequence[Repeats]) -
     ``repeats`` say how far apart runs of each come out.
     """
     rules, records = config().changes, (before.results.record, after.results.record)
-    old, new = rows_by_key(before), rows_by_key(after)
+    old, new = _rows_by_key(before), _rows_by_key(after)
     for key in dict.fromkeys((*old, *new)):
         place, a, b = dict(key), old.get(key), new.get(key)
         if a is None or b is None:
@@ -168,15 +150,9 @@ def cells_between(before: Chapter, after: Chapter, repeats: Sequence[Repeats]) -
                     yield Move(column, a[column], b[column], noise, is_chosen, before.name, place)
 
 
-def unlike(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
-    """Name what two runs were not set to alike, or how much was not run alike."""
-    return [
-        name
-        for name, cell in before.items()
-        if ("setting" in column_of(name).kinds or name in parameters())
-        and None not in (cell, after.get(name))
-        and cell != after[name]
-    ]
+def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
+    """Return what two costs must share to be compared: the machine, and how many frames and worlds."""
+    return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
 
 
 def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> bool:
@@ -189,7 +165,9 @@ def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> b
     if any(lost) or ("cost" in about.kinds and not has_same_terms):
         return False
     # Of runs that were not set alike nothing compares, and of those that ran for longer or shorter rates alone.
-    other = [column_of(name).kinds for name in unlike(*cells)]
+    a, b = cells
+    unlike = (name for name in a if None not in (a[name], b.get(name)) and a[name] != b[name])
+    other = [kinds for name in unlike if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
     return not other or about.is_setting or (about.is_rate and all("setting" in kinds for kinds in other))
 
 
@@ -215,14 +193,12 @@ def _noise(
     return (chosen, True) if known != found or "cost" in column_of(column).kinds else (max(known), False)
 
 
-def rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
+def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     """Return rows by what tells them apart; those that nothing does are left out, and repeats, which are the noise."""
-    rules = config().changes
-    names = (*rules.keys, *rules.untold_keys)
+    names = (*config().changes.keys, *config().changes.untold_keys)
     rows = [row for row in chapter.results.rows if not (chapter.name == NOISE and "of" in row)]
-    keys = [
-        tuple((name, part) for name in names if name in row and (part := _plain(row[name])) is not None) for row in rows
-    ]
+    plain = [[(name, _plain(row[name])) for name in names if name in row] for row in rows]
+    keys = [tuple((name, part) for name, part in parts if part is not None) for parts in plain]
     counts = Counter(keys)
     return {key: row for key, row in zip(keys, rows, strict=True) if counts[key] == 1}
 

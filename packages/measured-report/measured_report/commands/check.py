@@ -3,7 +3,7 @@
 import argparse
 
 from measured_report.changes.alarm import check_text
-from measured_report.changes.faults import faults_of
+from measured_report.changes.compare import faults_of
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.page import say_damage
 from measured_report.editions.project import Project

@@ -56,12 +56,6 @@ def measure(
     return kept
 
 
-def prepare(project: Project, release: Release, sections: Sequence[str], device: str) -> None:
-    """Install a release and make it ready to measure these sections; UsageError where that can't be."""
-    options = ["--profile", project.profile, "--edition", str(release), "--only-prepare"]
-    _run(project, release, MODULE, device, *sections, *options)
-
-
 def measure_headline(project: Project, release: Release, device: str, program: str) -> Mapping[str, Any]:
     """Measure the headline and keep nothing of it; return what ``program`` writes."""
     with TemporaryDirectory() as folder:

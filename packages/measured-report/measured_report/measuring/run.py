@@ -40,8 +40,6 @@ def main() -> int:
     try:
         asked = sections_asked(arguments)
         with pools(arguments, asked) as (shared, exclusive):
-            if arguments.only_prepare:
-                return 0
             status = FAILED
             return FAILED if Loop(asked, shared, exclusive).run() else 0
     except ReportError as error:
@@ -55,7 +53,6 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--device", choices=("cuda", "cpu"), default="cuda" if has_cuda() else "cpu")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
-    parser.add_argument("--only-prepare", action="store_true", help="try whether it can be measured, and compile")
     parser.add_argument("--aside", metavar="FOLDER", default="", help="where below results/ they are kept apart")
     parser.add_argument("--cluster", metavar="CLUSTER", help="who measures: local, tcp://HOST:PORT or tls://HOST:PORT")
     parser.add_argument("--processor", metavar="NAME", help="the only GPU that the cluster may measure on")
