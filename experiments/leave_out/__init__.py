@@ -6,18 +6,13 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
-from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
 from experiments.facts.trace import Trace
 from experiments.leave_out.audit import audit, audit_rows
-from experiments.leave_out.stages import stage_rows
 from experiments.simulation.frame_benchmark import TIMED, time_cases
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
-from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
+from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
 from experiments.simulation.simulation import Simulation, simulate
-from experiments.simulation.timing import in_the_shake
 from measured_report.measuring.batch import Batch, Plan
-from measured_report.measuring.pool import gather, processes, start
 
 WITHOUT = {
     "buffers": {"contact_max": None, "constraint_max": None},
@@ -33,8 +28,6 @@ WITHOUT = {
     "limits": {"limits": False},
 }
 """Parameters by the name of what they leave out."""
-IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
-"""Parts of the engine's model. The others are about how the model is run."""
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
@@ -58,11 +51,9 @@ def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
 def measure(conditions: Conditions) -> Plan:
     kinds = ("cuda", "cpu") if conditions.is_cuda else ("cpu",)
     timings = [(kind, count) for kind in kinds for count in ((1,) if conditions.quick else WORLD_COUNTS[kind])]
-    trajectories, doubles, items, stages, *times = yield [
+    trajectories, items, *times = yield [
         Batch("to-end", run_to_end, (conditions, kinds)),
-        Batch("doubles", measure_doubles, (conditions,)),
         Batch("audit", measure_audit, (conditions,)),
-        Batch("stages", measure_stages, (kinds,)),
         *(Batch(f"{kind}-{n}", measure_times, (conditions, kind, n), exclusive=True) for kind, n in timings),
     ]
     rows = []
@@ -71,8 +62,7 @@ def measure(conditions: Conditions) -> Plan:
             for case in variants(conditions.quick) if of == kind else ():
                 row = {"case": case.name, "device": kind, "worlds": count}
                 rows.append(row | timed[case.name] | trajectories[kind][case.name])
-        rows += stages[kind]
-    return Measurement(rows + doubles + items)
+    return Measurement(rows + items)
 
 
 def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[str, dict[str, object]]:
@@ -83,10 +73,6 @@ def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[s
     untimed = absent(TIMED, "not timed here, where it would take long")
     found = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
     return found | time_cases(timed, world_count, wp.get_device(kind))
-
-
-def measure_stages(kinds: Sequence[str]) -> dict[str, list[dict[str, object]]]:
-    return {kind: stage_rows(in_the_shake([AS_SHIPPED], wp.get_device(kind)), kind) for kind in kinds}
 
 
 def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
@@ -139,30 +125,6 @@ def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
         missing = next((row[f"{name}_reason"] for row in summaries if row[name] is None), None)
         columns |= absent([name], missing) if missing else {name: float(np.mean(values))}
     return columns
-
-
-def measure_doubles(conditions: Conditions) -> list[dict[str, object]]:
-    """Run the shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left
-    out? Where it is, differences that single precision shows are rounding. All runs start from the same state.
-    """
-    wanted = {UNTRIMMED.name, "without-all", *(f"without-{name}" for name in IN_THE_MODEL)}
-    frame_count = conditions.frame_count(AS_SHIPPED.frame_count) - SETUP_FRAME_COUNT
-    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick) if case.name in wanted]
-    [at_start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), frame_count)
-    with processes(len(cases)) as pool:
-        traces = gather(start(pool, run_native, [(case, at_start) for case in cases]), "leave_out in C")
-    return [double_row(case, trace, traces[0]) for case, trace in zip(cases, traces, strict=True)]
-
-
-def run_native(case: Case, at_start: Start) -> Trace:
-    return NativeShake(case, at_start).run()
-
-
-def double_row(case: Case, trace: Trace, reference: Trace) -> dict[str, object]:
-    failure = str(trace.failure) if trace.failure else None
-    slip = absent(["slip_mm"], failure) if failure else {"slip_mm": metrics.slip_mm(metrics.displacement(trace))}
-    row = {"case": f"double-{case.name}", "of": case.name, "failure": failure}
-    return row | slip | likeness(trace, reference)
 
 
 def likeness(trace: Trace, reference: Trace) -> dict[str, object]:

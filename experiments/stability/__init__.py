@@ -1,4 +1,4 @@
-"""Where the grasp holds, creeps, drops and explodes: extreme cases, and the largest step for each stiffness."""
+"""Where the grasp holds, creeps, drops and explodes: extreme cases, and steps from short to long."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -24,14 +24,7 @@ from experiments.simulation.scene import cube_start
 from experiments.simulation.simulation import simulate
 from experiments.simulation.task import FRAME_RATE
 from experiments.stability import families as stability_families
-from experiments.stability.families import (
-    DAMPING,
-    HOLD_FRAME_COUNT,
-    REFERENCE_SUBSTEPS,
-    SHAKE_FRAME_COUNT,
-    Probe,
-    grid_cell,
-)
+from experiments.stability.families import HOLD_FRAME_COUNT, REFERENCE_SUBSTEPS, SHAKE_FRAME_COUNT, Probe
 from measured_report.measuring.batch import Batch, Plan
 
 OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}
@@ -41,7 +34,6 @@ FLOOR_FAMILY = "steps"
 SINGLE_FAMILY = "buffers"
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
-BISECTION_ROUNDS = {"full": 3, "quick": 1}
 HOLD_END = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)
 """Frames in which the grip at rest is measured."""
 GONE_M = 0.005
@@ -65,9 +57,10 @@ def measure(conditions: Conditions) -> Plan:
 def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], float]:
     """Return a row for each case but the long run, and what creep cannot be told from none [mm/s]."""
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
-    runs = [replace_frames(found, frame_count) for found in stability_families.probes(conditions.profile)]
+    probes = stability_families.probes(conditions.profile)
+    runs = [replace(probe, case=replace(probe.case, frame_count=frame_count)) for probe in probes]
     runs += stability_families.buffers(frame_count)
-    traces = simulate_repeats(conditions, runs, title="stability")
+    traces = simulate_repeats(conditions, runs)
     floor = creep_floor_mm_s(
         [
             [creep_mm_s(case, trace) for case, trace in group]
@@ -76,7 +69,7 @@ def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], flo
         ]
     )
     rows = [worst(run, [observe(*one, floor) for one in group]) for run, group in zip(runs, traces, strict=True)]
-    return [row | {"creep_floor_mm_s": floor} for row in rows + search_steps(conditions, rows, floor)], floor
+    return [row | {"creep_floor_mm_s": floor} for row in rows], floor
 
 
 def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
@@ -86,11 +79,7 @@ def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
     return long, trace
 
 
-def replace_frames(run: Probe, frame_count: int) -> Probe:
-    return replace(run, case=replace(run.case, frame_count=frame_count))
-
-
-def simulate_repeats(conditions: Conditions, runs: Sequence[Probe], title: str) -> list[list[tuple[Case, Trace]]]:
+def simulate_repeats(conditions: Conditions, runs: Sequence[Probe]) -> list[list[tuple[Case, Trace]]]:
     """Return every repeat of every run, all of them side by side.
 
     What explodes does so at once, and then costs the most solver iterations that there are, of which all worlds of its
@@ -104,16 +93,14 @@ def simulate_repeats(conditions: Conditions, runs: Sequence[Probe], title: str) 
         for case in group
         if run.family in TRIED_FAMILIES
     ]
-    trials = zip(
-        tried, simulate(tried, device=conditions.device, title=f"{title}, trial") if tried else [], strict=True
-    )
+    trials = simulate(tried, device=conditions.device, title="stability, trial")
     ended = {
         (case.name, case.cube_offset_m): trace
-        for case, trace in trials
+        for case, trace in zip(tried, trials, strict=True)
         if not is_finite(trace) or is_exploded(case, trace)
     }
     waiting = [case for case in cases if (case.name, case.cube_offset_m) not in ended]
-    traces = iter(simulate(waiting, device=conditions.device, title=title))
+    traces = iter(simulate(waiting, device=conditions.device, title="stability"))
     return [[(case, ended.get((case.name, case.cube_offset_m)) or next(traces)) for case in group] for group in groups]
 
 
@@ -250,59 +237,4 @@ def long_table(trace: Trace) -> dict[str, np.ndarray]:
     names = ("x_mm", "y_mm", "z_mm")
     return {"time_s": moved.time_s[every], "along_mm": 1e3 * moved.along_m[every]} | dict(
         zip(names, vector.T, strict=True)
-    )
-
-
-def bracket(stable: Mapping[int, bool]) -> tuple[int, int] | None:
-    """Return the number of substeps that fails last and the next that was seen to hold, from what was found for some
-    numbers.
-
-    0 for the first when even the least number holds; None when the largest does not.
-    """
-    counts = sorted(stable)
-    failing = [count for count in counts if not stable[count]]
-    if not stable[counts[-1]]:
-        return None
-    last = failing[-1] if failing else 0
-    return last, next(count for count in counts if count > last)
-
-
-def search_steps(conditions: Conditions, rows: Sequence[Mapping], floor: float) -> list[dict[str, object]]:
-    """Find for each stiffness of the grids the least number of substeps that holds the cube, by bisection.
-
-    All stiffnesses are searched together: one round is one ``simulate``.
-    """
-    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT["quick"]
-    cells: dict[tuple[str, float], dict[int, Mapping]] = {}
-    for row in rows:
-        if row["family"] in DAMPING:
-            cells.setdefault((row["family"], row["pad_ke"]), {})[row["substeps"]] = row
-    for _ in range(BISECTION_ROUNDS[conditions.profile]):
-        wanted = []
-        for (family, ke), found in cells.items():
-            ends = bracket({count: row["class"] in STABLE for count, row in found.items()})
-            if ends and ends[0] > 0 and ends[1] - ends[0] > 1:
-                wanted.append(replace_frames(grid_cell(family, ke, sum(ends) // 2), frame_count))
-        if not wanted:
-            break
-        traces = simulate_repeats(conditions, wanted, title="stability, largest step")
-        for run, group in zip(wanted, traces, strict=True):
-            row = worst(run, [observe(*one, floor) for one in group])
-            cells[run.family, run.parameters["pad_ke"]][run.case.substeps] = row
-    return [largest_step_row(family, ke, found) for (family, ke), found in cells.items()]
-
-
-def largest_step_row(family: str, ke: float, found: Mapping[int, Mapping]) -> dict[str, object]:
-    """Return the run with the largest step that holds, and by which step the next larger one that was tried fails."""
-    ends = bracket({count: row["class"] in STABLE for count, row in found.items()})
-    least = ends[1] if ends else max(found)
-    row = dict(found[least]) | {"case": f"largest-step-{family}-{ke:.3g}", "family": "largest-step", "of": family}
-    fails_at = ends[0] if ends else least
-    row |= numbers(
-        "" if ends else f"it holds at none of the steps: {row['class']} at the smallest",
-        largest_step_ms=lambda: 1e3 / FRAME_RATE / least,
-        substeps_least=lambda: least,
-    )
-    return row | numbers(
-        "" if fails_at else "no step that was tried fails", failing_step_ms=lambda: 1e3 / FRAME_RATE / fails_at
     )

@@ -72,7 +72,7 @@ def probe(family: str, name: str, changes: Mapping[str, object], **parameters) -
 
 
 def probes(profile: str) -> list[Probe]:
-    """Return all families, but for the search of the largest step, which builds on the grids."""
+    """Return all families but the buffers, whose runs are of another length."""
     return [
         *steps(profile),
         *grids(profile),

@@ -1,4 +1,4 @@
-"""The limits by hand, the search of the largest step, and the extreme cases on the real engine."""
+"""The limits by hand, and the extreme cases on the real engine."""
 
 from dataclasses import replace
 
@@ -12,7 +12,7 @@ from experiments.facts.trace import FRAME_COLUMNS, Trace
 from experiments.simulation import limits
 from experiments.simulation.scene import CUBE_IN_HAND
 from experiments.simulation.simulation import is_due, simulate
-from experiments.stability import FREED_FRAMES, bracket, freed_columns, worst
+from experiments.stability import FREED_FRAMES, freed_columns, worst
 from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
 from report.sections.stability.claims import MU
 
@@ -47,15 +47,6 @@ def test_demand_leaves_out_what_the_pads_carry_by_pressing():
     poses[:, metrics.TCP, 1] = 0.5 * 50.0 * time**2
     trace = Trace(1.0 / 60.0, np.full(121, metrics.SHAKE), poses, np.zeros((121, len(FRAME_COLUMNS))))
     assert limits.demand_m_s2(replace(BASE, gravity_m_s2=4.0), trace) == pytest.approx(5.0, rel=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("stable", "expected"),
-    [({1: False, 2: False, 4: True, 8: True}, (2, 4)), ({1: True, 2: True}, (0, 1)), ({1: False, 2: False}, None)]
-    + [({1: True, 2: False, 4: True}, (2, 4)), ({1: True, 2: True, 4: False}, None)],
-)
-def test_bracket(stable, expected):
-    assert bracket(stable) == expected
 
 
 @pytest.mark.parametrize(("count", "longest"), [(7, 7), (3, 7), (1, 7), (7, 8)])

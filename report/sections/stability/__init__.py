@@ -51,8 +51,6 @@ labels = {
     "buffers-contact-#": "room for {} contacts",
     "buffers-constraint-#": "room for {} constraint rows",
     "buffers-ample": "ample buffers",
-    "largest-step-ke-critical-#": "largest step, ke {}, kd = 2√ke",
-    "largest-step-ke-kd-#-#": "largest step, ke {1}, kd {0}",
     "long-stiff": "stiff pads, long shake",
 }
 
