@@ -18,15 +18,7 @@ import warp as wp
 
 from experiments.facts.case import LEAN
 from experiments.lab import scene_mjcf
-from experiments.simulation.ablations import ABLATIONS
-from experiments.simulation.frame_benchmark import (
-    EngineSteps,
-    Frames,
-    build_frames,
-    time_columns,
-    warm_state,
-    world_rate,
-)
+from experiments.simulation.frame_benchmark import EngineSteps, build_frames, time_columns, warm_state, world_rate
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, captured
@@ -48,21 +40,17 @@ def measure_ways(conditions: Conditions, world_count: int, step_count: int) -> l
     simulation.step()
     wp.synchronize_device(warm.device)
     mjcf = with_keyframe(scene_mjcf(), simulation)
-    is_cuda, ours = warm.device.is_cuda, simulation.solver.mjw_data
-    steps = {"our-engine-steps": (EngineSteps(whole), ours)} if is_cuda else {}
-    bare = Bare(mjcf, world_count, warm.device)
+    bare, ours = Bare(mjcf, world_count, warm.device), simulation.solver.mjw_data
     # Each way's frame, by name, with the engine whose contacts and rows it has.
     ways: dict[str, tuple[Callable[[int], float], mjw.Data]] = {
         "whole": (whole, ours),
-        "each-step-waited-for": (bare.each_step, bare.data),
-        "steps-in-one-graph": (bare.one_graph, bare.data),
-        "collision-once": (bare.collision_once, bare.data),
-        **steps,
+        "each-step-waited-for": (lambda _: bare.frame_ms(bare.each_step), bare.data),
+        "steps-in-one-graph": (lambda _: bare.frame_ms(bare.steps), bare.data),
+        "collision-once": (lambda _: bare.frame_ms(bare.steps_collision_once), bare.data),
+        "our-engine-steps": (EngineSteps(whole), ours),
     }
-    for name, ablation in ABLATIONS.items():
-        ways[f"without-{name}"] = Frames(simulation, whole.case, warm, ablation), ours
     about = {"worlds": world_count, "contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
-    rows = [about | testspeed(mjcf, world_count, step_count)] if is_cuda else []
+    rows = [about | testspeed(mjcf, world_count, step_count)]
     results = time_in_turn([run for run, _ in ways.values()], cap_s=CAP_S)
     for (name, (_, data)), found in zip(ways.items(), results, strict=True):
         row = {"case": f"{name}-{world_count}", "way": name, **about, **time_columns(found)}
@@ -127,25 +115,20 @@ class Bare:
                 captured, (self._step, self._steps, self._steps_collision_once)
             )
         for run in (self.step, self.steps, self.steps_collision_once):
-            self._frame_ms(run)  # the first launch of a graph takes 20 ms more, and memory
+            self.frame_ms(run)  # the first launch of a graph takes 20 ms more, and memory
 
-    def each_step(self, _: int) -> float:
-        """Time a frame's steps [ms], each launched when the one before is done, as the benchmark does."""
+    def each_step(self) -> None:
+        """Run a frame's steps, each launched when the one before is done, as the benchmark does."""
+        for _ in range(LEAN.substeps):
+            self.step()
+            wp.synchronize_device(self.device)
 
-        def run() -> None:
-            for _ in range(LEAN.substeps):
-                self.step()
-                wp.synchronize_device(self.device)
-
-        return self._frame_ms(run)
-
-    def one_graph(self, _: int) -> float:
-        """Time the same steps as one graph [ms]."""
-        return self._frame_ms(self.steps)
-
-    def collision_once(self, _: int) -> float:
-        """Time the same with contacts found in the first step only [ms]."""
-        return self._frame_ms(self.steps_collision_once)
+    def frame_ms(self, run: Callable[[], None]) -> float:
+        """Time a frame's steps from the keyframe [ms]."""
+        with wp.ScopedDevice(self.device):
+            for array, start in self.state:
+                wp.copy(array, start)
+            return elapsed_ms(self.device, run)
 
     def _step(self) -> None:
         mjw.step(self.model, self.data)
@@ -159,9 +142,3 @@ class Bare:
             self.model.opt.run_collision_detection = substep == 0
             self._step()
         self.model.opt.run_collision_detection = True
-
-    def _frame_ms(self, run: Callable[[], None]) -> float:
-        with wp.ScopedDevice(self.device):
-            for array, start in self.state:
-                wp.copy(array, start)
-            return elapsed_ms(self.device, run)

@@ -1,8 +1,7 @@
 """Benchmark frames of the shake: cases are compared in turn in one process, all from the same states."""
 
 import gc
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from types import SimpleNamespace
@@ -113,26 +112,15 @@ class Clone(Simulation):
 
 
 class Frames:
-    """Blocks of frames of a case, which may share a simulation with others that differ in RUN_TIME_FIELDS only.
+    """Blocks of frames of a case, which may share a simulation with others that differ in RUN_TIME_FIELDS only."""
 
-    Args:
-        ablation: Is in force while the frames are captured.
-    """
-
-    def __init__(
-        self,
-        simulation: Simulation,
-        case: Case,
-        warm: WarmState,
-        ablation: Callable[[Simulation], AbstractContextManager] = nullcontext,
-    ):
+    def __init__(self, simulation: Simulation, case: Case, warm: WarmState):
         self.simulation, self.case, self.warm = simulation, case, warm
         most = LARGE_BATCH // simulation.world_count if simulation.device.is_cuda else 1
         self.frame_count = max(1, min(BLOCK_FRAME_COUNT, most))
         simulation.vary(case)
         warm.put(simulation, case)
-        with ablation(simulation):
-            run_frames(simulation, WARMUP_COUNT)
+        run_frames(simulation, WARMUP_COUNT)
         self.parts = simulation.parts, simulation.part_beside
         self.reason = batch_invalid_reason(simulation)
 

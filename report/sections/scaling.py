@@ -126,12 +126,8 @@ WAYS = {
     "collision-once": "contacts found once a frame",
     "our-engine-steps": "contacts and rows as Newton makes them",
     "whole": "whole frames: control, IK, collision, recording",
-    "without-recording": "whole frames without recording",
-    "without-inverse-kinematics": "whole frames without IK",
-    "without-control": "whole frames without control",
-    "without-collision": "whole frames without collision",
 }
-"""Names of the ways to run, each a switch from the one before; the last are switches from whole frames."""
+"""Names of the ways to run, each a switch from the one before."""
 SAME = 10.0
 """Chosen: how near the benchmark's speed and that of its loop run here count as the same [%]."""
 
@@ -147,7 +143,7 @@ def compare_with_benchmark(results: Results) -> tuple[Table, list[Claim]]:
         formula = "time of that loop over that of our frames, timed in turn, times its speed over the benchmark's"
         slower = rows[LOOP, count].frame_ratio
         gains[count] = results.value(f"gain_{count}", formula, lambda a, b, c: a * b / c, slower, *loops)
-    worst = resolution(results, "ways_resolution", (row for (way, _), row in rows.items() if way != "testspeed"))
+    worst = resolution(results, "table_resolution", (row for (way, _), row in rows.items() if way != "testspeed"))
 
     columns: dict[str, Column] = {
         worlds_name(count): [_length(results, way, count, rows[way, count], gains[count]) for way in WAYS]
