@@ -1,12 +1,12 @@
 """Other scenes, one law: a box on a slope, and grasps that others have published, written anew in MJCF."""
 
-from experiments.scenes import capsule, hand, pick, slope
+from experiments.scenes import capsule, pick, slope
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.measurement import Conditions, Measurement
 
 NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: small scenes, which a CPU measures in minutes."""
-SCENES = {"slope": slope, "capsule": capsule, "pick": pick, "hand": hand}
+SCENES = {"slope": slope, "capsule": capsule, "pick": pick}
 
 
 def measure(conditions: Conditions) -> Plan:

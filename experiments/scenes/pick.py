@@ -13,12 +13,26 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-from experiments.scenes import panda
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.mjcf_engines import ENGINES, SOLIMP, STEPS, InC, numbers
+from measured_report.files.root import ROOT
 from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.creep import impedance_at, predicted_creep
 
+SCENE = "assets/panda.xml"
+"""The robot, a floor and one free object; it says whose robot it is."""
+OPEN_M = 0.04
+"""How far each finger opens."""
+READY = (0.0, 0.0, 0.0, -1.5708, 0.0, 1.5708, -0.7853)
+AT_OBJECT = (-1.0104, 1.5623, 1.3601, -1.6840, -1.5863, 1.7810, 1.4598)
+LIFTED = (-1.0426, 1.4028, 1.5634, -1.7114, -1.4055, 1.6015, 1.4510)
+"""Poses of the arm [rad]."""
+PHASES_S = (1.0, 2.0, 3.0, 4.0)
+"""Ends of the motion over the object, of the one down to it, of closing and of lifting [s]."""
+PAD_HEIGHT_M = 0.00825
+"""Half the length of a pad along the finger."""
+PAD_SOLREF, PAD_SOLIMP = (0.01, 1.0), (0.99, 0.995, 0.01)
+"""As published; the solimp is the scene's."""
 OBJECTS = {"cube": 'type="box" size="0.02 0.02 0.02"', "ball": 'type="sphere" size="0.02"'}
 TOUCHED_M = {"cube": 0.02, "ball": 0.0}
 """How far above its centre the pads touch an object at most: a ball in one point."""
@@ -46,25 +60,24 @@ class Pick:
     timestep_s: float = 0.002
     cone: str = "pyramidal"
     impratio: float = 1.0
-    integrator: str = "Euler"
     timeconst_s: float | None = None
     """Time constant of pads and object; None: as published."""
 
     def mjcf(self) -> str:
         """Write the scene."""
         pads, own = self.solrefs
-        option = f'timestep="{self.timestep_s}" integrator="{self.integrator}"'
-        return panda.mjcf(
-            f'{OBJECTS[self.object]} solref="{numbers(own)}" solimp="{numbers(SOLIMP)}"',
-            f'{option} cone="{self.cone}" impratio="{self.impratio}"',
-            pad_solref=pads,
+        scene = (ROOT / SCENE).read_text(encoding="utf-8")
+        return scene.format(
+            object_geom=f'{OBJECTS[self.object]} solref="{numbers(own)}" solimp="{numbers(SOLIMP)}"',
+            option=f'timestep="{self.timestep_s}" cone="{self.cone}" impratio="{self.impratio}"',
+            pad_solref=numbers(pads),
         )
 
     @property
     def solrefs(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Solrefs of a pad and of the object."""
         if self.timeconst_s is None:
-            return panda.PAD_SOLREF, OBJECT_SOLREF
+            return PAD_SOLREF, OBJECT_SOLREF
         return (self.timeconst_s, 1.0), (self.timeconst_s, 1.0)
 
 
@@ -76,13 +89,11 @@ SETTINGS: dict[str, dict[str, Any]] = {
 
 
 def cases() -> list[Pick]:
-    """List every setting with either step in C and through Newton; and in C with another integrator."""
+    """List every setting with either step in C and through Newton."""
     found = []
     for kind, (step, step_s), name in product(OBJECTS, (("2ms", 0.002), ("10ms", 0.01)), SETTINGS):
         case = Pick(f"{kind}-{step}-{name}", object=kind, timestep_s=step_s, **SETTINGS[name])
         found += [replace(case, name=f"{case.name}-{engine}", engine=engine) for engine in ("c", "newton")]
-        if name != "short":
-            found.append(replace(case, name=f"{case.name}-implicitfast", integrator="implicitfast"))
     return found
 
 
@@ -101,8 +112,7 @@ def rows(conditions: Conditions) -> list[dict[str, object]]:
 def described(case: Pick) -> dict[str, object]:
     """Say what a case sets."""
     row: dict[str, object] = {"case": case.name, "backend": case.engine, "object": case.object, "cone": case.cone}
-    row |= {"impratio": case.impratio, "integrator": case.integrator, "timestep": case.timestep_s}
-    return row | {"timeconst_s": case.solrefs[0][0]}
+    return row | {"impratio": case.impratio, "timestep": case.timestep_s, "timeconst_s": case.solrefs[0][0]}
 
 
 def shaken(case: Pick, conditions: Conditions) -> dict[str, object]:
@@ -113,6 +123,14 @@ def shaken(case: Pick, conditions: Conditions) -> dict[str, object]:
         return row | shake_columns(*shake(case, seeds, END_S[conditions.profile], conditions.device))
     except RunFailed as failed:
         return row | absent((*COUNTS, *DROPS), str(failed))
+
+
+def command(time_s: float) -> np.ndarray:
+    """Return the controls of arm and fingers while the object is picked up, and after it [rad, m], shape [8]."""
+    over, down, closed, lifted = PHASES_S
+    at = (0.0, over, down, closed, lifted)
+    arm = [np.interp(time_s, at, joint) for joint in zip(READY, LIFTED, AT_OBJECT, AT_OBJECT, LIFTED, strict=True)]
+    return np.array([*arm, np.interp(time_s, at, (OPEN_M, OPEN_M, OPEN_M, 0.0, 0.0))])
 
 
 def shake_columns(lifted: np.ndarray, drop_s: np.ndarray) -> dict[str, object]:
@@ -135,16 +153,16 @@ def shake(case: Pick, seeds: Sequence[int], end_s: float, device: str) -> tuple[
     engine = ENGINES[case.engine](case.mjcf(), len(seeds), device)
     randoms = [np.random.default_rng(seed) for seed in seeds]
     pair_s = STEPS * case.timestep_s
-    begin = round(panda.PHASES_S[-1] / pair_s)
+    begin = round(PHASES_S[-1] / pair_s)
     drop_s = np.full(len(seeds), np.nan)
     lifted: np.ndarray = np.zeros(len(seeds), dtype=bool)
-    control = np.tile(panda.command(0.0), (len(seeds), 1))
+    control = np.tile(command(0.0), (len(seeds), 1))
     for pair in range(1, round(end_s / pair_s) + 1):
         time_s = pair * pair_s
         if pair < begin:
-            control[:] = panda.command(time_s)
+            control[:] = command(time_s)
         else:
-            control[:, :7] = panda.LIFTED + np.array([random.normal(0.0, SPREAD_RAD, 7) for random in randoms])
+            control[:, :7] = LIFTED + np.array([random.normal(0.0, SPREAD_RAD, 7) for random in randoms])
         engine.command(control)
         engine.advance()
         if pair >= begin:
@@ -166,13 +184,13 @@ def hold(case: Pick) -> dict[str, float]:
     model, [world] = engine.model, engine.worlds
     pair_s, height = STEPS * case.timestep_s, []
     for pair in range(1, round(HOLD_S[1] / pair_s) + 1):
-        engine.command(panda.command(pair * pair_s)[None])
+        engine.command(command(pair * pair_s)[None])
         engine.advance()
         if pair * pair_s >= HOLD_S[0]:
             height.append(world.body("object").xpos[2] - world.geom("pad1").xpos[2])
     contacts, weight_n = engine.contacts(), float(-model.opt.gravity[2] * model.body_mass[-1])
     pads, own = case.solrefs
-    solimp = 0.5 * np.add((*panda.PAD_SOLIMP, 0.5, 2.0), SOLIMP)
+    solimp = 0.5 * np.add((*PAD_SOLIMP, 0.5, 2.0), SOLIMP)
     finger, held = (model.body_invweight0[body, 0] for body in (-2, -1))
     forecast = predicted_creep(
         0.5 * np.add(pads, own),
@@ -184,7 +202,7 @@ def hold(case: Pick) -> dict[str, float]:
         impratio=case.impratio,
         cone=case.cone,
     )
-    margin_mm = 1e3 * float(height[0] + panda.PAD_HEIGHT_M + TOUCHED_M[case.object])
+    margin_mm = 1e3 * float(height[0] + PAD_HEIGHT_M + TOUCHED_M[case.object])
     return {
         "creep_mm_s": 1e3 * float((height[0] - height[-1]) / (pair_s * (len(height) - 1))),
         "predicted_creep_mm_s": 1e3 * contacts.creep_m_s(weight_n),

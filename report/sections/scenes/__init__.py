@@ -2,7 +2,7 @@
 
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.sections.scenes import capsule, creep, hand, pick
+from report.sections.scenes import capsule, creep, pick
 from report.shared.arithmetic import joined
 
 order = 184  # after the sections that creep reads
@@ -10,7 +10,7 @@ page = "scenes"
 reads = ("contacts", "cure")
 label = "other scenes"
 
-PARTS = (creep, capsule, pick, hand)
+PARTS = (creep, capsule, pick)
 
 
 def derive(results: Results) -> Section:

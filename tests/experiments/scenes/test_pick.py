@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from experiments.scenes import panda, pick, slope
-from experiments.scenes.pick import OBJECTS, Pick, hold, shake
+from experiments.scenes import pick, slope
+from experiments.scenes.pick import Pick, hold, shake
 from experiments.simulation.mjcf_engines import InC
 from measured_report.measuring.measurement import Conditions
 
@@ -18,14 +18,14 @@ def test_the_box_creeps_down_the_slope_as_predicted():
 
 
 def test_the_panda_goes_where_it_is_told():
-    assert panda.command(0.0) == pytest.approx([*panda.READY, panda.OPEN_M])
-    assert panda.command(2.0) == pytest.approx([*panda.AT_OBJECT, panda.OPEN_M])
-    assert panda.command(3.0) == pytest.approx([*panda.AT_OBJECT, 0.0])
-    assert panda.command(9.0) == pytest.approx([*panda.LIFTED, 0.0])
-    engine = InC(panda.mjcf(OBJECTS["cube"], ""))
+    assert pick.command(0.0) == pytest.approx([*pick.READY, pick.OPEN_M])
+    assert pick.command(2.0) == pytest.approx([*pick.AT_OBJECT, pick.OPEN_M])
+    assert pick.command(3.0) == pytest.approx([*pick.AT_OBJECT, 0.0])
+    assert pick.command(9.0) == pytest.approx([*pick.LIFTED, 0.0])
+    engine = InC(Pick("").mjcf())
     [world] = engine.worlds
-    world.qpos[:7] = panda.AT_OBJECT
-    engine.command(panda.command(2.0)[None])
+    world.qpos[:7] = pick.AT_OBJECT
+    engine.command(pick.command(2.0)[None])
     engine.advance()
     # With the fingers open around the cube, which lies on the floor.
     assert world.body("hand").xpos == pytest.approx([0.65, 0.0, 0.11], abs=0.02)
@@ -38,7 +38,7 @@ def test_the_ball_is_dropped_as_published_and_creeps_as_predicted():
     assert np.isnan(drop_s).all()
     row = hold(Pick("", object="ball"))
     assert row["creep_mm_s"] == pytest.approx(row["forecast_creep_mm_s"], rel=0.05)
-    assert 0.0 < row["margin_mm"] < 2e3 * panda.PAD_HEIGHT_M
+    assert 0.0 < row["margin_mm"] < 2e3 * pick.PAD_HEIGHT_M
 
 
 def test_shakes_are_counted_or_have_a_reason(tmp_path, monkeypatch):
@@ -48,7 +48,7 @@ def test_shakes_are_counted_or_have_a_reason(tmp_path, monkeypatch):
     row = pick.shake_columns(np.array([True]), np.array([np.nan]))
     assert row["median_drop_s"] is None and row["median_drop_s_reason"]
     monkeypatch.chdir(tmp_path)  # where MuJoCo keeps a log of it
-    row = pick.shaken(Pick("", timestep_s=0.01, integrator="RK4"), Conditions("cpu", quick=True))
+    row = pick.shaken(Pick("", timestep_s=0.1), Conditions("cpu", quick=True))
     assert row["held_count"] is row["lifted_count"] is row["median_drop_s"] is None
     assert "reset" in row["held_count_reason"]
 
