@@ -73,7 +73,7 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
         "newton did it: 1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0 is as before, 1.6.9 is not",
     ]
     assert "1.7.9" not in capsys.readouterr().out, "what lies behind the change is not asked"
-    found = searched(replace(search, query=Query("toy.soft.slip_mm", False), answers={}))
+    found = searched(replace(search, query=Query("toy.soft.slip_mm", False)))
     assert found[0].startswith("toy.soft.slip_mm changes between 1.5.9")
 
 
@@ -214,7 +214,7 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hour
     assert [side.results.relative_to(toy.project.root).as_posix() for side in measured] == [
         "results/bisect/full/newton-1.4.9"
     ]
-    assert capsys.readouterr().out == "step 1: 1.4.9: toy.helps holds\n"
+    assert capsys.readouterr().out == "1.4.9: toy.helps holds\n"
     ends = {"a": release_of("1.4.0"), "b": release_of("1.5.9")}
     asked = Namespace(claim="toy.helps", value="", device="cpu", yes=False, **ends)
     with pytest.raises(UsageError, match=r"full ones: about 3 steps.*YES=1 begins"):

@@ -1,6 +1,5 @@
 """The command line: what it refuses, what it must not import, and the report of the tracked results."""
 
-import gc
 import signal
 import sys
 from collections.abc import Iterator
@@ -8,9 +7,7 @@ from collections.abc import Iterator
 import pytest
 from conftest import program
 
-from measured_report.commands import rerun
 from measured_report.commands.command_line import main
-from measured_report.files.errors import UsageError
 from measured_report.parts.section import UNDRAWN
 from measured_report.site.check import check_site
 
@@ -24,7 +21,6 @@ def command(monkeypatch) -> Iterator[None]:
     stops = {stop: signal.getsignal(stop) for stop in (signal.SIGINT, signal.SIGTERM)}
     monkeypatch.setenv("PATH", NO_GPU["PATH"])
     yield
-    gc.unfreeze()
     for stop, handler in stops.items():
         signal.signal(stop, handler)
 
@@ -51,11 +47,10 @@ def command(monkeypatch) -> Iterator[None]:
         (["status", "--newton", "new"], "NEWTON=new"),
         (["status", "--newton", "99.0"], "NEWTON=99.0"),
         (["report", "--newton", "99.0"], "NEWTON=99.0"),
-        (["rerun", "--section", "gap", "--newton", "99.0", "--device", "cpu"], "NEWTON=99.0"),
         (["check", "--newton", "99.0"], "NEWTON=99.0"),
-        (["diff", "--a", "1.4.0"], "B is missing: make diff A=1.4.0 B=1.8.0"),
-        (["diff"], "A and B are missing: make diff A=1.4.0 B=1.8.0"),
-        (["bisect", "--claim", "reproduction.slips", "--b", "1.8.0"], "A is missing: make bisect"),
+        (["diff", "--a", "1.4.0"], "required: --b"),
+        (["diff"], "required: --a, --b"),
+        (["bisect", "--claim", "reproduction.slips", "--b", "1.8.0"], "required: --a"),
         (["trace"], "VALUE is missing: make trace VALUE=stiffness.improvement"),
         (["diff", "--a", "1.4.0", "--b", "new"], "B=new"),
         (["diff", "--a", "1.4.0", "--b", "99.0"], "99.0 has no results"),
@@ -78,14 +73,6 @@ def test_bad_input_gets_one_line_and_status_2(arguments, message, command, monke
 def test_the_program_ends_with_the_status_of_its_command():
     done = program("build.py", "nothing", **NO_GPU)
     assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)
-
-
-def test_a_section_that_is_measured_and_not_derived_is_named(tmp_path, monkeypatch):
-    (tmp_path / "experiments").mkdir()
-    (tmp_path / "experiments" / "weight.py").touch()
-    monkeypatch.setattr(rerun, "ROOT", tmp_path)
-    with pytest.raises(UsageError, match=r"there is no report/sections/weight\.py; use one of"):
-        rerun.refuse_unknown("weight")
 
 
 def test_status_does_not_import_the_simulator():

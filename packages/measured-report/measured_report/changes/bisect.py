@@ -1,7 +1,7 @@
 """Bisect: between which two editions a claim or a value changes, and which package did it; measures what that takes."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -36,21 +36,14 @@ class Bisection:
     query: Query
     device: str
     templates: Templates
-    answers: dict[str, Answer | None] = field(default_factory=dict)
-    """Found before, by edition."""
 
     def answer(self, release: Release) -> Answer | None:
-        """Return what a release answers, measured unless that was done before."""
-        label = str(release)
-        if label not in self.answers:
-            answer, noise = None, [NOISE] if NOISE in all_sections(self.project.root) else []
-            # Without its noise most differences can't be told.
-            for names in ([self.query.section], [self.query.section, *noise]):
-                if answer is None:
-                    answer = self._measured(release, names)
-            self.answers[label] = answer
-            print(f"step {len(self.answers)}: {label}: {self.query.text} {said(answer)}", flush=True)
-        return self.answers[label]
+        """Return what a release answers, measured unless it has records of that."""
+        answer = self._measured(release, [self.query.section])
+        if answer is None and NOISE in all_sections(self.project.root):  # without which most differences can't be told
+            answer = self._measured(release, [self.query.section, NOISE])
+        print(f"{release}: {self.query.text} {said(answer)}", flush=True)
+        return answer
 
     def _measured(self, release: Release, sections: Sequence[str]) -> Answer | None:
         """Ask what a release has of these sections; what has no record is measured, and kept apart.

@@ -7,10 +7,9 @@ from dataclasses import replace
 from measured_report.changes.bisect import Alike, Bisection, bisect, points_between
 from measured_report.changes.upgrade import seconds_expected
 from measured_report.commands.history import query_of
-from measured_report.commands.options import refuse_lacking_ends, shared
+from measured_report.commands.options import shared
 from measured_report.editions.devices import measuring_device
 from measured_report.editions.project import Project
-from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.files.suggestion import suggestion
 from measured_report.pages.prose import Templates
@@ -24,7 +23,6 @@ OPTIONS = {
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Find the first edition between A and B that the answer changes in, and which package did it."""
-    refuse_lacking_ends(arguments, f"make bisect CLAIM={config().changes.example_claim} A=1.4.0 B=1.8.0")
     device = measuring_device(arguments.device, "quick") or "cpu"
     query, ends = query_of(arguments), (arguments.a, arguments.b)
     if query.section not in sections() or query.section == query.text:

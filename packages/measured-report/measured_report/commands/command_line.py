@@ -5,16 +5,14 @@ first line of its docstring is its help, and ``OPTIONS`` are its options, as ``a
 """
 
 import argparse
-import gc
-import io
 import os
-import pkgutil
 import signal
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
@@ -40,27 +38,19 @@ class Parser(argparse.ArgumentParser):
 
 def main() -> int:
     """Run the command that was asked for; return its exit status, with one line for whatever can be mended."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):  # closed, it is None
-            stream.reconfigure(errors="replace")
+    for stop in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(stop, signal.default_int_handler)
     try:
-        for stop in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(stop, signal.default_int_handler)
-        result = _run(*(sys.argv[1:] or ["help"]))
-        print(end="", flush=True)
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # there is nothing left to stop
-        gc.freeze()  # nor to be looked for before the process ends, which takes a third of a second after a build
+        result = _run(*(sys.argv[1:] if sys.argv[1:] not in ([], ["-h"], ["--help"]) else ["help"]))
+        sys.stdout.flush()
         return result
-    except BrokenPipeError:  # whoever reads the output, as head, has enough of it
-        _drop_output()
-        return 1
     except KeyboardInterrupt:
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
         print("stopped; what was measured before is kept", file=sys.stderr)
         return 130
     except OSError as error:
-        _drop_output()
-        print(f"{error.filename or 'the output cannot be written'}: {error.strerror or error}", file=sys.stderr)
+        if not isinstance(error, BrokenPipeError):  # else whoever reads the output, as head, has enough of it
+            print(f"{error.filename or 'the output cannot be written'}: {error.strerror or error}", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return 1
     except ReportError as error:
         if str(error):  # whoever failed may have said it
@@ -69,9 +59,15 @@ def main() -> int:
 
 
 def _run(name: str, *given: str) -> int:
-    module = _command("help" if name in ("-h", "--help") else name)
-    parser = parser_of(module)
-    arguments = parser.parse_args([*_typed(parser), *given])
+    names = commands()
+    if name not in names:
+        raise UsageError(f"{name} is no command{suggestion(name, names)}; use one of: {', '.join(names)}")
+    module = import_module(names[name])
+    parser = Parser(prog=f"build.py {name}", description=help_of(module), allow_abbrev=False)
+    parser.set_defaults(edition="", pins="", profile="full")
+    for option, settings in getattr(module, "OPTIONS", {}).items():
+        parser.add_argument(f"--{option}", **settings)
+    arguments = parser.parse_args([*_typed(module), *given])
     own = own_release()
     arguments.release = release_of(arguments.edition or own, arguments.pins)
     project = Project(str(arguments.release), arguments.profile, own_release=own)
@@ -82,38 +78,14 @@ def _run(name: str, *given: str) -> int:
         return module.run(project, arguments) or int(bool(damaged))
 
 
-def _command(name: str) -> ModuleType:
-    """Import a command, and not the others, which would take longer; UsageError for what is none."""
-    found = (f"{package}.{name}" for package, folder in FOLDERS.items() if (folder / f"{name}.py").is_file())
-    module = next((module for module in map(import_module, found) if hasattr(module, "run")), None)
-    if not module:
-        names = [short_name(each) for each in commands()]
-        raise UsageError(f"{name} is no command{suggestion(name, names)}; use one of: {', '.join(names)}")
-    return module
-
-
-def commands(*packages: str) -> list[ModuleType]:
-    """Import the commands of some packages; of all, the generator's first, where none is named."""
-    found = (
-        import_module(f"{package}.{each.name}")
-        for package in packages or FOLDERS
-        for each in pkgutil.iter_modules([str(FOLDERS[package])])
-    )
-    return [module for module in found if hasattr(module, "run")]
-
-
-def short_name(module: ModuleType) -> str:
-    """Return what a command is called by."""
-    return module.__name__.rpartition(".")[2]
-
-
-def parser_of(module: ModuleType) -> Parser:
-    """Make the parser of a command."""
-    parser = Parser(prog=f"build.py {short_name(module)}", description=help_of(module), allow_abbrev=False)
-    parser.set_defaults(edition="", pins="", profile="full")
-    for name, option in getattr(module, "OPTIONS", {}).items():
-        parser.add_argument(f"--{name}", **option)
-    return parser
+def commands() -> dict[str, str]:
+    """Find the module of each command by its name, the generator's first; none is imported, which takes long."""
+    return {
+        path.stem: f"{package}.{path.stem}"
+        for package, folder in FOLDERS.items()
+        for path in sorted(folder.glob("*.py"))
+        if "\ndef run(" in path.read_text(encoding="utf-8")
+    }
 
 
 def help_of(module: ModuleType) -> str:
@@ -121,38 +93,28 @@ def help_of(module: ModuleType) -> str:
     return (module.__doc__ or "").partition("\n")[0].rstrip(".")
 
 
-def options_of(parser: argparse.ArgumentParser) -> Mapping[str, argparse.Action]:
+def options_of(module: ModuleType) -> Mapping[str, Mapping[str, Any]]:
     """Return a command's options by the variables of make that set them."""
-    found = {action.option_strings[-1].lstrip("-").upper().replace("-", "_"): action for action in parser._actions}
-    return {name: action for name, action in found.items() if name != "HELP"}
+    return {name.upper().replace("-", "_"): option for name, option in getattr(module, "OPTIONS", {}).items()}
 
 
-def _typed(parser: argparse.ArgumentParser) -> Iterator[str]:
+def _typed(module: ModuleType) -> Iterator[str]:
     """Yield the options that were typed as variables of make; UsageError for one that no command has."""
     # Taken out, since programs that are started from here, as the tests, are no part of what make was asked for.
-    names = os.environ.pop("TYPED", "").split()
-    typed = {name: os.environ.pop(f"TYPED_{name}", "") for name in names}
-    options = options_of(parser)
-    if os.environ.get("MAKELEVEL") == "1" and (others := typed.keys() - options):
-        _refuse_unknown(others, {name for module in commands() for name in options_of(parser_of(module))})
-    for name, action in options.items():
-        if value := typed.get(name):
-            if action.nargs == 0 and value != "1":
+    typed = {name: os.environ.pop(f"TYPED_{name}", "") for name in os.environ.pop("TYPED", "").split()}
+    options = options_of(module)
+    if os.environ.get("MAKELEVEL") == "1" and typed.keys() - options:
+        known = {name for each in map(import_module, commands().values()) for name in options_of(each)}
+        for name in sorted(typed.keys() - known):
+            raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), known)}; see make help")
+    for name, value in typed.items():
+        if name in options and value:
+            is_switch, option = "action" in options[name], f"--{name.lower().replace('_', '-')}"
+            if is_switch and value != "1":
                 raise UsageError(f"a switch is on as {name}=1 or left out, not {name}={value}")
-            option = action.option_strings[-1]
-            yield option if action.nargs == 0 else f"{option}={value}"
-
-
-def _refuse_unknown(names: Iterable[str], known: Iterable[str]) -> None:
-    for name in sorted({*names} - {*known}):
-        raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), known)}; see make help")
+            yield option if is_switch else f"{option}={value}"
 
 
 def _say(text: str) -> None:
     """Say in one line, without what moves a terminal, what is wrong."""
     print(UNPRINTABLE.sub("?", " ".join(text.split())), file=sys.stderr)
-
-
-def _drop_output() -> None:
-    if sys.stdout:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -4,7 +4,7 @@ import argparse
 
 from measured_report.changes.alarm import diff_text
 from measured_report.changes.compare import compare
-from measured_report.commands.options import refuse_lacking_ends, refuse_unmeasured, shared
+from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
@@ -17,11 +17,10 @@ OPTIONS = {
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print what differs; 1 when one edition can't be trusted or a claim flipped."""
-    refuse_lacking_ends(arguments, "make diff A=1.4.0 B=1.8.0")
-    sides = [project.of(str(release)) for release in (arguments.a, arguments.b)]
-    for side, release in zip(sides, (arguments.a, arguments.b), strict=True):
-        refuse_unmeasured(side, release.asked)
-    editions = editions_of(project, Templates(project.templates), among=[side.release for side in sides])
-    comparison = compare(*(editions[side.release] for side in sides))
+    for release in (arguments.a, arguments.b):
+        refuse_unmeasured(project.of(str(release)), release.asked)
+    names = [str(arguments.a), str(arguments.b)]
+    editions = editions_of(project, Templates(project.templates), among=names)
+    comparison = compare(*(editions[name] for name in names))
     print(diff_text(comparison, arguments.format, all_values=arguments.values == "all"))
     return int(comparison.is_alarm)

@@ -26,15 +26,12 @@ SOURCE = re.compile(rf"(?m)^{GENERATOR} = \{{.*\}}$")
 
 def main() -> int:
     """Write or update a report; the exit status, with one line for whatever can be mended."""
-    parser = argparse.ArgumentParser(prog=GENERATOR, description="A report that measures itself.", allow_abbrev=False)
-    commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for command, said, folder in ((new, "write a report", None), (update, "renew what new wrote, unless changed", ".")):
-        added = commands.add_parser(command.__name__, help=said, description=said)
-        added.add_argument("folder", metavar="DIR", type=Path, nargs="?" if folder else None, default=folder)
-        added.set_defaults(run=command)
+    parser = argparse.ArgumentParser(prog=GENERATOR, description=__doc__.partition("\n")[0], allow_abbrev=False)
+    parser.add_argument("command", choices=("new", "update"))
+    parser.add_argument("folder", metavar="DIR", type=Path, nargs="?", default=".", help="default: the current one")
     arguments = parser.parse_args()
     try:
-        arguments.run(Path(arguments.folder).resolve())
+        {"new": new, "update": update}[arguments.command](arguments.folder.resolve())
     except (ReportError, OSError) as error:
         print(error, file=sys.stderr)
         return 2
@@ -65,38 +62,28 @@ def update(folder: Path) -> None:
 
 def _write(folder: Path, written: Mapping[str, str]) -> list[str]:
     """Write all files but those that are no longer as they were ``written``, which are returned."""
-    files, digests, kept = _files(folder), dict(written), []
-    for name, content in files.items():
-        path, digest = folder / name, hashlib.sha256(content).hexdigest()
-        now = hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
-        if now != written.get(name):
-            kept += [name] if now not in (None, digest) else []
-            continue
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
-        digests[name] = digest
-    (folder / WRITTEN).write_text(json.dumps(digests, indent=1) + "\n", encoding="utf-8")
-    return kept
-
-
-def _files(folder: Path) -> dict[str, bytes]:
-    """Return the files of a report in this folder, by their names below it."""
-    version = "" if (source := _source(folder)) else f"=={metadata.version(GENERATOR)}"
+    source, digests, kept = _source(folder), dict(written), []
     said = {
         "@NAME@": re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "report",
         "@AUTHOR@": git(folder, "config", "user.name") or "Its authors",
-        f'"{GENERATOR}"': f'"{GENERATOR}{version}"',
+        f'"{GENERATOR}"': f'"{GENERATOR}"' if source else f'"{GENERATOR}=={metadata.version(GENERATOR)}"',
         "# @SOURCE@\n": f"\n[tool.uv.sources]\n{source}\n" if source else "",
     }
-    found = {}
-    for path in sorted(SKELETON.rglob("*")):
-        if path.is_file() and "__pycache__" not in path.parts:
-            text = path.read_text(encoding="utf-8")
-            for mark, word in said.items():
-                text = text.replace(mark, word)
-            name = path.relative_to(SKELETON).as_posix().replace("dot.", ".")
-            found[name] = text.encode()
-    return found
+    for template in (path for path in sorted(SKELETON.rglob("*")) if path.is_file() and path.suffix != ".pyc"):
+        text = template.read_text(encoding="utf-8")
+        for mark, word in said.items():
+            text = text.replace(mark, word)
+        name = template.relative_to(SKELETON).as_posix().replace("dot.", ".")
+        path, digest = folder / name, hashlib.sha256(text.encode()).hexdigest()
+        now = hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+        if now == written.get(name):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            digests[name] = digest
+        elif now not in (None, digest):
+            kept.append(name)
+    (folder / WRITTEN).write_text(json.dumps(digests, indent=1) + "\n", encoding="utf-8")
+    return kept
 
 
 def _source(folder: Path) -> str:
@@ -105,15 +92,17 @@ def _source(folder: Path) -> str:
     A wheel is copied into the report, so that it is there wherever the report is.
     """
     told = json.loads(metadata.distribution(GENERATOR).read_text("direct_url.json") or "{}")
+    url, place = told.get("url", ""), Path(unquote(urlparse(told.get("url", "")).path))
     if "vcs_info" in told:
-        below = f', subdirectory = "{told["subdirectory"]}"' if told.get("subdirectory") else ""
-        return f'{GENERATOR} = {{ git = "{told["url"]}", rev = "{told["vcs_info"]["commit_id"]}"{below} }}'
-    place = Path(unquote(urlparse(told.get("url", "")).path))
-    if told and not told["url"].startswith("file:"):
-        return f'{GENERATOR} = {{ url = "{told["url"]}" }}'
-    if place.suffix == ".whl":
-        (folder / "wheels").mkdir(exist_ok=True)
-        if place.is_file() and place.parent != folder / "wheels":
-            shutil.copy(place, folder / "wheels")
-        return f'{GENERATOR} = {{ path = "wheels/{place.name}" }}'
-    return f'{GENERATOR} = {{ path = "{place}" }}' if told else ""
+        said = {"git": url, "rev": told["vcs_info"]["commit_id"], "subdirectory": told.get("subdirectory")}
+    elif not url.startswith("file:"):
+        said = {"url": url}
+    else:
+        said = {"path": str(place)}
+        if place.suffix == ".whl":
+            said = {"path": f"wheels/{place.name}"}
+            (folder / "wheels").mkdir(exist_ok=True)
+            if place.is_file() and place.parent != folder / "wheels":
+                shutil.copy(place, folder / "wheels")
+    parts = ", ".join(f"{name} = {json.dumps(word)}" for name, word in said.items() if word)
+    return f"{GENERATOR} = {{ {parts} }}" if parts else ""

@@ -1,7 +1,6 @@
 """Options that several commands share. Each refuses what makes no sense, in one line."""
 
 import re
-from argparse import Namespace
 from functools import partial
 from typing import Any
 
@@ -12,13 +11,12 @@ from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 
-SCHEDULER = re.compile(r"(?:tcp|tls)://(?:[A-Za-z0-9._-]+|\[[0-9a-fA-F:.]+\]):([0-9]{1,5})")
+SCHEDULER = re.compile(r"(tcp|tls)://[^\s/]+:[0-9]{1,5}")
 
 
 def read_cluster(asked: str) -> str:
     """Read who measures: ``local``, or the address of a Dask scheduler."""
-    scheduler = SCHEDULER.fullmatch(asked)
-    if asked != "local" and not (scheduler and 0 < int(scheduler[1]) < 65536):
+    if asked != "local" and not SCHEDULER.fullmatch(asked):
         raise UsageError(f"CLUSTER={asked:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
     return asked
 
@@ -48,8 +46,8 @@ SHARED: dict[str, dict[str, Any]] = {
     "device": {"choices": DEVICES, "help": "cuda or cpu: where to measure; a CPU only when asked"},
     "cluster": {"type": read_cluster, "help": "who measures: local (all GPUs of this host) or tls://scheduler:8786"},
     "address": {"type": read_address, "default": "", "help": "where the site will lie: https://example.org/report/"},
-    "a": {"type": partial(release_of, option="A"), "help": "edition to compare from"},
-    "b": {"type": partial(release_of, option="B"), "help": "edition to compare with it"},
+    "a": {"type": partial(release_of, option="A"), "required": True, "help": "edition to compare from"},
+    "b": {"type": partial(release_of, option="B"), "required": True, "help": "edition to compare with it"},
     "claim": {"default": "", "help": "claim to follow, as SECTION.NAME"},
     "value": {"default": "", "help": "value, as SECTION.NAME of the page, or SECTION.CASE.COLUMN of a row"},
     "format": {"choices": FORMATS, "default": "text", "help": "text, markdown or json (docs/alarm.md)"},
@@ -60,13 +58,6 @@ def shared(*names: str) -> dict[str, dict[str, Any]]:
     """Pick shared options by their names; ``edition`` brings ``with``."""
     options = (option for name in names for option in ((EDITION, "with") if name == "edition" else (name,)))
     return {option: SHARED[option] for option in options}
-
-
-def refuse_lacking_ends(arguments: Namespace, command: str) -> None:
-    """Refuse to compare unless both editions are named, as ``command`` does it."""
-    lacking = [name.upper() for name in ("a", "b") if getattr(arguments, name) is None]
-    if lacking:
-        raise UsageError(f"{' and '.join(lacking)} {'are' if len(lacking) > 1 else 'is'} missing: {command}")
 
 
 def refuse_unmeasured(project: Project, asked: str) -> None:

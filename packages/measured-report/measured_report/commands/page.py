@@ -3,7 +3,6 @@
 import argparse
 import sys
 from collections.abc import Iterable
-from dataclasses import replace
 
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.devices import has_cuda, needs_gpu
@@ -25,16 +24,18 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     """Build the site and say what it lacks; return whether a record is damaged, and whether any is to be renewed."""
     releases = build(project, address)
-    built = releases[project.release]
+    built, measurable = releases[project.release], sections(project.root)
     missing = [state.section for state in built.left_out if state.kind == "missing"]
     others = [state.section for state in built.left_out if state.kind != "missing"]
-    measurable = sections(project.root)
     lacking = [name for name in (*missing, *others, *built.stale) if name in measurable]
     for words, names in (("not measured", missing), ("stale", built.stale)):
         if names:
             print(f"{words}: {', '.join(names)}")
     if lacking:
-        print(_hint(project, lacking[0]))
+        # A CPU's results never stand with those of a GPU.
+        takes_gpu = needs_gpu(lacking[0], project.root) and any(machines_besides(project, "cpu"))
+        device = None if has_cuda() or takes_gpu else "cpu"
+        print(f"{project.rerun(lacking[0], device)} measures one of them{' on a GPU' if takes_gpu else ''}")
     print(f"built {project.site / 'index.html'}")
     return say_damage(state for release in releases.values() for state in release.left_out), bool(lacking)
 
@@ -45,13 +46,3 @@ def say_damage(states: Iterable[State]) -> bool:
     for state in damaged:
         print(f"damaged: {state.words}", file=sys.stderr)
     return bool(damaged)
-
-
-def _hint(project: Project, section: str) -> str:
-    """Say which command measures a section for this report; a CPU's results never stand with those of a GPU."""
-    if has_cuda():
-        return f"{project.rerun(section)} measures one of them"
-    if not needs_gpu(section, project.root) or not any(machines_besides(project, "cpu")):
-        return f"{project.rerun(section, 'cpu')} measures one of them"
-    own = f"; with DEVICE=cpu it becomes an edition of its own, {replace(project.named, machine='cpu')}"
-    return f"{project.rerun(section)} measures one of them on a GPU{'' if project.named.machine else own}"

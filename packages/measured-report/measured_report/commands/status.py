@@ -1,6 +1,7 @@
 """List which sections are fresh, and what changed for the others."""
 
 import argparse
+from importlib import import_module
 
 from measured_report.commands.command_line import OWN, commands
 from measured_report.commands.options import refuse_unmeasured, shared
@@ -19,6 +20,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     print(status_matrix(project))
     print(f"\n{config().package} {project.release}")
-    made = [module.state(project) for module in commands(OWN) if hasattr(module, "state")]
+    own = (import_module(place) for place in commands().values() if place.startswith(OWN))
+    made = [module.state(project) for module in own if hasattr(module, "state")]
     print(status_table([*states_of(project), *made], project.profile))
     return 0
