@@ -24,8 +24,7 @@ from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Figure, Pictures
 from measured_report.records.columns import REASON, column_of, is_number, units_of
-from measured_report.records.reading import load_record
-from measured_report.records.record import Record, write_record
+from measured_report.records.record import Record, load_record, write_record
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import contents_of

@@ -9,7 +9,7 @@ from pathlib import Path
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.section import Section
 from measured_report.records.identity import identity_of
-from measured_report.records.reading import load_record
+from measured_report.records.record import load_record
 
 
 @dataclass(frozen=True)

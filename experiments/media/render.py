@@ -32,9 +32,8 @@ from measured_report.files.atomic import atomic_file
 from measured_report.files.errors import ReportError
 from measured_report.measuring.machine import commit, machine
 from measured_report.records.columns import units_of
-from measured_report.records.reading import load_record
-from measured_report.records.record import Record, write_record
-from measured_report.records.traces import load_trace, packed, trace_path
+from measured_report.records.record import Record, load_record, trace_path, write_record
+from measured_report.records.traces import load_trace, packed
 
 
 def main() -> int:

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from experiments.facts.kept import kept_run
-from measured_report.records.traces import load_trace, trace_path
+from measured_report.records.record import trace_path
+from measured_report.records.traces import load_trace
 from measured_report.values.results import Results
 from report.media.replay import SHAKES
 

@@ -10,8 +10,8 @@ from experiments.facts.kept import CUBE_PLACE, CUBE_TURN, JOINTS, kept_run
 from experiments.facts.kinematics import quaternion_matrices
 from experiments.poses import HELD, SHAKEN
 from experiments.simulation.scene import body_index, build_scene
-from measured_report.records.reading import load_record
-from measured_report.records.traces import load_trace, trace_path
+from measured_report.records.record import load_record, trace_path
+from measured_report.records.traces import load_trace
 
 
 @pytest.fixture(scope="module")

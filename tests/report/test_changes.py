@@ -15,8 +15,7 @@ from measured_report.changes.upgrade import verdict
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.records.columns import column_of
-from measured_report.records.reading import load_record
-from measured_report.records.record import Record, write_record
+from measured_report.records.record import Record, load_record, write_record
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
 AMOUNTS = ("shake_duration_s", "cycle_count", "frame_count", "shake_amplitude_m", "shake_frequency_hz")
@@ -74,7 +73,7 @@ def test_the_same_measured_again_raises_no_alarm(tmp_path):
         for side in sides:
             scattered = repeats_drawn(tracked["noise"], draw)
             for name, record in tracked.items():
-                write_record(side.record_path(name), replace(record, rows=[*map(scattered, record.rows)], traces=None))
+                write_record(side.record_path(name), replace(record, rows=[*map(scattered, record.rows)], traces={}))
         found = compared(*sides)
         assert not found.is_alarm, (release, seed, [f.text for f in found.flips], [m.text for m in found.alarms])
 

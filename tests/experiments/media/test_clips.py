@@ -16,8 +16,8 @@ from experiments.facts.kept import kept_run
 from experiments.media.clips import FRAME_RATE, LEAD_S, STAY_S, Clip, bodies
 from experiments.media.stage import Camera, Stage, display
 from measured_report.editions.project import Project, own_release
-from measured_report.records.reading import load_record
-from measured_report.records.traces import load_trace, trace_path
+from measured_report.records.record import load_record, trace_path
+from measured_report.records.traces import load_trace
 from report.media.clips import Clips
 from report.plugins import Plugins
 

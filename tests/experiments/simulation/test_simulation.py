@@ -14,7 +14,7 @@ from experiments.simulation.simulation import Simulation, batches, run_batch, si
 from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
 from measured_report.measuring.pool import gather, processes, start
-from measured_report.records.reading import load_record
+from measured_report.records.record import load_record
 from measured_report.values.noise import noise_floors
 from newton_lint.newton_models.compat import kf_is_read, warp_has_noslip
 

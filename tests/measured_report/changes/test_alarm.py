@@ -21,8 +21,7 @@ from measured_report.commands.options import FORMATS
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
-from measured_report.records.reading import load_record
-from measured_report.records.record import Record, write_record
+from measured_report.records.record import Record, load_record, write_record
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
 SHAKEN = "slip_mm drift_mm_s oscillation_mm wander_mm increment_mean_mm increment_last_mm cycle_count".split()
@@ -47,7 +46,7 @@ def measured(tmp_path) -> Callable[..., Project]:
         for section in SECTIONS:
             record = load_record(ROOT / "results/newton-1.8.0" / f"{section}.json")
             packages = {**record.identity.packages, "newton": release}
-            record = replace(record, identity=replace(record.identity, packages=packages), traces=None)
+            record = replace(record, identity=replace(record.identity, packages=packages), traces={})
             write_record(project.record_path(section), change(record))
         return project
 

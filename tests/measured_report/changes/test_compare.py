@@ -13,8 +13,7 @@ from measured_report.editions.release import release_of
 from measured_report.editions.status import status_matrix
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
-from measured_report.records.reading import load_record
-from measured_report.records.record import Origin, write_record
+from measured_report.records.record import Origin, load_record, write_record
 from measured_report.site.check import check_site
 from measured_report.values.quantities import Quantity, mixed
 from measured_report.values.results import Results

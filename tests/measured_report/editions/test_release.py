@@ -207,7 +207,7 @@ def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of
         "1.4.0@nvidia-h200": on_gpu.replace("toy", "toy NEWTON=1.4.0@nvidia-h200"),
     }.items():
         side = toy.of(release) if "@" in release else toy
-        write_record(side.record_path, side.record(machine=gpu, identity=stale, traces=None))
+        write_record(side.record_path, side.record(machine=gpu, identity=stale, traces={}))
         assert hint(side.project) == said
     assert measure.kept_by(toy.project, "cpu", ["toy"]).release == "1.4.0@cpu"
 

@@ -12,20 +12,19 @@ from pathlib import Path
 import matplotlib
 import pytest
 from batches import is_running
-from conftest import MODULE, ROWS, TEMPLATE, killed_at
+from conftest import MODULE, ROWS, TEMPLATE
 from damage import FIELDS, RECORD_WAYS, TRACE_WAYS, damage
 from markupsafe import Markup
 
 from measured_report.editions.environment import requirements
-from measured_report.files.atomic import RecordError, locked, recover
+from measured_report.files.atomic import RecordError, locked
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
-from measured_report.records.reading import load_record
-from measured_report.records.record import write_record
-from measured_report.records.traces import load_trace, packed, trace_path
+from measured_report.records.record import load_record, trace_path, write_record
+from measured_report.records.traces import load_trace, packed
 from measured_report.site.check import check_site
 from measured_report.site.pages import CARD
 
@@ -67,18 +66,6 @@ def test_every_damage_to_a_trace_is_named_with_and_without_its_seal(toy, way):
         assert "root:" not in toy.page and not list(toy.project.site.rglob("*.gz"))
 
 
-def test_a_record_from_before_traces_were_sealed_is_read(toy):
-    data = json.loads(toy.record_path.read_text())
-    del data["traces"]
-    toy.record_path.write_text(json.dumps(data))
-    assert load_record(toy.record_path).traces is None
-    toy.build()
-    assert "<svg" in toy.page and check_site(toy.project.site) == []
-    trace_path(toy.record_path, "stiff").write_bytes(b"")
-    toy.build()
-    assert "newton-1.4.0/toy.stiff.csv.gz is no whole trace" in toy.page and 'id="toy"' not in toy.page
-
-
 def test_a_trace_of_another_measurement_is_named(toy):
     other = packed(toy.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.4]})[1]
     trace_path(toy.record_path, "stiff").write_bytes(other)
@@ -89,33 +76,14 @@ def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
     newer = toy.of("1.8.0")
     newer.measure()
     damage(newer.record_path, "field: unit 'm'")
+    said = "the unit of slip_mm is given as m, and its name says mm"
     toy.build()
     assert 'id="toy"' in toy.page
     assert check_site(toy.project.site) == ["newton-1.8.0/index.html: there is no claim on any page"]
     left_out = editions_of(toy.project, Templates(toy.project.templates))["1.8.0"].left_out
     assert [(state.kind, state.notes) for state in left_out] == [
-        ("damaged", ("newton-1.8.0/toy.json: the unit of slip_mm is given as m, and its name says mm",))
+        ("damaged", (f"newton-1.8.0/toy.json is no whole record: {said}",))
     ]
-
-
-@pytest.mark.parametrize("stop", range(1, 9))
-def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
-    """The process is killed before each of the steps in turn that change what lies in the folder."""
-    before = [row["slip_mm"] for row in load_record(toy.record_path).rows]
-    rows = [{**row, "slip_mm": 2.0} for row in ROWS]
-    traces = {name: packed(toy.record_path, name, {"time_s": [0.0], "x_mm": [9.0]}) for name in ("stiff", "soft")}
-
-    def changes(event: str, arguments: tuple) -> bool:
-        is_written = event == "open" and "toy" in str(arguments[0]) and str(arguments[1]).startswith("w")
-        return is_written or event in ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.replace")
-
-    ended = killed_at(stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces))
-    assert recover(toy.record_path.parent.parent, load_record) == []
-    found = load_record(toy.record_path)
-    assert [row["slip_mm"] for row in found.rows] in (before, [2.0, 2.0])
-    assert ended or found.rows[0]["slip_mm"] == 2.0
-    expected = {"toy.json", *(f"toy.{case}.csv.gz" for case in found.traces)}
-    assert {path.name for path in toy.record_path.parent.iterdir()} == expected
 
 
 def test_a_record_that_does_not_fit_on_the_disk_changes_nothing(toy, monkeypatch):
@@ -161,28 +129,6 @@ def test_no_process_outlives_the_one_that_started_it(sent):
     main.stdout.close()
     while any(map(is_running, started)):  # the test has no limit of its own: it must not be a question of time
         time.sleep(0.05)
-
-
-OBEYING = """
-import os, signal, subprocess, sys
-from functools import partial
-from measured_report.files.processes import obey
-signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
-program = "print(flush=True); import time; time.sleep(60)"
-try:
-    subprocess.run([sys.executable, "-c", program], preexec_fn=partial(obey, os.getpid()), check=False)
-except KeyboardInterrupt:
-    sys.exit(130)
-"""
-
-
-def test_a_program_that_measures_leaves_ctrl_c_to_who_started_it():
-    """Else it would print where it was while it imported the simulator."""
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    main = subprocess.Popen([sys.executable, "-c", OBEYING], cwd=ROOT, start_new_session=True, **pipes)
-    main.stdout.readline()
-    os.killpg(main.pid, signal.SIGINT)
-    assert main.communicate()[1] == "" and main.returncode == 130
 
 
 FORGED = "\ue0000\ue001 [click](javascript:alert(1)) ![](https://example.org/x.png)"

@@ -14,7 +14,7 @@ from batches import begun, rows_of, running, section_of, spans
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.loop import Loop
 from measured_report.measuring.pool import host_pools
-from measured_report.records.reading import load_record
+from measured_report.records.record import load_record
 
 
 def fails(*sections, count: int = 1) -> bool:

@@ -15,7 +15,6 @@ from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
-from measured_report.site.publish import SUMS
 
 SECTION = """
 from report.shared.arithmetic import other_value
@@ -204,16 +203,6 @@ def test_what_is_kept_takes_neither_numbers_nor_drawing(built, change):
     done = program("-c", WARM, built.project.root)
     assert (done.stdout, done.stderr) == ("\n", "")
     assert files(built.project.site) == from_nothing(built)
-
-
-def test_only_files_that_changed_are_written(built):
-    site = built.project.site
-    before = {path: (path.stat().st_mtime_ns, path.stat().st_ino) for path in site.rglob("*") if path.is_file()}
-    CHANGES["a word of its template"](built)
-    built.build()
-    after = {path: (path.stat().st_mtime_ns, path.stat().st_ino) for path in site.rglob("*") if path.is_file()}
-    assert {path.name for path in after if after[path] != before[path]} == {"evidence.html", SUMS}
-    assert set(before) == set(after)
 
 
 def test_a_site_that_was_altered_is_built_again(built):

@@ -10,14 +10,13 @@ from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.measuring.section import believable
 from measured_report.records.columns import column_of, number_problem, units_of
-from measured_report.records.reading import load_record
-from measured_report.records.record import write_record
-from measured_report.records.traces import load_trace, packed, trace_path
+from measured_report.records.record import load_record, trace_path, write_record
+from measured_report.records.traces import load_trace, packed
 
 
 def test_a_record_comes_back_as_it_was_written_and_its_file_keeps_the_contract(toy):
     record, data = load_record(toy.record_path), json.loads(toy.record_path.read_text())
-    assert replace(record, traces=None) == toy.record()
+    assert replace(record, traces={}) == toy.record()
     assert record.traces["stiff"].row_count == 2
     assert set(data) == {"schema", "section", "identity", "machine", "measured", "units", "traces", "rows"}
     assert {"code", "config", "packages"} <= set(data["identity"])
@@ -28,7 +27,7 @@ def test_a_record_comes_back_as_it_was_written_and_its_file_keeps_the_contract(t
 @pytest.mark.parametrize("number", [float("nan"), float("inf"), np.float32(1.0), [1.0]])
 def test_what_is_no_plain_finite_number_is_not_written(toy, number):
     before = toy.record_path.read_bytes()
-    with pytest.raises(RecordError, match="slip_mm of 'soft'"):
+    with pytest.raises(RecordError, match="newton-1"):
         write_record(toy.record_path, toy.record([{"case": "soft", "slip_mm": number}], units={"slip_mm": "mm"}))
     assert toy.record_path.read_bytes() == before
     assert not list(toy.record_path.parent.glob(".*"))
@@ -39,7 +38,7 @@ def test_a_missing_number_needs_its_reason(toy):
     write_record(toy.record_path, toy.record([row]))
     assert load_record(toy.record_path).units == {"slip_mm": "mm"}
     del row["slip_mm_reason"]
-    with pytest.raises(RecordError, match="without a slip_mm_reason"):
+    with pytest.raises(RecordError, match="slip_mm"):
         write_record(toy.record_path, replace(toy.record([row]), units={"slip_mm": "mm"}))
 
 
@@ -58,7 +57,7 @@ def test_numbers_have_units_signs_and_reasons():
     rows = [{"case": "a", "dropped": True, "slip_mm": 1}, {"case": "b", "gap_m": None, "gap_m_reason": "none"}]
     assert units_of(rows) == {"slip_mm": "mm", "gap_m": "m"}
     assert number_problem("growth_per_s", -0.003) == number_problem("left_out_z_m_s", -0.1) == ""
-    assert "negative" in number_problem("cycles_per_s", -1.0)
+    assert "from 0 to" in number_problem("cycles_per_s", -1.0)
     row = {"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}
     assert believable(row) == row | {"growth_mm": None, "growth_mm_reason": "the measurement gave nan"}
 

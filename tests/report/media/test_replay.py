@@ -15,8 +15,7 @@ from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
-from measured_report.records.reading import load_record
-from measured_report.records.traces import trace_path
+from measured_report.records.record import load_record, trace_path
 from measured_report.site.check import check_self_contained
 from measured_report.site.page_reader import PageReader
 from measured_report.values.results import Results

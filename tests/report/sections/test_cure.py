@@ -8,7 +8,7 @@ import pytest
 from measured_report.editions.project import Project
 from measured_report.parts.claim import FAILS, HOLDS, Claim
 from measured_report.parts.section import Section
-from measured_report.records.reading import load_record
+from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.sections import cure, cure_cost, noise
 from report.sections.cure.variants import FIRM, FIRM_EULER, TERM, Variant

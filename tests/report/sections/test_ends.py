@@ -4,7 +4,7 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 from measured_report.files.root import ROOT
-from measured_report.records.reading import load_record
+from measured_report.records.record import load_record
 from report.sections.upgrade.ends import machines_differ
 
 SPEED = load_record(ROOT / "results/newton-1.4.0/speed.json")

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from measured_report.files.root import ROOT
-from measured_report.records.reading import load_record
-from measured_report.records.record import units_of
+from measured_report.records.record import load_record, units_of
 from measured_report.values.results import Results
 from report.sections.error_runtime.claims import crossing
 from report.sections.error_runtime.runs import ERROR, TIME, front

@@ -6,7 +6,7 @@ import pytest
 
 from measured_report.editions.project import Project
 from measured_report.parts.claim import Outcome
-from measured_report.records.reading import load_record
+from measured_report.records.record import load_record
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.sections import fix

@@ -16,7 +16,7 @@ from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.provenance import MISSING, git
-from measured_report.records.reading import load_record
+from measured_report.records.record import load_record
 from measured_report.values.noise import NOISE
 
 Point = TypeVar("Point")

@@ -10,8 +10,7 @@ from measured_report.commands.history import query_of
 from measured_report.commands.options import shared
 from measured_report.editions.devices import measuring_device
 from measured_report.editions.project import Project
-from measured_report.files.errors import UsageError
-from measured_report.files.suggestion import suggestion
+from measured_report.files.errors import UsageError, suggestion
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections
 

@@ -7,8 +7,7 @@ from measured_report.changes.query import Query
 from measured_report.commands.options import shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
-from measured_report.files.errors import UsageError
-from measured_report.files.suggestion import suggestion
+from measured_report.files.errors import UsageError, suggestion
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 

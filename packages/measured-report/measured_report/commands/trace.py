@@ -9,8 +9,7 @@ from measured_report.changes.query import Query
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
-from measured_report.files.errors import UsageError
-from measured_report.files.suggestion import suggestion
+from measured_report.files.errors import UsageError, suggestion
 from measured_report.pages.chapters import Chapter, Chapters
 from measured_report.pages.editions import Edition, editions_of
 from measured_report.pages.prose import Templates

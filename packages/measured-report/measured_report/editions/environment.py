@@ -20,10 +20,10 @@ from pathlib import Path
 
 import measured_report
 from measured_report.editions.release import Release, release_date
-from measured_report.files.atomic import locked, remove
+from measured_report.files.atomic import locked
 from measured_report.files.config import config, read_toml
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.processes import end_with
+from measured_report.files.processes import end_with_parent
 from measured_report.files.root import ROOT
 from measured_report.files.staging import replace as exchange
 from measured_report.files.staging import staging_folder
@@ -178,7 +178,7 @@ def _installer(root: Path, name: str) -> Iterator[str]:
     uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
     try:
         if not uv:
-            remove(tools)  # of one that was killed
+            shutil.rmtree(tools, ignore_errors=True)  # of one that was killed
             _run([sys.executable, "-m", "venv", str(tools)], name)
             pinned = tools / "uv.txt"
             pinned.write_text(_locked(root, "uv"), encoding="utf-8")
@@ -186,7 +186,7 @@ def _installer(root: Path, name: str) -> Iterator[str]:
             _run([*pip, "--only-binary", ":all:", "--requirement", str(pinned)], name)
         yield uv or str(tools / "bin" / "uv")
     finally:
-        remove(tools)
+        shutil.rmtree(tools, ignore_errors=True)
 
 
 def _locked(root: Path, name: str) -> str:
@@ -229,7 +229,7 @@ def _run(command: list[str], name: str, **settings: str) -> None:
         text=True,
         errors="replace",
         env={**os.environ, **settings},
-        preexec_fn=partial(end_with, os.getpid()),
+        preexec_fn=end_with_parent,
         check=False,
     )
     if program.returncode:

@@ -11,8 +11,7 @@ from measured_report.files.config import config
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import changes, identity_of, sections
 from measured_report.records.provenance import EDITED, MISSING, code_in, package_versions
-from measured_report.records.reading import load_record
-from measured_report.records.record import Record
+from measured_report.records.record import Record, load_record
 
 
 @dataclass(frozen=True)

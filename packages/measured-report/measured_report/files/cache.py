@@ -1,11 +1,7 @@
-"""A cache of what was made before, in the user's own cache folder: it may be deleted at any time.
-
-What is damaged, or no file at all, counts as not there.
-"""
+"""Cache: what was made before, in the user's own cache folder; what is damaged counts as not there."""
 
 import os
 import pickle
-import tempfile
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
@@ -24,7 +20,7 @@ class _Reading(pickle.Unpickler):
 
 @dataclass(frozen=True)
 class Cache:
-    """The cache of the project at ``root``."""
+    """Keeps what was made of the project at ``root``."""
 
     root: Path
 
@@ -49,21 +45,17 @@ class Cache:
         return None
 
     def put(self, name: str, key: Any, value: Any, name_of: Callable[[Any], Any] | None = None) -> None:
-        """Keep ``value``, made from ``key``, whole or not at all; where nothing can be written it is not kept.
+        """Keep ``value``, made from ``key``; where nothing can be written it is not kept.
 
         ``name_of`` gives the name of a part of it that is not to be kept with it; None for what is.
         """
         with suppress(OSError, RuntimeError):
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            with tempfile.NamedTemporaryFile(dir=self.folder, prefix=".", delete=False) as file:
-                try:
-                    writing = _Writing(file, pickle.HIGHEST_PROTOCOL)
-                    if name_of:
-                        writing.persistent_id = name_of  # type: ignore[method-assign]
-                    writing.dump(key)
-                    writing.dump(value)
-                    file.flush()
-                    os.replace(file.name, self.folder / name)
-                except BaseException:
-                    Path(file.name).unlink()
-                    raise
+            part = self.folder / f".{name}.{os.getpid()}"
+            with part.open("wb") as file:
+                writing = _Writing(file, pickle.HIGHEST_PROTOCOL)
+                if name_of:
+                    writing.persistent_id = name_of  # type: ignore[method-assign]
+                writing.dump(key)
+                writing.dump(value)
+            os.replace(part, self.folder / name)

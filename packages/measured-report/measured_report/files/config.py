@@ -1,4 +1,4 @@
-"""What ``report.toml`` says: all that has to be known of a report besides its rooms."""
+"""Config: what ``report.toml`` says, all that has to be known of a report besides its rooms."""
 
 import sys
 from collections.abc import Collection, Mapping, Sequence
@@ -15,7 +15,7 @@ FILE = "report.toml"
 
 @dataclass(frozen=True)
 class Declared:
-    """What one table ``columns`` says of the columns that it names, or all of whose name its pattern matches."""
+    """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
 
     names: Collection[str] = ()
     pattern: str = ""
@@ -42,9 +42,9 @@ class Declared:
 
 @dataclass(frozen=True)
 class Changes:
-    """The table ``changes``: what comparing editions takes to know of this report's sections and rows."""
+    """Holds the table ``changes``: what comparing editions takes to know of this report's sections and rows."""
 
-    deciding: tuple[str, ...] = ()
+    deciding: Sequence[str] = ()
     """Sections that tell most in least time, the longest first, which ends soonest with several at once; none: all."""
     deciding_seconds: Mapping[str, float] = field(default_factory=dict)
     """How long they take on two cores of a CPU [s], by profile, where no record says."""
@@ -65,14 +65,14 @@ class Changes:
     """By kind, what to know of one that changed."""
     cause: str = ""
     """The claim that says why editions differ, where it holds."""
-    same_runs: tuple[str, ...] = ()
+    same_runs: Sequence[str] = ()
     """Sections that have runs alike, so that a number of a case can be taken from any of them."""
-    together: tuple[tuple[str, ...], ...] = ()
+    together: Sequence[Sequence[str]] = ()
     """The other packages of which each release takes its own versions, those that come out together side by side: these
     are changed together in a search. What is not among them stays as pyproject.toml asks for it."""
-    keys: tuple[str, ...] = ("case",)
+    keys: Sequence[str] = ("case",)
     """Columns that tell the rows of one section apart, where they are there."""
-    untold_keys: tuple[str, ...] = ()
+    untold_keys: Sequence[str] = ()
     """More of them, which text leaves out."""
     classes: str = ""
     """The column that lists how the repeats of a run ended; where they differ, the row is not compared."""
@@ -80,11 +80,11 @@ class Changes:
 
 @dataclass(frozen=True)
 class Config:
-    """The fields of ``report.toml``, as they are without it."""
+    """Holds the fields of ``report.toml``, as they are without it."""
 
     edition: str = ""
     """The package whose releases are editions."""
-    packages: tuple[str, ...] = ()
+    packages: Sequence[str] = ()
     """Other packages whose versions are part of what a record depends on; it is read with ``edition`` before them."""
     requirement: str = ""
     """That package as pyproject.toml asks for it, with its extras and without a version."""
@@ -103,9 +103,9 @@ class Config:
     """What columns say of runs that repeat to the last bit, all but times."""
     units: Mapping[str, str] = field(default_factory=dict)
     """Units by the end of a column's name, besides those that ``records/columns.py`` knows."""
-    cost_terms: tuple[str, ...] = ()
+    cost_terms: Sequence[str] = ()
     """Columns that two rows must share for their costs to be compared."""
-    columns: tuple[Declared, ...] = ()
+    columns: Sequence[Declared] = ()
     baseline: str = "the baseline"
     """What people call the case that all others are changed from."""
     changes: Changes = field(default_factory=Changes)
@@ -115,60 +115,60 @@ class Config:
     """What it is called in names of files and ids that leave the site: those of the archive and of the feed."""
     repository: str = ""
     """The page of its sources on the web; where nothing is said, that of git's origin."""
-    pages: tuple[Mapping[str, Any], ...] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})
+    pages: Sequence[Mapping[str, Any]] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})
     """The pages in their order, the front page first; ``pages.py`` says what each may name."""
     story: str = ""
     """The package whose modules derive what texts of pages tell: ``front`` for ``front.md.j2``."""
     plugins: str = "measured_report.pages.plugins"
     """The module that says what else this report shows; the one named here says what it may have."""
-    formulas: tuple[str, ...] = ()
+    formulas: Sequence[str] = ()
     """Patterns of names and formulas in drawings and table cells, whose numbers lead to no record."""
 
     @property
-    def sources(self) -> tuple[str, ...]:
-        """The files that this is read from, below the root: with the case's, they say what columns hold."""
+    def sources(self) -> Sequence[str]:
+        """Name the files that this is read from, below the root: with the case's, they say what columns hold."""
         module = self.case.partition(":")[0]
         return (FILE, f"{module.replace('.', '/')}.py") if module else (FILE,)
 
     @property
     def package(self) -> str:
-        """The package whose releases are editions."""
+        """Name the package whose releases are editions."""
         return self.edition
 
     @property
     def needs_gpu(self) -> bool:
-        """Whether what a section measures depends on the device, where it does not say."""
+        """Tell whether what a section measures depends on the device, where it does not say."""
         return self.host != Config.host
 
     @property
     def option(self) -> str:
-        """The variable of make that names an edition."""
+        """Name the variable of make that names an edition."""
         return self.package.upper().replace("-", "_")
 
     def name_of(self, release: str) -> str:
-        """What people call an edition."""
+        """Write what people call an edition."""
         return f"{self.edition_name} {release}".strip()
 
     def edition_folder(self, release: str) -> str:
-        """The name of the folder that has the results of an edition."""
+        """Name the folder that has the results of an edition."""
         return f"{self.package}-{release}"
 
     def edition_in(self, folder: str) -> str:
-        """The label of the edition whose results are in a folder of that name."""
+        """Return the label of the edition whose results are in a folder of that name."""
         return folder.removeprefix(f"{self.package}-")
 
     def requirement_of(self, package: str) -> str:
-        """A package as it is asked for, with its extras."""
+        """Write a package as it is asked for, with its extras."""
         return self.requirement if package == self.package and self.requirement else package
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """The content of a TOML file; ValueError or OSError where it is none."""
+    """Read a TOML file; ValueError or OSError where it is none."""
     return parse_toml(path.read_text(encoding="utf-8"))
 
 
 def parse_toml(text: str) -> dict[str, Any]:
-    """What a text of TOML says; ValueError where it says nothing."""
+    """Read a text of TOML; ValueError where it is none."""
     # A Python that makes the environment has no more than its own library.
     if sys.version_info >= (3, 11):
         import tomllib
@@ -179,7 +179,7 @@ def parse_toml(text: str) -> dict[str, Any]:
 
 @cache
 def config(root: Path = ROOT) -> Config:
-    """ReportError, one line, where the file is not whole."""
+    """Read ``report.toml``; ReportError, one line, where it is not whole."""
     path = root / FILE
     try:
         found = read_toml(path) if path.is_file() else {}
@@ -187,14 +187,7 @@ def config(root: Path = ROOT) -> Config:
             found["packages"] = [found["edition"], *found.get("packages", ())]
             found.setdefault("edition_name", found["edition"])
         found["columns"] = [Declared(**table) for table in found.get("columns", ())]
-        found["changes"] = Changes(**_frozen(found.get("changes", {})))
-        return Config(**_frozen(found))
+        found["changes"] = Changes(**found.get("changes", {}))
+        return Config(**found)
     except (OSError, ValueError, TypeError) as error:
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
-
-
-def _frozen(value: Any) -> Any:
-    """Return the same with tuples in place of lists."""
-    if isinstance(value, dict):
-        return {name: _frozen(part) for name, part in value.items()}
-    return tuple(map(_frozen, value)) if isinstance(value, list) else value

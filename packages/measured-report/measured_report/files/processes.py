@@ -1,7 +1,6 @@
 """Processes that share a piece of work: one that is killed is noticed, and none outlives the one that started it."""
 
 import ctypes
-import os
 import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -17,12 +16,12 @@ PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the
 
 @contextmanager
 def workers(count: int, method: str, then: Callable[[], None] | None = None) -> Iterator[ProcessPoolExecutor]:
-    """A pool of ``count`` processes, started by ``method`` (fork or spawn), each of which calls ``then`` first.
+    """Open a pool of ``count`` processes, started by ``method`` (fork or spawn), each of which calls ``then`` first.
 
     When one of them is killed, as the system does for want of memory, ReportError says so; when the block is left by
     any other error, or by Ctrl-C, the work that is still under way is dropped.
     """
-    pool = ProcessPoolExecutor(count, get_context(method), begin, (os.getpid(), then))
+    pool = ProcessPoolExecutor(count, get_context(method), begin, (then,))
     try:
         yield pool
     except BaseException as error:
@@ -35,23 +34,16 @@ def workers(count: int, method: str, then: Callable[[], None] | None = None) -> 
         pool.shutdown(cancel_futures=True)
 
 
-def begin(parent: int, then: Callable[[], None] | None) -> None:
-    """Let this process, which is one of a pool of ``parent``'s, end with it and leave Ctrl-C to it."""
-    obey(parent)
+def begin(then: Callable[[], None] | None) -> None:
+    """Let this process, which is one of a pool, end with the one that started it and leave Ctrl-C to it."""
+    end_with_parent()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     if then:
         then()
 
 
-def obey(parent: int) -> None:
-    """Let this process, which is to become a program, end with ``parent`` and leave Ctrl-C to it."""
-    end_with(parent)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
-def end_with(parent: int) -> None:
-    """Let this process end as soon as the process ``parent``, which started it, has; on Linux alone."""
+def end_with_parent() -> None:
+    """Let this process end as soon as the one that started it has; on Linux alone."""
     if prctl := getattr(ctypes.CDLL(None), "prctl", None):
         prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent:  # it ended before this was said
-            os._exit(1)

@@ -8,7 +8,6 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -18,10 +17,10 @@ from measured_report.editions.environment import add_cluster, python_of
 from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
 from measured_report.editions.release import Release, release_date
 from measured_report.editions.status import expected_packages, records_of
-from measured_report.files.atomic import locked, refuse_unwritable
+from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.processes import end_with
+from measured_report.files.processes import end_with_parent
 from measured_report.measuring.machine import gpus, share_count
 from measured_report.measuring.section import WHOLE
 from measured_report.records.identity import sections as all_sections
@@ -46,7 +45,9 @@ def measure(
         machine = _gpu_of(cluster, project.root) if cluster not in (None, "local") else machine_name(device)
         options += ["--processor", machine]
     kept = kept_by(project, machine, sections)
-    refuse_unwritable(kept.results)
+    kept.results.mkdir(parents=True, exist_ok=True)
+    if not os.access(kept.results, os.W_OK):
+        raise ReportError(f"what is measured could not be kept in {kept.results}")
     try:
         _run(kept, release, MODULE, device, *sections, *options, "--edition", kept.release)
     finally:
@@ -99,8 +100,9 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     if device == "cpu":
         settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
-    end = partial(end_with, os.getpid())  # since nobody would know of it otherwise
-    done = subprocess.run(command, cwd=project.root, env=settings, preexec_fn=end, start_new_session=True, check=False)
+    done = subprocess.run(
+        command, cwd=project.root, env=settings, preexec_fn=end_with_parent, start_new_session=True, check=False
+    )
     if done.returncode == UNFIT:
         raise UsageError("")  # it has said why
     if done.returncode:

@@ -35,7 +35,7 @@ class HostPool:
             return self._pool.submit(function, *arguments)
 
     def _opened(self) -> Executor:
-        return ProcessPoolExecutor(self.limit, get_context("fork"), begin, (os.getpid(), self._begin))
+        return ProcessPoolExecutor(self.limit, get_context("fork"), begin, (self._begin,))
 
 
 @contextmanager

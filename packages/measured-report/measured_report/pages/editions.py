@@ -28,7 +28,7 @@ from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.records.code import files
 from measured_report.records.identity import files_digest, sections
-from measured_report.records.traces import traces_of
+from measured_report.records.record import traces_of
 from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.results import Results, ResultsError
 

@@ -8,9 +8,8 @@ The name ends in their unit; all else is declared in ``report.toml``, for column
     resolution = 1e-3
 """
 
-import math
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
 from importlib import import_module
@@ -124,8 +123,8 @@ def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
 
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     """Units of the columns that hold numbers, missing ones included."""
-    there = columns_of(rows)
-    names = [name for name in there if any(is_number(row.get(name)) for row in rows)]
+    there, numeric = columns_of(rows), {name for row in rows for name, cell in row.items() if is_number(cell)}
+    names = [name for name in there if name in numeric]
     names += [name.removesuffix(REASON) for name in there if name.endswith(REASON)]
     return {name: column_of(name).unit for name in names}
 
@@ -140,44 +139,22 @@ def is_number(value: Any) -> TypeGuard[int | float]:
 
 
 def number_problem(name: str, value: int | float) -> str:
-    """What is wrong with a number in the column ``name``, in words; empty when nothing is."""
+    """Say what is wrong with a number in the column ``name``; empty when nothing is."""
     known = column_of(name)
     if known.least <= value <= known.largest:
         return ""
-    if isinstance(value, float) and not math.isfinite(value):
-        return f"is {value}; a number that does not exist is null, with its {name}{REASON}"
-    if -known.largest <= value < known.least:
-        return f"is {value:g}, and can't be negative"
-    return f"is beyond {known.largest:g}{'' if known.unit == PLAIN else f' {known.unit}'}"
+    return f"is {value!r:.20}, and no number from {known.least:g} to {known.largest:g}"
 
 
-def problem_in(row: Mapping[str, Any], name: str, units: Collection[str]) -> str:
-    """What is wrong with a row's cell in the column ``name``, in words, where the columns in ``units`` hold numbers."""
-    value = row[name]
-    if not COLUMN.fullmatch(name):
-        return "is no column name (lower-case words joined by _)"
-    if is_number(value):
-        return number_problem(name, value) if name in units else "has no unit"
-    if name in units and value is None and not row.get(name + REASON):
-        return f"is null without a {name}{REASON}"
-    if isinstance(value, bool | str) and (name in units or column_of(name).unit != PLAIN):
-        return f"is {value!r:.40}, not a number"
-    return cell_problem(value)
+def name_problem(text: str) -> str:
+    """Say what is wrong with a text that is printed as a part of a line; empty when nothing is."""
+    return text_problem(text) or ("has a tab or more than one line" if re.search(r"[\n\t]", text) else "")
 
 
-def name_problem(value: Any) -> str:
-    """What is wrong with what is printed as a part of a line, as a name or a command, in words."""
-    is_broken = isinstance(value, str) and re.search(r"[\n\t]", value)
-    return cell_problem(value) or ("has a tab or more than one line" if is_broken else "")
-
-
-def cell_problem(value: Any) -> str:
-    """What is wrong with anything but a number of a known column, in words; empty when nothing is."""
-    if not isinstance(value, bool | int | float | str | None):
-        return f"is a {type(value).__name__}, not a plain number or text"
-    if not isinstance(value, str):
-        return ""
-    if len(value) > TEXT_LIMIT:
+@cache
+def text_problem(text: str) -> str:
+    """Say what is wrong with a text; empty when nothing is."""
+    if len(text) > TEXT_LIMIT:
         return f"is a text of more than {TEXT_LIMIT} characters"
-    found = UNPRINTABLE.search(value)
+    found = UNPRINTABLE.search(text)
     return f"has the character U+{ord(found[0]):04X}, which is no text" if found else ""

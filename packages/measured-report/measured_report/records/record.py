@@ -1,25 +1,47 @@
-"""Records: what one section measured, as one JSON file that git can compare line by line."""
+"""Records: what one section measured, as one JSON file that git can compare line by line, and each field is checked."""
 
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from datetime import datetime, timedelta
+from hashlib import sha256
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from msgspec import Meta
+import msgspec
+from msgspec import Meta, Struct
 
-from measured_report.files.atomic import RecordError, put_record, short_path
+from measured_report.files.atomic import RecordError, put_record, read_own_file, short_path
 from measured_report.files.config import config
-from measured_report.records.columns import COLUMN, column_of, columns_of, name_problem, problem_in, units_of
+from measured_report.records.columns import (
+    PLAIN,
+    REASON,
+    UNPRINTABLE,
+    column_of,
+    columns_of,
+    number_problem,
+    text_problem,
+    units_of,
+)
 from measured_report.records.identity import Digest, Identity
 from measured_report.records.provenance import MISSING
 
 SCHEMA = 1
+BYTE_LIMIT = 32 << 20
 CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
-Text = Annotated[str, Meta(max_length=400)]
+DIGITS = ".9g"
+"""Digits of a number: as many as tell any two of single precision apart, far below what any of these repeats to."""
 Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
+Key = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_.+-]{1,200}\Z")]
+Name = Annotated[str, Meta(pattern=r"\A[a-z][a-z0-9_]{0,79}\Z")]
+Line = Annotated[str, Meta(pattern=r"\A[^\n\t]+\Z", max_length=400)]
+if TYPE_CHECKING:
+    from typing import Any as Cell
+    from typing import Any as Noted
+else:
+    Noted, Cell = Line | int | float | None, bool | int | float | str | None
+Time = Annotated[datetime, Meta(tz=True)]
 
 
 @dataclass(frozen=True, order=True)
@@ -36,81 +58,122 @@ class Origin:
 
 @dataclass(frozen=True)
 class Seal:
-    """What binds a trace to its record."""
+    """Binds a trace to its record."""
 
     digest: Digest
     """SHA-256 of the file."""
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
+class _Machine(Struct):
+    """Names what is always noted of a machine."""
+
+    device: Literal["cuda", "cpu"]
+    gpu: Line | None
+    driver: Line | None
+    cpu: Line
+    python: Line
+
+
+class _Row(Struct):
+    """Names what each row has."""
+
+    case: Line
+
+
+class _Measured(Struct):
+    """Names what is always noted of a measurement, and its times."""
+
+    date: Time
+    commit: Line | None
+    command: Line
+    seconds: Annotated[float, Meta(ge=0.0, le=1e8)]
+    started: Time | None = None
+    ended: Time | None = None
+
+
 @dataclass(frozen=True)
 class Record:
-    """What one section measured, and where, when and by which code."""
+    """Keeps what one section measured, and where, when and by which code."""
 
-    section: Text
+    section: Line
     identity: Identity
-    machine: Mapping[Text, Any]
+    machine: Mapping[Key, Noted]
     """``device`` (cuda or cpu), ``gpu``, ``driver``, ``cpu``, ``python``; None where there is none."""
-    measured: Mapping[Text, Any]
+    measured: Mapping[Key, Noted]
     """``date``, ``commit``, ``command`` and ``seconds``."""
-    units: Mapping[Text, Text]
-    rows: Sequence[Mapping[Text, Any]]
-    traces: Mapping[Case, Seal] | None = None
-    """Seal of each trace by its case; None in a record from before traces were sealed."""
+    units: Mapping[Name, Line]
+    rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
+    traces: Mapping[Case, Seal] = field(default_factory=dict)
+    """Seal of each trace by its case."""
 
     @property
     def processor(self) -> str:
-        """What the numbers were measured on."""
+        """Name what the numbers were measured on."""
         device = "gpu" if self.machine.get("device") == "cuda" else "cpu"
         return self.machine.get(device) or device.upper()
 
     @property
     def machine_text(self) -> str:
-        """The processor, and the driver that it runs with."""
+        """Name the processor, and the driver that it runs with."""
         return self.processor + (f" (driver {self.machine['driver']})" if self.machine.get("driver") else "")
 
     @property
     def machine_in_full(self) -> str:
-        """All that must be the same for two times to be compared."""
+        """Name all that must be the same for two times to be compared."""
         cores = f"{self.machine_text}, {self.machine.get('cores') or 'an unknown number of'} cores"
         beside = f", {self.machine['sections_at_once']} sections at once" if "sections_at_once" in self.machine else ""
         return f"{cores}{beside}" if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
 
     @property
+    def machine_for_speed(self) -> tuple[str | None, ...]:
+        """Return what must be the same for two times to be compared."""
+        return tuple(map(self.machine.get, ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")))
+
+    @property
     def time_text(self) -> str:
-        """When it was measured, to the minute."""
+        """Say when it was measured, to the minute."""
         return datetime.fromisoformat(self.measured["date"]).strftime("%Y-%m-%d %H:%M %Z")
 
     @property
     def span(self) -> tuple[datetime, datetime]:
-        """From when to when it was measured."""
+        """Return from when to when it was measured."""
         ended = datetime.fromisoformat(self.measured.get("ended", self.measured["date"]))
-        started = self.measured.get("started")
-        return datetime.fromisoformat(started) if started else ended - timedelta(
-            seconds=self.measured["seconds"]
-        ), ended
+        if started := self.measured.get("started"):
+            return datetime.fromisoformat(started), ended
+        return ended - timedelta(seconds=self.measured["seconds"]), ended
 
     @property
     def origin(self) -> Origin:
         return Origin(self.identity.packages.get(config().package, MISSING), self.processor)
 
-    @property
-    def machine_for_speed(self) -> tuple[str | None, ...]:
-        """What must be the same for two times to be compared."""
-        return tuple(map(self.machine.get, ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")))
+
+def trace_path(record: Path, case: str) -> Path:
+    """Name the place of the trace of ``case``, beside the record at ``record``."""
+    if not CASE.fullmatch(case):
+        raise RecordError(f"a trace needs a case name that can be part of a file name, not {case!r}")
+    return record.with_name(f"{record.stem}.{case}.csv.gz")
 
 
-DIGITS = ".9g"
-"""Of a number: as many as tell any two of single precision apart, far below what any of these repeats to."""
+def traces_of(path: Path, record: Record) -> list[Path]:
+    """Name the traces that belong to the record at ``path``."""
+    return [trace_path(path, case) for case in record.traces]
 
 
 def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
-    """Put ``record`` and its traces, by case, at ``path``: all of them whole, or none; None: those there stay."""
+    """Put ``record`` and its traces, by case, at ``path``; None: those there stay."""
     if traces is not None:
         record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
-    check_record(record, short_path(path))
-    files = {f"{path.stem}.{case}.csv.gz": content for case, (_, content) in (traces or {}).items()}
-    put_record(path, {**files, path.name: _text(record).encode()})
+    try:
+        content = _text(record).encode()
+    except (TypeError, ValueError) as error:
+        raise RecordError(f"{short_path(path)} cannot be written: {error}") from None
+    _read(content, path)
+    kept = {trace_path(path, case).name: packed for case, (_, packed) in (traces or {}).items()}
+    put_record(path, {**kept, path.name: content})
+    for left in path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ():
+        if left.name not in kept:  # that of a case that is no more
+            left.unlink()
 
 
 def _text(record: Record) -> str:
@@ -120,41 +183,88 @@ def _text(record: Record) -> str:
     ]
     data = {"schema": SCHEMA, **asdict(replace(record, rows=[]))}  # which would copy every cell
     del data["rows"]
-    if record.traces is None:
-        del data["traces"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
     lines = [json.dumps(row, ensure_ascii=False, allow_nan=False, separators=(",", ":")) for row in rows]
     return head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n"
 
 
-def check_record(record: Record, place: str) -> None:
-    """RecordError, with the first thing that is wrong, when the rows of ``record`` can't be kept at ``place``."""
-    if not record.rows:
-        raise RecordError(f"{place} has no rows")
-    known = filter(COLUMN.fullmatch, record.units)
-    ranges = {name: (column_of(name).least, column_of(name).largest) for name in known}
-    for index, row in enumerate(record.rows):
-        case = row.get("case")
-        if not case or not isinstance(case, str):
-            raise RecordError(f"{place}: row {index} has no case")
-        if problem := name_problem(case):
-            raise RecordError(f"{place}: the case of row {index} {problem}")
-        for column, value in row.items():
-            # Nearly all are numbers that may be there, and every build reads every record.
-            if type(value) in (float, int) and column in ranges and ranges[column][0] <= value <= ranges[column][1]:
-                continue
-            if problem := problem_in(row, column, record.units):
-                raise RecordError(f"{place}: {column:.80} of {case!r:.80} {problem}")
-    _check_columns(record, place)
+def load_record(path: Path) -> Record:
+    """Read the record at ``path``; RecordError, one line with its release and file, when it is damaged in any way.
+
+    The traces that it seals are there and are the ones that were measured with it.
+    """
+    record = _read(read_own_file(path, BYTE_LIMIT), path)
+    for case, seal in record.traces.items():
+        trace = trace_path(path, case)
+        if sha256(read_own_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
+            raise RecordError(f"{short_path(trace)} is not the trace that was measured with {path.name}")
+    return record
 
 
-def _check_columns(record: Record, place: str) -> None:
-    """The units are those that the columns' names say, and a column holds one kind of thing."""
-    expected = units_of(record.rows)
-    for column in sorted({*expected, *record.units}):
-        said, unit = record.units.get(column), expected.get(column)
-        if said != unit:
-            raise RecordError(f"{place}: the unit of {column} is given as {said}, and its name says {unit}")
-    for column in columns_of(record.rows):
-        if column not in record.units and len({type(row.get(column)) for row in record.rows} - {type(None)}) > 1:
-            raise RecordError(f"{place}: {column} is text in one row and yes or no in another")
+def _read(content: bytes, path: Path) -> Record:
+    """Make a record of what its file holds; RecordError unless each field is as it should be."""
+    try:
+        data = json.loads(content.decode("utf-8"), object_pairs_hook=_plain, parse_constant=_refuse)
+        schema = data.pop("schema", None) if isinstance(data, dict) else None
+        if type(schema) is not int or schema != SCHEMA:
+            raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
+        record = msgspec.convert(data, Record)
+        parts = [(data, Record), (data["identity"], Identity), *((seal, Seal) for seal in data["traces"].values())]
+        known = [(part, {each.name for each in fields(kind)}) for part, kind in parts]
+        for part, names in [*known, (data["identity"]["packages"], {*config().packages})]:
+            if others := part.keys() - names:
+                raise ValueError(f"nothing here is called {min(others)!r:.80}")
+        msgspec.convert(record.machine, _Machine)
+        msgspec.convert(record.measured, _Measured)
+        msgspec.convert(record.rows, list[_Row])
+        _ = record.span  # which may begin before there are dates
+        if record.section != path.stem:
+            raise ValueError(f"it is one of {record.section!r}")
+        _check_columns(record)
+    except (ValueError, OverflowError, RecursionError, msgspec.ValidationError) as error:
+        # In one line, without characters that could do anything to whoever reads it.
+        said = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
+        raise RecordError(f"{short_path(path)} is no whole record: {said:.300}") from None
+    return record
+
+
+def _plain(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Make an object of JSON, in which each key stands once: of two, a reader would see either."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        keys = [key for key, _ in pairs]
+        raise ValueError(f"{max(keys, key=keys.count)!r:.80} is there twice")
+    for key, value in pairs:
+        if isinstance(value, str) and (problem := text_problem(value)):
+            raise ValueError(f"{key!r:.80} {problem}")
+    return found
+
+
+def _refuse(constant: str) -> None:
+    raise ValueError(f"{constant} is no number")
+
+
+def _check_columns(record: Record) -> None:
+    """Raise ValueError unless units are those of the columns' names, and a column holds one kind of thing."""
+    units = units_of(record.rows)
+    for name in sorted({*units, *record.units}):
+        if record.units.get(name) != units.get(name):
+            raise ValueError(
+                f"the unit of {name} is given as {record.units.get(name)}, and its name says {units.get(name)}"
+            )
+    for name in columns_of(record.rows):
+        there = [row for row in record.rows if name in row]
+        kinds = {type(row[name]) for row in there}
+        others = kinds - {int, float, type(None)}
+        if (name in units or column_of(name).unit != PLAIN) and others:
+            raise ValueError(f"{name} is not all numbers")
+        if len(others) > 1:
+            raise ValueError(f"{name} is text in one row and yes or no in another")
+        if name not in units:
+            continue
+        if type(None) in kinds and not all(row.get(name + REASON) for row in there if row[name] is None):
+            raise ValueError(f"{name} is null without a {name}{REASON}")
+        numbers = [row[name] for row in there if row[name] is not None]
+        for number in (min(numbers), max(numbers)) if numbers else ():
+            if problem := number_problem(name, number):
+                raise ValueError(f"{name} {problem}")

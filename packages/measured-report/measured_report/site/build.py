@@ -11,7 +11,6 @@ from pathlib import Path
 
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
-from measured_report.files.atomic import locked
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
@@ -23,7 +22,7 @@ from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest
 from measured_report.records.provenance import package_versions
-from measured_report.records.traces import BYTE_LIMIT
+from measured_report.records.record import BYTE_LIMIT
 from measured_report.site.citing import citation
 from measured_report.site.feed import write_feed
 from measured_report.site.pages import Site
@@ -48,18 +47,18 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     """Write the site and say what it lacks, by release; until the site is whole, the one that was there stays.
 
     The project's pages are the first of the site; those of other releases that have results lie in a folder each. What
-    was made before from the same is not made again, and files that would be the same stay. Where the site will lie is
-    its ``address``, with a slash at its end; empty where that is not known.
+    was made before from the same is not made again. Where the site will lie is its ``address``, with a slash at its
+    end; empty where that is not known.
     """
     cache = Cache(project.root)
-    with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False), _uncollected():
+    with staging_folder(project.site) as fresh, _uncollected():
         digest, there = _digest(project, address), digests_below(project.site)
         if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
             elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
         if kept := cache.get(BUILT, (digest, there)):
             return kept
-        draft = Draft(fresh, project.site, there)
+        draft = Draft(fresh)
         with cached_sources(project.root), unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = editions_of(project, templates, derived)

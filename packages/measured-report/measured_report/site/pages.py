@@ -22,7 +22,7 @@ from measured_report.parts.drawing import draw
 from measured_report.parts.macros import macros
 from measured_report.parts.picture import Picture
 from measured_report.parts.section import Pictures
-from measured_report.records.traces import traces_of
+from measured_report.records.record import traces_of
 from measured_report.site.citing import Citation, measured_on
 from measured_report.site.data import rows_csv
 from measured_report.values.noise import NOISE

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from measured_report.files.atomic import locked
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.staging import digests_below, replace, staged, staging_folder
+from measured_report.files.staging import digests_below, replace, staging_folder
 from measured_report.site.check import check_site
 
 DEFAULT = "git:origin"
@@ -96,8 +96,7 @@ def _to_folder(copy: Path, place: str, site: Path) -> str:
 def _refuse_inside(site: Path, path: Path) -> None:
     """Refuse a place that the next build removes."""
     place = path.parent.resolve() / path.name
-    is_staged = place.parent == site.parent.resolve() and staged(site).fullmatch(place.name)
-    if is_staged or place.is_relative_to(site.resolve()):
+    if place.is_relative_to(site.resolve()):
         raise UsageError(f"{path} lies where {site.name}/ is rebuilt; use a place outside of it")
 
 

@@ -1,7 +1,6 @@
 """Results: one section's record as its section module sees it."""
 
 import math
-import os
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -14,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of
-from measured_report.records.record import Origin, Record, Seal
-from measured_report.records.traces import load_trace, trace_path
+from measured_report.records.record import Origin, Record, trace_path
+from measured_report.records.traces import load_trace
 from measured_report.values.labels import label_of
 from measured_report.values.noise import Floor, cell_noise, derived_noise
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
@@ -176,15 +175,14 @@ class Results:
         return Quantity(self.record.measured["seconds"], "s", f"{self.source}#/measured/seconds")
 
     def trace(self, case: str) -> Series:
-        path, seals = trace_path(self.path, case), self.record.traces
+        path = trace_path(self.path, case)
         source = f"{path.parent.name}/{path.name}"
-        if not os.path.lexists(path) if seals is None else case not in seals:
+        if case not in self.record.traces:
             return Series(None, source, f"there is no {path.name}")
-        table = self.loaded(path, seals[case] if seals else None)
-        return Series(table, source, origins=frozenset({self.record.origin}))
+        return Series(self.loaded(path), source, origins=frozenset({self.record.origin}))
 
-    def loaded(self, path: Path, seal: Seal | None) -> "pd.DataFrame":
-        return load_trace(path, seal)
+    def loaded(self, path: Path) -> "pd.DataFrame":
+        return load_trace(path)
 
     def value(
         self,
