@@ -5,7 +5,7 @@ from pathlib import Path
 
 
 def _root() -> Path:
-    """Find the report's folder: the first with a ``report.toml`` above the program, or else above where it was started."""
+    """Find the folder: the first with a ``report.toml`` above the program, or else above where it was started."""
     starts = [Path(sys.path[0] or ".").resolve(), Path.cwd()]
     folders = (folder for start in starts for folder in (start, *start.parents))
     return next((folder for folder in folders if (folder / "report.toml").is_file()), Path.cwd())
