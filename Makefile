@@ -20,7 +20,6 @@ upgrade:
 bisect:
 history:
 diff:
-retire:
 
 .PHONY: lint
 lint: $(READY)

@@ -60,7 +60,7 @@ def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monke
     def refuse(project, release, *others):
         raise UsageError(f"{release} cannot run the scene")
 
-    monkeypatch.setattr(upgrade, "measure", refuse)
+    monkeypatch.setattr(upgrade, "measure_what_can", refuse)
     monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
     asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
     with pytest.raises(UsageError, match=r"1\.9\.0 cannot run the scene"):

@@ -25,12 +25,12 @@ ASIDE = "bisect"
 
 
 class Alike(UsageError):
-    """Ends of a search that do not differ, or can't tell."""
+    """Refuse a search whose ends do not differ, or can't tell."""
 
 
 @dataclass(frozen=True)
 class Bisection:
-    """A search for where the answer to a query changes."""
+    """Search for where the answer to a query changes."""
 
     project: Project
     query: Query
@@ -114,7 +114,7 @@ def first_change(points: Sequence[Point], is_first: Callable[[Point], bool | Non
 
 
 def points_between(first: Release, last: Release) -> list[str]:
-    """Name what a search may look at, as NEWTON= does: commits of one local repository, or else releases."""
+    """Name what a search may look at, as a command would: commits of one local repository, or else releases."""
     (path, _, old), (other, _, new) = (release.asked.rpartition("@") for release in (first, last))
     if path and path == other and Path(path).is_dir():
         commits = git(Path(path), "rev-list", "--reverse", "--first-parent", f"{old}..{new}").split()

@@ -15,7 +15,7 @@ from measured_report.values.noise import NOISE, Repeats, repeats_of
 
 @dataclass(frozen=True)
 class Fault:
-    """A reason not to trust results."""
+    """Give a reason not to trust results."""
 
     release: str
     section: str
@@ -33,7 +33,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Comparison:
-    """All differences between two editions."""
+    """Hold all differences between two editions."""
 
     releases: tuple[str, str]
     faults: list[Fault]

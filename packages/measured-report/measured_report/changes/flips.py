@@ -20,7 +20,7 @@ from measured_report.values.quantities import Pointer
 
 @dataclass(frozen=True)
 class Flip:
-    """A claim that editions answer differently."""
+    """Hold a claim that editions answer differently."""
 
     section: str
     name: str
@@ -109,7 +109,7 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
 
 @dataclass(frozen=True)
 class FlipList:
-    """Flips by section; printed, each has what other editions say than the page's own."""
+    """List flips by section; printed, each has what other editions say than the page's own."""
 
     flips: Sequence[Flip]
     shown: str

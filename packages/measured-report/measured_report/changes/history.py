@@ -14,7 +14,7 @@ from measured_report.values.quantities import Quantity
 
 @dataclass(frozen=True)
 class Point:
-    """An answer of one edition."""
+    """Hold an answer of one edition."""
 
     release: str
     answer: Answer

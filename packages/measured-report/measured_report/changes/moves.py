@@ -21,7 +21,7 @@ CHOSEN_SHARE = 0.1
 
 @dataclass(frozen=True)
 class Move:
-    """A value of two editions, and how far apart runs of one edition come out."""
+    """Hold a value of two editions, and how far apart runs of one edition come out."""
 
     column: str
     before: Any

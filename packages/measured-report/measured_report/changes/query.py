@@ -17,7 +17,7 @@ Answer = str | float
 
 @dataclass(frozen=True)
 class Query:
-    """A question to each edition: a claim, or a value, of the page or of a row."""
+    """Ask each edition for a claim, or a value, of the page or of a row."""
 
     text: str
     """As CLAIM= or VALUE= says it: ``section.claim``, ``section.value`` or ``section.case.column``."""
@@ -48,12 +48,6 @@ class Query:
     def given(self) -> str:
         """Write it as the command line has it."""
         return f"{'CLAIM' if self.is_claim else 'VALUE'}={self.text}"
-
-    @property
-    def example(self) -> str:
-        """Give one of the kind that this report has."""
-        rules = config().changes
-        return f"CLAIM={rules.example_claim}" if self.is_claim else f"VALUE={rules.headline}"
 
     def answer(self, chapters: Chapters) -> Answer | None:
         """Return what the chapters of an edition say; None where they can't tell."""

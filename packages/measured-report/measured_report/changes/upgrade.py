@@ -9,18 +9,10 @@ from measured_report.changes.compare import Comparison, Fault
 from measured_report.changes.query import Query
 from measured_report.editions.project import Project
 from measured_report.files.config import config
-from measured_report.measuring.measure import seconds_known
 from measured_report.pages.editions import Edition
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.provenance import package_changes
-
-
-def seconds_expected(project: Project, device: str, sections: Sequence[str]) -> float:
-    """Return how long the sections may take [s], by what they took before."""
-    rules = config().changes
-    guess = rules.deciding_seconds.get(project.profile, 0.0) * len(sections) / max(1, len(deciding(project)))
-    return seconds_known(project, device, sections) or guess
 
 
 def deciding(project: Project) -> Sequence[str]:

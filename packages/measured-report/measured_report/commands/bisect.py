@@ -5,7 +5,6 @@ import math
 from dataclasses import replace
 
 from measured_report.changes.bisect import Alike, Bisection, bisect, points_between
-from measured_report.changes.upgrade import seconds_expected
 from measured_report.commands.history import query_of
 from measured_report.commands.options import shared
 from measured_report.editions.devices import measuring_device
@@ -25,27 +24,19 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     device = measuring_device(arguments.device, "quick") or "cpu"
     query, ends = query_of(arguments), (arguments.a, arguments.b)
     if query.section not in sections() or query.section == query.text:
-        raise UsageError(f"{query.given} is in no section{suggestion(query.section, sections())}; {query.example} is")
+        raise UsageError(f"{query.given} is in no section{suggestion(query.section, sections())}")
     quick, full = (
         Bisection(replace(project, profile=profile), query, device, Templates(project.templates))
         for profile in ("quick", "full")
     )
-    count = len(points_between(*ends))
-    print(_cost(quick, count), flush=True)
+    steps = 2 + math.ceil(math.log2(len(points_between(*ends)) - 1))
+    print(f"about {steps} steps, each a quick run of {query.section} where it was not measured before", flush=True)
     try:
         print(bisect(quick, *ends))
     except Alike as error:
-        told = f"{error} in a quick run; it takes full ones: {_cost(full, count)}"
+        told = f"{error} in a quick run; it takes {steps} full ones"
         if device == "cpu" and not arguments.yes:
             raise UsageError(f"{told}; YES=1 begins") from None
         print(told, flush=True)
         print(bisect(full, *ends))
     return 0
-
-
-def _cost(search: Bisection, count: int) -> str:
-    """Say how many steps a search among so many editions takes, and how long they may."""
-    minutes = seconds_expected(search.project, search.device, [search.query.section]) / 60
-    kind = f"{search.project.profile} run of {search.query.section}"
-    steps = 2 + math.ceil(math.log2(count - 1))
-    return f"about {steps} steps, each a {kind} of {max(1, round(minutes))} min where it was not measured before"

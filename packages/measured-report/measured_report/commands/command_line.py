@@ -27,7 +27,7 @@ FOLDERS = {__package__: Path(__file__).parent, OWN: ROOT.joinpath(*OWN.split("."
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that says in one line what it can't read."""
+    """Say in one line what can't be read."""
 
     def error(self, message: str):
         raise UsageError(f"{' '.join(message.split()):.300}; see {self.prog} --help")

@@ -25,7 +25,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     query = query_of(arguments)
     if not any(query.answer(each) is not None or query.text in query.names(each) for each in releases.values()):
         hint = suggestion(query.text, query.names(releases[project.release]))
-        raise UsageError(f"no edition has {query.given}{hint}; {query.example} is one")
+        raise UsageError(f"no edition has {query.given}{hint}")
     print(history.history(releases, query))
     return 0
 
@@ -33,6 +33,6 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 def query_of(arguments: argparse.Namespace) -> Query:
     """Return what CLAIM or VALUE asks."""
     if bool(arguments.claim) == bool(arguments.value):
-        examples = " and ".join(Query("", is_claim).example for is_claim in (True, False))
-        raise UsageError(f"one of {examples} is needed")
+        rules = config().changes
+        raise UsageError(f"one of CLAIM={rules.example_claim} and VALUE={rules.headline} is needed")
     return Query(arguments.claim or arguments.value, bool(arguments.claim))

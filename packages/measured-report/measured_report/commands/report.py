@@ -2,11 +2,13 @@
 
 import argparse
 import sys
+from collections.abc import Sequence
 
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.devices import NO_CUDA, measuring_device
 from measured_report.editions.project import Project
+from measured_report.editions.release import Release
 from measured_report.editions.status import states_of
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import measure
@@ -20,19 +22,26 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     if not device:
         refuse_unmeasured(project, arguments.release.asked)
     stale = [state.section for state in states_of(project) if state.kind != "fresh"]
-    failed = False
+    is_done = True
     if stale and device:
-        try:
-            project = measure(project, arguments.release, stale, device, arguments.cluster)
-        except UsageError:
-            raise
-        except ReportError as error:
-            print(error, file=sys.stderr)
-            failed = True
+        project, is_done = measure_what_can(project, arguments.release, stale, device, arguments.cluster)
     damaged, lacking = build_site(project, arguments.address)
     if lacking and not device:
         print(f"{NO_CUDA}, in up to hours")
-    return int(failed or damaged)
+    return int(damaged or not is_done)
+
+
+def measure_what_can(
+    project: Project, release: Release, sections: Sequence[str], device: str, cluster: str | None = None
+) -> tuple[Project, bool]:
+    """Measure sections and say what can't be; return the report that has them, and whether all could."""
+    try:
+        return measure(project, release, sections, device, cluster), True
+    except UsageError:
+        raise
+    except ReportError as error:
+        print(error, file=sys.stderr)
+        return project, False
 
 
 def device_of(project: Project, arguments: argparse.Namespace) -> str | None:

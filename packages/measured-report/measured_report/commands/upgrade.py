@@ -8,16 +8,17 @@ from functools import partial
 
 from measured_report.changes.alarm import upgrade_text
 from measured_report.changes.compare import compare
-from measured_report.changes.upgrade import base_of, deciding, lacking, seconds_expected, unmeasured, verdict
+from measured_report.changes.upgrade import base_of, deciding, lacking, unmeasured, verdict
 from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
+from measured_report.commands.report import measure_what_can
 from measured_report.editions.devices import NO_CUDA, machine_name, measuring_device
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
-from measured_report.files.errors import ReportError, UsageError
-from measured_report.measuring.measure import kept_by, measure
+from measured_report.files.errors import UsageError
+from measured_report.measuring.measure import kept_by
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 
@@ -65,16 +66,6 @@ def _with_deciding(project: Project, release: Release, device: str | None, *, re
     if not (names := [section for section in deciding(side) if section in stale or section in absent]):
         return side
     if not device:
-        quick = replace(project, profile="quick")
-        full, short = (seconds_expected(each, "cpu", deciding(each)) / 60 for each in (project, quick))
-        raise UsageError(f"{NO_CUDA}, in about {full:.0f} min, and with PROFILE=quick in about {short:.0f}")
-    minutes = max(seconds_expected(side, device, names) / 60, 1)
-    print(f"{config().package} {side.release}: measuring {', '.join(names)}, about {minutes:.0f} min", flush=True)
-    side = kept_by(side, machine_name(device), names)
-    try:
-        measure(side, release, names, device)
-    except UsageError:
-        raise
-    except ReportError as error:  # what could be measured may say enough
-        print(error, file=sys.stderr)
-    return side
+        raise UsageError(f"{NO_CUDA}, and with PROFILE=quick in minutes")
+    print(f"{config().package} {side.release}: measuring {', '.join(names)}", flush=True)
+    return measure_what_can(kept_by(side, machine_name(device), names), release, names, device)[0]

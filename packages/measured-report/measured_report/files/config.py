@@ -46,8 +46,6 @@ class Changes:
 
     deciding: Sequence[str] = ()
     """Sections that tell most in least time, the longest first, which ends soonest with several at once; none: all."""
-    deciding_seconds: Mapping[str, float] = field(default_factory=dict)
-    """How long they take on two cores of a CPU [s], by profile, where no record says."""
     headline: str = ""
     """The value that says most, as ``section.case.column``; messages give it as an example."""
     headlines: Mapping[str, str] = field(default_factory=dict)

@@ -65,16 +65,6 @@ def measure_headline(project: Project, release: Release, device: str, program: s
         return json.loads(path.read_text(encoding="utf-8"))
 
 
-def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
-    """Return how long sections will take [s], by the last time on such a device; 0 unless all are known."""
-    found = seconds_each(project, device)
-    if not found.keys() >= {*sections}:
-        return 0.0
-    times = [(name, took) for section in sections for name, took in found[section].items()]
-    shared = sum(took for name, took in times if name.startswith("batch_"))
-    return sum(took for _, took in times) - shared + shared / batches_at_once(project, device)
-
-
 def seconds_each(project: Project, device: str) -> Mapping[str, Mapping[str, float]]:
     """Return how long each batch of each section took the last time [s] on such a device, as its record names it."""
     found = {}
