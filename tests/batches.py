@@ -27,6 +27,15 @@ def work(log: str, name: str, seconds: float = 0.0) -> dict:
     return {"case": name, "slip_mm": float(len(name))}
 
 
+def meet(log: str, name: str, names: list[str]) -> dict:
+    """Wait until all of these batches have begun."""
+    note(log, f"begin {name}")
+    while not {*names} <= {*begun(Path(log))}:
+        time.sleep(0.01)
+    note(log, f"end {name}")
+    return {"case": name, "slip_mm": 1.0}
+
+
 def note(log: str, words: str) -> None:
     with Path(log).open("a", encoding="utf-8") as file:
         file.write(f"{words} {time.monotonic()} {os.getpid()}\n")
@@ -63,9 +72,12 @@ def plan(log: str, names: str, seconds: float = 0.0, exclusive: str = "") -> Pla
     return Rows([*rows, last])
 
 
+def all_of(found: list[Batch]) -> Plan:
+    return Rows((yield found))
+
+
 def single(batch: Batch) -> Plan:
-    [row] = yield [batch]
-    return Rows([row])
+    return all_of([batch])
 
 
 def section_of(toy, plan: Plan, name: str = "toy", **known: float) -> Section:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import batches
 import pytest
-from batches import begun, rows_of, running, section_of, spans
+from batches import begun, rows_of, running, section_of
 
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.loop import Loop
@@ -34,10 +34,12 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
 
 
 def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):
-    assert not fails(section_of(toy, batches.plan(str(log), "abcde", 0.5, exclusive="de")), count=2)
-    times = spans(log)
-    assert max(times["a"][0], times["b"][0]) < min(times["a"][1], times["b"][1])
-    assert times["d"][0] > max(times[name][1] for name in "abc") and times["e"][0] > times["d"][1]
+    pair = [Batch(name, batches.meet, (str(log), name, ["a", "b"])) for name in "ab"]  # neither ends without the other
+    alone = [Batch(name, batches.work, (str(log), name), exclusive=True) for name in "de"]
+    assert not fails(section_of(toy, batches.all_of([*alone, *pair])), count=2)
+    assert [line.split()[:2] for line in log.read_text().splitlines()][-4:] == [
+        *(["begin", "d"], ["end", "d"], ["begin", "e"], ["end", "e"])
+    ]
     assert not running(log)
 
 

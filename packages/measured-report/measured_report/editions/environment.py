@@ -221,7 +221,8 @@ def _from_requirements(root: Path, release: Release, rest: Sequence[str], uv: st
 
 def _run(command: list[str], name: str, **settings: str) -> None:
     """Run a program, which takes a while; UsageError, one line, with the last that it said where it fails."""
-    print(f"{name}: {Path(command[0]).name} {' '.join(command[1:3])} …", flush=True)
+    if sys.stdout.isatty():  # a log has the one line that says why it failed
+        print(f"{name}: {Path(command[0]).name} {' '.join(command[1:3])} …", flush=True)
     program = subprocess.run(
         command,
         stderr=subprocess.STDOUT,
