@@ -27,10 +27,8 @@ lint: $(READY)
 	@"$$TYPED_PYTHON" -m ruff format --check .
 	@"$$TYPED_PYTHON" -m mypy
 
+# Where there is no uv, the one of the lock is installed for the time being.
 .venv/.ready: pyproject.toml uv.lock
-	@for python in python3 python3.12 python3.13 python3.11 python3.10; do \
-		"$$python" -c 'import sys; sys.exit(not (3, 10) <= sys.version_info < (3, 14))' 2>/dev/null && \
-			PYTHONPATH=packages/measured-report exec "$$python" -m measured_report.editions.environment; \
-	done; \
-	echo "Python 3.10, 3.11, 3.12 or 3.13 is needed, and there is $$(python3 --version 2>&1 || echo none)" >&2; \
-	exit 2
+	@uv=$$(command -v uv) || { python3 -m venv .venv.tools && .venv.tools/bin/pip install --quiet \
+		"uv==$$(sed -n '/^name = "uv"$$/{n;s/^version = "\(.*\)"/\1/p;}' uv.lock)" && uv=.venv.tools/bin/uv; } && \
+		"$$uv" sync --quiet --frozen && touch $@

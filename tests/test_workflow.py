@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 
-from measured_report.editions.environment import _locked
 from measured_report.files.root import ROOT
 
 SCRIPT = re.compile(r"^        run: \|\n((?:          .*\n)+)", re.MULTILINE)
@@ -72,8 +71,7 @@ def test_finding_8_workflows_name_what_they_run_by_its_content_and_keep_no_crede
         assert used and all(re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", action) for action in used), workflow
         kept_nothing = re.findall(r"actions/checkout@.*\n        with:\n          persist-credentials: false\n", text)
         assert len(kept_nothing) == text.count("actions/checkout@"), workflow
-        assert not re.search(r"pip install|astral\.sh|setup-uv", text), "the lock says which uv, and its digests"
-    assert re.fullmatch(r"uv==[0-9.]+( --hash=sha256:[0-9a-f]{64}){5,}", _locked(ROOT, "uv"))
+        assert not re.search(r"pip install|astral\.sh|setup-uv", text), "the lock says which uv"
 
 
 @pytest.mark.parametrize(("open_issue", "call"), [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")])

@@ -7,7 +7,6 @@ from conftest import program
 
 from measured_report.changes.upgrade import base_of, unmeasured
 from measured_report.commands import upgrade
-from measured_report.editions import environment
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.config import config
@@ -65,11 +64,3 @@ def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monke
     asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
     with pytest.raises(UsageError, match=r"1\.9\.0 cannot run the scene"):
         upgrade.run(toy.project.of("1.9.0"), asked)
-
-
-def test_an_environment_that_its_day_makes_impossible_says_how_to_take_another():
-    command = ["sh", "-c", "echo no such version; exit 1", "--exclude-newer", "2026-06-12"]
-    with pytest.raises(
-        UsageError, match=r"no such version; nothing .* 2026-06-12 on .* UV_EXCLUDE_NEWER=\S+ lifts that"
-    ):
-        environment._run(command, "NEWTON=1.7.9")

@@ -4,9 +4,7 @@ Packaging alone: a small repository that is named newton stands for a checkout, 
 """
 
 import json
-from contextlib import nullcontext
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from conftest import Toy, git
@@ -15,7 +13,7 @@ from measured_report.commands import page
 from measured_report.editions import devices, environment
 from measured_report.editions.environment import environment_of, python_of
 from measured_report.editions.project import Manifest, Project, write_manifest
-from measured_report.editions.release import Release, read_label, release_of
+from measured_report.editions.release import read_label, release_of
 from measured_report.editions.status import expected_packages
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
@@ -104,36 +102,17 @@ def test_with_names_packages(tmp_path):
 
 
 def test_packages_that_nobody_named_are_those_of_the_day(tmp_path, monkeypatch, capsys):
-    (tmp_path / "pyproject.toml").write_text("")
     monkeypatch.setattr(environment, "release_date", lambda release: "2026-06-11")
-    [command] = environment._from_requirements(
-        tmp_path, release_of("1.3.0", "warp-lang==1.19.0"), ["pandas>=2", "warp-lang==1.19.0"], "uv", tmp_path
-    )
-    assert command[command.index("--exclude-newer") + 1] == "2026-06-12"
-    assert command[command.index("--exclude-newer-package") + 1].startswith("warp-lang=")
-    assert command[-3:] == ["pandas>=2", "warp-lang==1.19.0", "newton[sim]==1.3.0"]
-    assert (tmp_path / "overrides.txt").read_text() == "warp-lang==1.19.0\n"
+    release, rest = release_of("1.3.0", "warp-lang==1.19.0"), ["pandas>=2", "warp-lang==1.19.0"]
+    asked = environment._asked_for(release, rest, tmp_path)
+    assert asked[asked.index("--exclude-newer") + 1] == "2026-06-12"
+    assert asked[asked.index("--exclude-newer-package") + 1].startswith("warp-lang=")
+    assert asked[-3:] == [*rest, "newton[sim]==1.3.0"]
 
 
-def test_what_is_installed_must_be_what_was_asked_for_and_its_code_somewhere(tmp_path, monkeypatch):
-    python = environment_of(release_of("1.7.9"), tmp_path) / "bin/python"
-    python.parent.mkdir(parents=True)
-    (python.parent.parent / ".ready").touch()
-    (tmp_path / "pyproject.toml").write_text("")
-    missing = dict.fromkeys(package_versions(), provenance.MISSING)
-    for said, fault in ((missing | {"newton": "1.7.8"}, "newton 1.7.8"), (missing | {"newton": "1.7.9"}, "")):
-        python.write_text(f"#!/bin/sh\necho '{json.dumps(said)}'\n")
-        python.chmod(0o755)
-        if fault:
-            with pytest.raises(UsageError, match=fault):
-                python_of(release_of("1.7.9"), missing, tmp_path)
-        else:
-            assert python_of(release_of("1.7.9"), missing, tmp_path) == python
-    (tmp_path / "pyproject.toml").write_text("")
-    release = release_of("1.9.0.dev0+g1a2b3c4")
-    assert isinstance(release, Release)
+def test_code_must_be_somewhere(tmp_path):
     with pytest.raises(UsageError, match="does not say where its code is"):
-        python_of(release, {}, tmp_path)
+        python_of(release_of("1.9.0.dev0+g1a2b3c4"), {}, tmp_path)
 
 
 def test_a_measurement_refuses_what_is_not_installed():
@@ -249,20 +228,20 @@ def test_what_does_not_come_out_with_the_edition_stays_as_the_project_asks_for_i
     assert [name.partition("==")[0] for name in asked] == ["mujoco-warp", "mujoco"]
 
 
-def test_an_environment_is_made_once(tmp_path, monkeypatch):
+def test_an_environment_is_made_once_and_whole_or_not_at_all(tmp_path, monkeypatch):
     made = []
 
-    def note(command, name, **settings):
-        made.append(list(command))
-        if "venv" in command:
-            Path(command[-1]).mkdir()
+    def note(arguments, name):
+        made.append(arguments)
+        if "venv" in arguments:
+            (tmp_path / ".venv-one").mkdir(exist_ok=True)
+        if arguments[-1] == "a==3":
+            raise UsageError("no such version")
 
     monkeypatch.setattr(environment, "_run", note)
-    monkeypatch.setattr(environment, "_installer", lambda *_: nullcontext("uv"))
-    python = environment.python_with("one", ["a==1"], tmp_path)
-    assert (python, len(made)) == (tmp_path / ".venv-one/bin/python", 2)
-    assert made[1][-1] == "a==1"
-    environment.python_with("one", ["a==1"], tmp_path)
-    assert len(made) == 2
-    environment.python_with("one", ["a==2"], tmp_path)
-    assert made[3][-1] == "a==2"
+    for version, count in ((1, 2), (1, 2), (2, 4)):
+        python = environment.python_with("one", [f"a=={version}"], tmp_path)
+        assert python == tmp_path / ".venv-one/bin/python" and len(made) == count and made[-1][-1] == f"a=={version}"
+    with pytest.raises(UsageError):
+        environment.python_with("one", ["a==3"], tmp_path)
+    assert not (tmp_path / ".venv-one").exists()

@@ -17,7 +17,6 @@ OPTIONS = {
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Run pytest with one edition; return its exit status."""
     python = python_of(arguments.release, expected_packages(project), project.root)
-    if python.is_relative_to(project.root):  # a Python that is not the project's is left as it is
-        add_cluster(python, project.root)
+    add_cluster(python, project.root)
     command = [str(python), "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
     return subprocess.run(command, cwd=project.root, check=False).returncode

@@ -77,8 +77,10 @@ def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[t
     """Open the pools that measure: of this host, or of a cluster's workers."""
     count = batches_at_once(asked[0].project, arguments.device)
     if arguments.cluster:
-        from measured_report.measuring.cluster import cluster_pools
-
+        try:
+            from measured_report.measuring.cluster import cluster_pools
+        except ImportError as error:
+            raise ReportError(f"CLUSTER takes {error.name}, which {sys.executable} lacks; install it there") from None
         with cluster_pools(arguments.cluster, arguments.device, arguments.processor, count) as opened:
             yield opened
         return

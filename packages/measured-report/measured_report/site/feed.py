@@ -1,37 +1,38 @@
-"""Files that a site has once, at its root: the feed, the site map, the picture for links, and all data in one file."""
+"""Files that a site has once, at its root: the feed, the picture for links, and all data in one file."""
 
+import io
 import uuid
 from collections.abc import Iterator, Mapping
 from datetime import datetime
 from operator import itemgetter
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from measured_report.changes.flips import flips_between
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import Edition
 from measured_report.pages.plugins import plugins
-from measured_report.site.data import archived
 from measured_report.site.pages import CARD, Site
-
-TEMPLATES = ("404.html", "robots.txt", "feed.xml", "sitemap.xml")
 
 
 def write_feed(site: Site) -> None:
     """Write all that the site has once."""
-    pages = (
-        f"{site.places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages
-    )
     entries = sorted(_entries(site.editions, site.places), key=itemgetter("updated"), reverse=True)
-    names = {"address": site.address, "pages": sorted(pages), "citation": site.citation, "id": _id("")}
-    for file in TEMPLATES if site.address else TEMPLATES[:-1]:  # a map of a site takes whole addresses
-        site.draft.write(file, site.templates.layout(f"{file}.j2", {**names, "entries": entries}))
+    names = {"address": site.address, "citation": site.citation, "id": _id(""), "entries": entries}
+    for file in ("404.html", "feed.xml"):
+        site.draft.write(file, site.templates.layout(f"{file}.j2", names))
     if (ROOT / "LICENSE").is_file():
         site.draft.copy("license.txt", ROOT / "LICENSE")
     if card := plugins().card(site.editions, site.cache):
         site.draft.write(CARD, card)
-    readme = site.templates.layout("archive.txt.j2", {"editions": site.editions})
-    data = [name.removeprefix("data/") for name in site.draft.digests if name.startswith("data/")]
-    site.draft.write("data.zip", archived(site.draft.folder / "data", data, readme))
+    content = io.BytesIO()
+    with ZipFile(content, "w") as archive:  # the same data give the same bytes, as far as zlib does
+        for name in sorted(name for name in site.draft.digests if name.startswith("data/")):
+            entry = ZipInfo(f"{config().name}-{name}")  # of 1980, as long as nobody says otherwise
+            archive.writestr(entry, (site.draft.folder / name).read_bytes(), ZIP_DEFLATED, 1)
+        readme = site.templates.layout("archive.txt.j2", {"editions": site.editions})
+        archive.writestr(ZipInfo(f"{config().name}-data/README.txt"), readme)
+    site.draft.write("data.zip", content.getvalue())
     site.draft.write(".gitkeep", "")
 
 

@@ -1,15 +1,19 @@
 """The pages of a site: what is on each, its figures drawn, and the data beside them."""
 
+import csv
+import io
 import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from markupsafe import Markup
 
 from measured_report.files.config import config
+from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.chapters import Chapter
@@ -23,15 +27,36 @@ from measured_report.parts.macros import macros
 from measured_report.parts.picture import Picture
 from measured_report.parts.section import Pictures
 from measured_report.records.record import traces_of
-from measured_report.site.citing import Citation, measured_on
-from measured_report.site.data import rows_csv
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
-from measured_report.values.results import Results
 
 CARD = "card.png"  # the picture for links to the site
 ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
+FIELD = re.compile(r"^(title|license): *(.+)$", re.MULTILINE)
+AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-names: *(.+)$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Citation:
+    """Citation of the report, as ``CITATION.cff`` has it."""
+
+    title: str
+    license: str
+    authors: tuple[str, ...]
+    """Names as people write them."""
+
+    @property
+    def names(self) -> str:
+        return " and ".join(filter(None, [", ".join(self.authors[:-1]), *self.authors[-1:]]))
+
+
+def citation() -> Citation:
+    """Read ``CITATION.cff``."""
+    text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    said = {name: value.strip("\"' ") for name, value in FIELD.findall(text)}
+    people = ((name or f"{given} {family}") for name, family, given in AUTHOR.findall(text))
+    return Citation(said["title"], said.get("license", ""), tuple(name.strip("\"' ") for name in people))
 
 
 @dataclass(frozen=True)
@@ -106,10 +131,6 @@ class Site:
         folders = {release: f"{edition.project.results.name}/" for release, edition in self.editions.items()}
         return {**folders, self.shown: ""}
 
-    @cached_property
-    def records(self) -> list[Results]:
-        return [chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()]
-
     def write(self, once: Callable[[], None]) -> None:
         """Draw all figures, and write data, what is there ``once``, and pages of all releases."""
         places = self.places
@@ -123,23 +144,23 @@ class Site:
 
         pictures = _draw(contents, self.cache, write_data)
         origins = {}
-        for results in self.records:
-            record = results.record
+        for chapter in chain.from_iterable(edition.chapters.values() for edition in self.editions.values()):
+            record = chapter.results.record
             said = (config().name_of(record.origin.release), record.machine_text, record.time_text)
-            origins[results.source] = ", ".join(said)
-        for release, place in places.items():
+            origins[chapter.results.source] = ", ".join(said)
+        for release, edition in self.editions.items():
             names = {
                 "contents": contents[release],
                 "links": links[release],
                 "origins": json.dumps(origins, ensure_ascii=False),
             }
             own = {anchor: pair for (each, anchor), pair in pictures.items() if each == release}
-            self._write_pages(place, self.editions[release], own, names)
+            self._write_pages(places[release], edition, own, names)
 
     def _write_pages(
         self, place: str, edition: Edition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]
     ) -> None:
-        icon = edition.project.root / "assets" / ICON
+        icon, chapters = edition.project.root / "assets" / ICON, edition.chapters.values()
         known = {
             "edition": edition,
             "site_address": self.address,
@@ -150,7 +171,7 @@ class Site:
             "icon": ICON if icon.is_file() else "",
             "citation": self.citation,
             "sources": config().repository,
-            "measured_on": measured_on(edition),
+            "measured_on": max((each.results.record.measured["date"][:10] for each in chapters), default=""),
             "floors": json.dumps(_floors(edition)),
             **names,
         }
@@ -170,9 +191,8 @@ class Site:
         self.draft.write(f"{place}style.css", stylesheet())
         for path in (LAYOUT / "page.js", *([icon] if icon.is_file() else [])):
             self.draft.copy(f"{place}{path.name}", path)
-        for chapter in edition.chapters.values():
-            for download in chapter.section.downloads:
-                self.draft.write(f"{place}download/{download.name}", download.text)
+        for download in chain.from_iterable(chapter.section.downloads for chapter in chapters):
+            self.draft.write(f"{place}download/{download.name}", download.text)
 
     def _drawn(self, content: Content, place: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
         """Show the figures of a page by their ids: the first is a part of it, and those behind it are files."""
@@ -206,6 +226,15 @@ class Site:
         for name, file in edition.plugins.files.items():
             self.draft.copy(name, file)
         self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(edition.values_text, self.shown))
+
+
+def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Write rows as a table; what a row lacks is empty."""
+    text = io.StringIO()
+    table = csv.DictWriter(text, dict.fromkeys(chain.from_iterable(rows)), lineterminator="\n")
+    table.writeheader()
+    table.writerows(rows)
+    return text.getvalue()
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from measured_report.files.atomic import locked
@@ -17,7 +17,7 @@ from measured_report.site.check import check_site
 DEFAULT = "git:origin"
 BRANCH = "gh-pages"
 SUBJECT = "The report, as make publish made it"
-SUMS = "SHA256SUMS"  # the file that names all others with their digests, as ``sha256sum --check`` reads it
+SUMS = "SHA256SUMS"  # the file that names all others with their digests
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 OF_ANOTHER_GIT = {"GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE"}  # as a hook sets them
@@ -49,32 +49,27 @@ def without_password(text: str) -> str:
 
 def _checked_copy(site: Path, copy: Path) -> Path:
     """Copy the site; ReportError where anything is wrong with it. Anyone may read the copy, whatever the umask is."""
+    if not (site / "index.html").is_file():
+        raise UsageError(f"{site.name}/ holds no report; make report builds it")
     with locked(site.parent, alone=False):  # not while it is being put in place
-        if not (site / "index.html").is_file():
-            raise UsageError(f"{site.name}/ holds no report; make report builds it")
-        shutil.copytree(site, copy, symlinks=True)
-    if problem := _change(copy):
-        raise ReportError(f"not published: {site.name}/: {problem}; make report builds it again")
+        shutil.copytree(site, copy)
+    there = digests_below(copy)
+    there.pop(SUMS, None)
+    if not (copy / SUMS).is_file() or (copy / SUMS).read_text(encoding="utf-8") != sums(there):
+        raise ReportError(f"not published: {site.name}/ is not as it was built; make report builds it again")
     if QUICK in (copy / "index.html").read_text(encoding="utf-8"):
         raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
     if problems := check_site(copy):
         raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
     (copy / MARK).write_text("what make publish made; it removes what else is here\n", encoding="utf-8")
-    copy.chmod(0o755)
-    for path in copy.rglob("*"):
+    for path in (copy, *copy.rglob("*")):
         path.chmod(0o755 if path.is_dir() else 0o644)
     return copy
 
 
-def _change(site: Path) -> str:
-    """Say in what a site is not what its build made; nothing where it is."""
-    if not (site / SUMS).is_file():
-        return f"there is no {SUMS}"
-    lines = (line.partition("  ") for line in (site / SUMS).read_text(encoding="utf-8").splitlines())
-    told, there = {name: digest for digest, _, name in lines}, digests_below(site)
-    links = {path.relative_to(site).as_posix() for path in site.rglob("*") if path.is_symlink()}
-    others = {name for name in told | there if told.get(name) != there.get(name)} - {SUMS}
-    return f"{min(links | others)} is not of the build" if links | others else ""
+def sums(digests: Mapping[str, str]) -> str:
+    """Write the digests of files, by name, as ``sha256sum --check`` reads them."""
+    return "".join(f"{digest}  {name}\n" for name, digest in sorted(digests.items()))
 
 
 def _to_folder(copy: Path, place: str, site: Path) -> str:
@@ -108,53 +103,42 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
     """
     remote, _, branch = place.partition("#")
     branch = branch or BRANCH
-    ref, there = f"refs/heads/{branch}", f"{remote}, branch {branch}"
-    git = ["git", "-C", str(site.parent)]
+    ref, git = f"refs/heads/{branch}", ["git", "-C", str(site.parent)]
     if Path(_run([*git, "rev-parse", "--show-toplevel"])) != site.parent.resolve():
         raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
-    tips = dict(line.split("\t")[::-1] for line in _run([*git, "ls-remote", remote, ref]).splitlines())
-    before = tips.get(ref, "")
+    tips = (line.split("\t") for line in _run([*git, "ls-remote", remote, ref]).splitlines())
+    before = next((tip for tip, name in tips if name == ref), "")
     if before:
         _run([*git, "fetch", "--quiet", "--no-tags", "--no-write-fetch-head", remote, ref])
-        if _run([*git, "log", "-1", "--format=%s", before]) != SUBJECT:
+        if not _run([*git, "ls-tree", before, MARK]):
             raise UsageError(f"the branch {branch} of {remote} holds something else; it was left alone")
     with tempfile.TemporaryDirectory(prefix="publish-") as folder:
         _run(["git", "init", "--quiet", "--bare", folder])
         importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
         author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
         _run([*importing, str(copy)], GIT_DIR=folder, **author)
-        commit, tree = _run(["git", "-C", folder, "rev-parse", ref, f"{ref}^{{tree}}"]).split()
-        if before and _run([*git, "rev-parse", f"{before}^{{tree}}"]) == tree:
-            return f"{there}, as before"
+        commit = _run(["git", "-C", folder, "rev-parse", ref])
         pushing = [*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", remote, f"{commit}:{ref}"]
         _run(pushing, GIT_ALTERNATE_OBJECT_DIRECTORIES=f"{folder}/objects")
-    return there
+    return f"{remote}, branch {branch}"
 
 
 def _to_rsync(copy: Path, place: str, site: Path) -> str:
     """Publish with rsync, to a folder of this or another machine or to a module of a daemon."""
     if ":" not in place:
         _refuse_inside(site, Path(os.path.abspath(place)))
-    place = place.rstrip("/") + "/"
-    there = _rsync_names(place)
-    if there and MARK not in there:
-        raise UsageError(f"{place} holds something that was not published there; it was left alone")
-    options = ["--recursive", "--times", "--perms", "--checksum", "--protect-args", "--delay-updates"]
-    # Pages come last, so that what they show is there before them, and what nobody names any more goes after them.
-    _run(["rsync", *options, "--exclude=*.html", f"{copy}/", place])
-    _run(["rsync", *options, "--delete-delay", f"{copy}/", place])
-    return place
-
-
-def _rsync_names(place: str) -> set[str]:
-    """List what lies in a place; nothing where there is no folder yet."""
+    place = f"{place.rstrip('/')}/"
     try:
         listed = _run(["rsync", "--protect-args", "--list-only", place])
     except UsageError as error:
-        if "No such file or directory" in str(error) or "change_dir" in str(error):
-            return set()
-        raise
-    return {line.split(maxsplit=4)[4] for line in listed.splitlines() if len(line.split()) > 4} - {"."}
+        if not re.search("No such file or directory|change_dir", str(error)):
+            raise
+        listed = ""  # there is no folder yet
+    if len(listed.splitlines()) > 1 and not re.search(rf" {re.escape(MARK)}$", listed, re.MULTILINE):
+        raise UsageError(f"{place} holds something that was not published there; it was left alone")
+    options = ["--recursive", "--times", "--perms", "--checksum", "--protect-args", "--delay-updates", "--delete-delay"]
+    _run(["rsync", *options, f"{copy}/", place])
+    return place
 
 
 def _run(command: Sequence[str], **settings: str) -> str:
