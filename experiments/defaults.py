@@ -12,7 +12,7 @@ from experiments.facts.case import AS_SHIPPED, Case
 from experiments.simulation.measurement import Conditions, Measurement, numbers_of, summarize
 
 NEEDS_GPU = False
-"""Read by ``measured_report.editions.devices``: options are the same on any machine, and the run is one on a CPU."""
+"""Read by ``measured_report.measuring.machine``: options are the same on any machine, and the run is one on a CPU."""
 
 
 def measure(conditions: Conditions) -> Measurement:

@@ -15,7 +15,7 @@ from newton_lint.findings import Buffer, Finding, Group, grouped
 from newton_lint.newton_models.rules import Engine, lint
 
 NEEDS_GPU = False
-"""Read by ``measured_report.editions.devices``: what it finds is the same on any machine."""
+"""Read by ``measured_report.measuring.machine``: what it finds is the same on any machine."""
 
 
 @dataclass(frozen=True)

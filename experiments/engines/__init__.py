@@ -30,7 +30,7 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.batch import Batch, Plan
 
 NEEDS_GPU = False
-"""Read by ``measured_report.editions.devices``: small scenes, and engines that run on a CPU."""
+"""Read by ``measured_report.measuring.machine``: small scenes, and engines that run on a CPU."""
 SECONDS = {"full": {"turntable": 4.0, "pinch": 2.0}, "quick": {"turntable": 1.5, "pinch": 1.5}}
 STEPS_S = (0.002, 0.001)
 STICTION_M_S = 1e-3

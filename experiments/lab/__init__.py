@@ -21,7 +21,7 @@ from experiments.simulation.measurement import Conditions, Measurement, displace
 from experiments.simulation.simulation import Simulation
 
 NEEDS_GPU = False
-"""Read by ``measured_report.editions.devices``: the engine in C runs on the CPU and repeats to the last bit."""
+"""Read by ``measured_report.measuring.machine``: the engine in C runs on the CPU and repeats to the last bit."""
 TEXT_LENGTH = 4000
 FAR_SHAKE_M = 0.1
 WHOLE_CURE = {"contact_bias": True, "bias_centred": True, "integrator": "euler", "impratio": 1e3}

@@ -5,7 +5,7 @@ from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.measurement import Conditions, Measurement
 
 NEEDS_GPU = False
-"""Read by ``measured_report.editions.devices``: small scenes, which a CPU measures in minutes."""
+"""Read by ``measured_report.measuring.machine``: small scenes, which a CPU measures in minutes."""
 SCENES = {"slope": slope, "capsule": capsule, "pick": pick}
 
 

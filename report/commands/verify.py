@@ -3,8 +3,8 @@
 import argparse
 
 from measured_report.commands.options import refuse_unmeasured, shared
-from measured_report.editions.devices import has_cuda, measuring_device
 from measured_report.editions.project import Project
+from measured_report.measuring.machine import gpus, measuring_device
 from measured_report.measuring.measure import measure_headline
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
@@ -20,7 +20,7 @@ OPTIONS = {
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print both and whether they agree within the noise; 1 when they differ."""
     refuse_unmeasured(project, arguments.release.asked)
-    device = measuring_device(arguments.device or ("cuda" if has_cuda() else "cpu"), project.profile)
+    device = measuring_device(arguments.device or ("cuda" if gpus() else "cpu"), project.profile)
     found = measure_headline(project, arguments.release, device, PROGRAM)
     edition = derive_edition(project, Templates(project.templates))
     checks = [verify(edition, found)] + ([verify_lab(edition)] if arguments.lab else [])

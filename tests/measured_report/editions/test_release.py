@@ -10,7 +10,7 @@ import pytest
 from conftest import Toy, git
 
 from measured_report.commands import page
-from measured_report.editions import devices, environment
+from measured_report.editions import environment
 from measured_report.editions.environment import environment_of, python_of
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import read_label, release_of
@@ -18,7 +18,7 @@ from measured_report.editions.status import expected_packages
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
-from measured_report.measuring import measure
+from measured_report.measuring import machine, measure
 from measured_report.records import provenance
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import write_record
@@ -167,7 +167,7 @@ def test_one_machine_never_takes_the_place_of_another(toy, capsys):
     with pytest.raises(UsageError, match="nvidia-h200"):
         measure.kept_by(apart, "cpu", ["toy"])
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
-    assert devices.machine_of(record) == "nvidia-h100-80gb-hbm3"
+    assert machine.machine_of(record) == "nvidia-h100-80gb-hbm3"
 
 
 def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of(toy, monkeypatch, capsys):
@@ -175,7 +175,7 @@ def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of
         page.build_site(side)
         return next(line for line in capsys.readouterr().out.splitlines() if line.startswith("make rerun"))
 
-    monkeypatch.setattr(page, "has_cuda", lambda: False)
+    monkeypatch.setattr(page, "gpus", lambda: False)
     stale = toy.record().identity
     toy.write("experiments/scene.py", "def slip():\n    return 2.0\n")  # which makes the record stale
     assert hint(toy.project) == "make rerun SECTION=toy DEVICE=cpu measures one of them"
@@ -192,11 +192,11 @@ def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of
 
 
 def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy):
-    assert devices.needs_gpu("toy", toy.project.root)
+    assert machine.needs_gpu("toy", toy.project.root)
     module = toy.project.root / "experiments/toy.py"
     module.with_name("other.py").write_text(module.read_text())
     module.write_text(f"{module.read_text()}\nNEEDS_GPU = False\n")
-    assert not devices.needs_gpu("toy", toy.project.root)
+    assert not machine.needs_gpu("toy", toy.project.root)
     assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
     # Its record of a CPU does not keep those of a GPU from the release.
     assert measure.kept_by(toy.project, "nvidia-h200", ["toy", "other"]) == toy.project

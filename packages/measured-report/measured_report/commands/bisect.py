@@ -7,9 +7,9 @@ from dataclasses import replace
 from measured_report.changes.bisect import Alike, Bisection, bisect, points_between
 from measured_report.commands.history import query_of
 from measured_report.commands.options import shared
-from measured_report.editions.devices import measuring_device
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError, suggestion
+from measured_report.measuring.machine import measuring_device
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections
 

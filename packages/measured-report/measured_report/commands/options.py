@@ -4,12 +4,12 @@ import re
 from functools import partial
 from typing import Any
 
-from measured_report.editions.devices import DEVICES
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
+from measured_report.measuring.machine import DEVICES
 
 SCHEDULER = re.compile(r"(tcp|tls)://[^\s/]+:[0-9]{1,5}")
 

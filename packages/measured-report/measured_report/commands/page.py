@@ -5,9 +5,9 @@ import sys
 from collections.abc import Iterable
 
 from measured_report.commands.options import refuse_unmeasured, shared
-from measured_report.editions.devices import has_cuda, needs_gpu
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
+from measured_report.measuring.machine import gpus, needs_gpu
 from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections
 from measured_report.site.build import build
@@ -34,7 +34,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     if lacking:
         # A CPU's results never stand with those of a GPU.
         takes_gpu = needs_gpu(lacking[0], project.root) and any(machines_besides(project, "cpu"))
-        device = None if has_cuda() or takes_gpu else "cpu"
+        device = None if gpus() or takes_gpu else "cpu"
         print(f"{project.rerun(lacking[0], device)} measures one of them{' on a GPU' if takes_gpu else ''}")
     print(f"built {project.site / 'index.html'}")
     return say_damage(state for release in releases.values() for state in release.left_out), bool(lacking)

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.page import build_site
-from measured_report.editions.devices import NO_CUDA, measuring_device
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release
 from measured_report.editions.status import states_of
 from measured_report.files.errors import ReportError, UsageError
+from measured_report.measuring.machine import NO_CUDA, measuring_device
 from measured_report.measuring.measure import measure
 
 OPTIONS = shared("edition", "device", "cluster", "profile", "address")

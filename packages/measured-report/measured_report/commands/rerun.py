@@ -5,9 +5,9 @@ import argparse
 from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import device_of
-from measured_report.editions.devices import NO_CUDA, needs_gpu
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError, suggestion
+from measured_report.measuring.machine import NO_CUDA, needs_gpu
 from measured_report.measuring.measure import measure
 from measured_report.records.identity import sections
 

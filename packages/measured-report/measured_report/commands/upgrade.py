@@ -12,12 +12,12 @@ from measured_report.changes.upgrade import base_of, deciding, lacking, unmeasur
 from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import measure_what_can
-from measured_report.editions.devices import NO_CUDA, machine_name, measuring_device
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
+from measured_report.measuring.machine import NO_CUDA, machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates

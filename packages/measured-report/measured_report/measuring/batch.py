@@ -12,17 +12,24 @@ batch, which measures no times.
 """
 
 import gc
+import os
+import tempfile
 import time
 import traceback
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import datetime, timezone
+from pathlib import Path
 from typing import Any, TypeAlias
 
+from measured_report.files.atomic import locked
 from measured_report.measuring.error_text import is_expected, reason_of
-from measured_report.measuring.gpu_lock import gpu_lock
 from measured_report.measuring.machine import machine
 from measured_report.measuring.measurement import Measurement
+
+LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
+"""Folder that two runs of ``make`` on one host lock, so that they spoil no times of each other."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +62,14 @@ class Result:
     started: str
     ended: str
     seconds: float
+
+
+@contextmanager
+def gpu_lock(*, exclusive: bool) -> Iterator[None]:
+    """Measure beside others or, ``exclusive``, alone; whoever has to wait for it says so."""
+    LOCK.mkdir(mode=0o700, exist_ok=True)
+    with locked(LOCK, alone=exclusive):
+        yield
 
 
 class BatchError(Exception):

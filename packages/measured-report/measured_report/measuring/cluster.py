@@ -5,8 +5,7 @@ import logging
 import pickle
 import platform
 import sys
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from functools import cache
 from hashlib import sha256
@@ -16,13 +15,12 @@ from typing import Any
 import dask
 from distributed import Client, KilledWorker, Nanny, Scheduler, Security, SpecCluster
 
-from measured_report.editions.devices import slug
 from measured_report.files.errors import ReportError
 from measured_report.files.processes import KILLED
 from measured_report.files.root import ROOT
 from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import MPS, gpus, machine, share_count
+from measured_report.measuring.machine import MPS, gpus, machine, share_count, slug
 from measured_report.records.provenance import package_versions
 
 SHARED, EXCLUSIVE = "shared", "exclusive"
@@ -86,43 +84,29 @@ def cluster_pools(
 ) -> Iterator[tuple["ClusterPool", "ClusterPool"]]:
     """Open pools for what shares a GPU and for what is exclusive; ReportError where the workers are unfit.
 
-    All are to have this code; a GPU must be called ``processor`` in a label, unless that is None. The
-    kernels are compiled by the first worker of each host.
+    A GPU must be called ``processor`` in a label, unless that is None. One worker of each host compiles its kernels.
     """
     with connected(asked, device, count) as client:
-        workers = client.scheduler_info(n_workers=-1)["workers"]
-        try:
-            found = dict(zip(workers, _asked(client, introduce, device, workers), strict=True))
-            for node, code, gpu in found.values():
-                if code != digest_here():
-                    raise ReportError(f"{node} {OTHER_CODE}")
-                if processor and slug(gpu or "") != processor:
-                    raise ReportError(f"{node} has {gpu or 'no CUDA device'}, and this is of {processor}")
-            first = {node: address for address, (node, *_) in found.items()}
-            _asked(client, host().prepare, device, first.values())
-        except KilledWorker:
-            raise ReportError(f"CLUSTER={asked}: {KILLED}") from None
+        workers = client.scheduler_info(n_workers=-1)["workers"].values()
         for resource in (SHARED, EXCLUSIVE):
-            if not any(resource in worker["resources"] for worker in workers.values()):
+            if not any(resource in worker["resources"] for worker in workers):
                 raise ReportError(f"CLUSTER={asked}: no worker was started with --resources {resource}=1")
-        beside = max(Counter(found[each][0] for each in workers if SHARED in workers[each]["resources"]).values())
-        yield ClusterPool(client, SHARED, beside), ClusterPool(client, EXCLUSIVE, 1)
-
-
-def _asked(client: Client, function: Callable, device: str, addresses: Iterable[str]) -> list[Any]:
-    """Call a function once on each of these workers."""
-    return client.gather([client.submit(function, device, workers=[each], pure=False) for each in addresses])
+        try:
+            nodes = client.run(introduce, device, processor, digest_here())
+            firsts = {node: address for address, node in nodes.items()}.values()
+            client.gather([client.submit(host().prepare, device, workers=[each], pure=False) for each in firsts])
+        except (KilledWorker, OSError):
+            raise ReportError(f"CLUSTER={asked}: {KILLED}") from None
+        yield ClusterPool(client, SHARED), ClusterPool(client, EXCLUSIVE)
 
 
 class ClusterPool:
     """A pool of those workers of a cluster that have a resource."""
 
-    lost: type[Exception] = KilledWorker
-    try_count = 1  # Dask tries again by itself
+    lost: type[Exception] = KilledWorker  # Dask has tried again by itself
     limit = sys.maxsize  # it also keeps what waits
 
-    def __init__(self, client: Client, resource: str, at_once: int):
-        self.at_once = at_once
+    def __init__(self, client: Client, resource: str):
         self._executor = client.get_executor(pure=False, resources={resource: 1})
         self._digest = digest_here()
 
@@ -139,14 +123,19 @@ def call_here(digest: str, call: bytes) -> Any:
     return function(*arguments)
 
 
-def introduce(device: str) -> tuple[str, str, str | None]:
-    """Return what this worker's host is called, the digest of its code, and its GPU."""
+def introduce(device: str, processor: str | None, digest: str) -> str:
+    """Return what this worker's host is called; ReportError where it has other code or another GPU."""
     host().be_quiet()
+    node = platform.node()
+    if digest != digest_here():
+        raise ReportError(f"{node} {OTHER_CODE}")
     try:
-        here = machine(device)
+        gpu = machine(device)["gpu"]
     except ReportError as error:
-        raise ReportError(f"{platform.node()}: {error}") from None
-    return platform.node(), digest_here(), here["gpu"]
+        raise ReportError(f"{node}: {error}") from None
+    if processor and slug(gpu or "") != processor:
+        raise ReportError(f"{node} has {gpu or 'no CUDA device'}, and this is of {processor}")
+    return node
 
 
 @cache

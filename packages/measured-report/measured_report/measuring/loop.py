@@ -18,12 +18,8 @@ class Pool(Protocol):
 
     limit: int
     """Batches that it is given at once."""
-    at_once: int
-    """Batches that are measured beside each other on a host."""
     lost: type[Exception]
     """Error of a batch whose process was killed."""
-    try_count: int
-    """Times that such a batch is submitted."""
 
     def submit(self, function: Callable, *arguments: Any) -> Future:
         """Call a function in one of the processes."""
@@ -64,7 +60,7 @@ class Loop:
         try:
             section.take(batch, future.result())
         except pool.lost:
-            section.lose(batch, pool.try_count)
+            section.lose(batch)
         except CancelledError:
             raise ReportError("the scheduler is gone; what is finished is kept") from None
         except BatchError as error:
@@ -73,7 +69,7 @@ class Loop:
         except Exception as error:  # what it returns, or is given, can't travel
             section.fail(f"{batch.name}: {reason_of(error)}")
         else:
-            section.advance(self.shared.at_once)
+            section.advance()
 
     def _show(self, bar: tqdm) -> None:
         bar.n = sum(len(section.results) for section in self.sections)

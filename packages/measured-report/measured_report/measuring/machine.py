@@ -1,16 +1,24 @@
-"""Machines that measure: the device, the machine around it and the commit, as records say them."""
+"""Machines that measure: which devices there are, and the machine and the commit, as records and labels say them."""
 
 import hashlib
 import os
 import platform
+import re
 import subprocess
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from measured_report.files.config import config
+from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 from measured_report.measuring.host import host
+from measured_report.records.code import files, roots_of
+from measured_report.records.record import Record
+
+DEVICES = ("cuda", "cpu")
+NO_CUDA = "this machine has no CUDA device; DEVICE=cpu measures on its CPU"
 
 KIND = ("device", "gpu", "driver", "cpu", "cores")
 """Names of what of a machine is the same for all batches of a section."""
@@ -93,3 +101,35 @@ def share_count(gpu: Gpu, gpu_count: int = 1) -> int:
     has_daemon = (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists()
     most = min(MPS_SHARE_COUNT if has_daemon else SHARE_COUNT, (os.cpu_count() or 1) // gpu_count)
     return max(1, min(most, gpu.memory_mib // SHARE_MIB))
+
+
+def needs_gpu(section: str, root: Path = ROOT) -> bool:
+    """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with those of a GPU."""
+    graph = files().graph(roots_of(root))
+    file = graph.module(["experiments", section]) or f"{root}/experiments/{section}.py"
+    return bool(graph.source(file).top.get("NEEDS_GPU", config().needs_gpu))
+
+
+def measuring_device(asked: str | None, profile: str) -> str | None:
+    """Choose the device to measure on; None where it has to be asked for: full measurements take hours on a CPU."""
+    if asked == "cpu" or not (asked or config().needs_gpu):
+        return "cpu"
+    if gpus():
+        return "cuda"
+    if asked:
+        raise UsageError(f"DEVICE=cuda: {NO_CUDA}")
+    return "cpu" if profile == "quick" else None
+
+
+def machine_name(device: str) -> str:
+    """Name this machine for a label when it measures on ``device``: by its GPU, or ``cpu``."""
+    return device if device == "cpu" else slug(gpus()[0].name if gpus() else "")
+
+
+def machine_of(record: Record) -> str:
+    """Name the machine that measured a record for a label."""
+    return "cpu" if record.machine.get("device") == "cpu" else slug(record.processor)
+
+
+def slug(name: str) -> str:
+    return re.sub("[^a-z0-9]+", "-", name.lower()).strip("-")

@@ -12,7 +12,6 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from measured_report.editions.devices import machine_name, machine_of, needs_gpu
 from measured_report.editions.environment import add_cluster, python_of
 from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
 from measured_report.editions.release import Release, release_date
@@ -21,7 +20,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import end_with_parent
-from measured_report.measuring.machine import gpus, share_count
+from measured_report.measuring.machine import gpus, machine_name, machine_of, needs_gpu, share_count
 from measured_report.measuring.section import WHOLE
 from measured_report.records.identity import sections as all_sections
 

@@ -20,10 +20,9 @@ class HostPool:
     """Forks of this process, which has loaded the simulator but no device; new ones after one of them was killed."""
 
     lost: type[Exception] = BrokenProcessPool
-    try_count = 3
 
     def __init__(self, limit: int, settings: Mapping[str, str]):
-        self.limit = self.at_once = limit
+        self.limit = limit
         self._begin = partial(_begin, settings)
         self._pool = self._opened()
 

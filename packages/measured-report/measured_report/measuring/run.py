@@ -16,7 +16,6 @@ from types import ModuleType
 
 from tqdm import tqdm
 
-from measured_report.editions.devices import has_cuda
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.config import config
@@ -24,7 +23,7 @@ from measured_report.files.errors import ReportError
 from measured_report.files.processes import KILLED
 from measured_report.measuring.host import host
 from measured_report.measuring.loop import Loop, Pool
-from measured_report.measuring.machine import machine
+from measured_report.measuring.machine import gpus, machine
 from measured_report.measuring.measure import UNFIT, batches_at_once, seconds_each
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.section import Section, section_of
@@ -50,7 +49,7 @@ def main() -> int:
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run", description=__doc__.split(":")[0])
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
-    parser.add_argument("--device", choices=("cuda", "cpu"), default="cuda" if has_cuda() else "cpu")
+    parser.add_argument("--device", choices=("cuda", "cpu"), default="cuda" if gpus() else "cpu")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     parser.add_argument("--aside", metavar="FOLDER", default="", help="where below results/ they are kept apart")

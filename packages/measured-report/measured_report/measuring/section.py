@@ -3,20 +3,18 @@
 import inspect
 import math
 import sys
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from types import ModuleType
 
 from tqdm import tqdm
 
-from measured_report.editions.devices import needs_gpu
 from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import Batch, Plan, Result, now, trace_of
 from measured_report.measuring.error_text import reason_of
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import commit, kind_of
+from measured_report.measuring.machine import commit, kind_of, needs_gpu
 from measured_report.measuring.measurement import Measurement
 from measured_report.records.columns import UNBELIEVED, is_number, number_problem, units_of
 from measured_report.records.identity import Identity, identity_of
@@ -46,8 +44,8 @@ class Section:
     results: dict[str, Result] = field(default_factory=dict)
     times: dict[str, float] = field(default_factory=dict)
     """Seconds that its batches took, as ``known``."""
-    losses: Counter = field(default_factory=Counter)
-    """Count of killed processes, by batch."""
+    lost: set[str] = field(default_factory=set)
+    """Names of batches whose process was killed."""
     is_over: bool = False
     has_failed: bool = False
 
@@ -56,17 +54,17 @@ class Section:
 
     def is_exclusive(self, batch: Batch) -> bool:
         """Tell whether it is measured alone, as is one that may have killed its process and those beside it."""
-        return batch.exclusive or self.losses[batch.name] > 0
+        return batch.exclusive or batch.name in self.lost
 
     def expected_s(self, batch: Batch) -> float:
         """Return how long a batch will take [s]: a new one no longer than its section did, one of no GPU long."""
         unknown = math.inf if self.device == "cpu" else 0.0
         return self.known.get(batch.time_name, sum(self.known.values()) or unknown)
 
-    def advance(self, at_once: int = 1) -> None:
+    def advance(self) -> None:
         """Ask for the next batches once all of a stage are done, and write the record at the end.
 
-        ``at_once`` batches are measured beside each other. A fault of the section must not cost the others.
+        A fault of the section must not cost the others.
         """
         try:
             while not self.is_over and all(batch.name in self.results for batch in self.stage):
@@ -74,7 +72,7 @@ class Section:
                 try:
                     self.stage = self.waiting = list(self.plan.send(values or None))  # type: ignore[arg-type]
                 except StopIteration as end:
-                    self._write(end.value, at_once)
+                    self._write(end.value)
                     return
                 names = [batch.name for batch in self.stage]
                 if not names or len({*names, *self.results}) < len(names) + len(self.results):
@@ -86,13 +84,13 @@ class Section:
         """Keep what a batch has returned."""
         self.results[batch.name], self.times[batch.time_name] = result, result.seconds
 
-    def lose(self, batch: Batch, try_count: int) -> None:
-        """Measure a batch again whose process was killed, unless it has been tried so often."""
-        self.losses[batch.name] += 1
-        if self.losses[batch.name] >= try_count:
-            self.fail(f"{batch.name}: its process was killed, as often as it was tried")
+    def lose(self, batch: Batch) -> None:
+        """Measure a batch whose process was killed again, alone, but no more than once."""
+        if batch.name in self.lost:
+            self.fail(f"{batch.name}: its process was killed, and once more when it was alone")
         elif not self.is_over:
-            tqdm.write(f"{self.title(batch)}: its process was killed; it is tried again", file=sys.stderr)
+            self.lost.add(batch.name)
+            tqdm.write(f"{self.title(batch)}: its process was killed; it is tried again alone", file=sys.stderr)
             self.waiting = [*self.waiting, batch]
 
     def fail(self, reason: str, trace: str = "") -> None:
@@ -101,17 +99,15 @@ class Section:
             self.is_over, self.has_failed, self.waiting = True, True, []
             tqdm.write(f"{trace}{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
 
-    def _write(self, measurement: Measurement, at_once: int) -> None:
+    def _write(self, measurement: Measurement) -> None:
         parts = list(self.results.values())
         if len({kind_of(part.machine) for part in parts}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
-        is_timed = any(name.startswith("alone_") for name in self.times)  # by itself, whatever its other batches had
-        beside = {"sections_at_once": at_once} if at_once > 1 and not is_timed else {}
         seconds = round(sum(part.seconds for part in parts), 1)
         record = Record(
             section=self.name,
             identity=self.identity,
-            machine={name: _together(part.machine[name] for part in parts) for name in parts[0].machine} | beside,
+            machine={name: _together(part.machine[name] for part in parts) for name in parts[0].machine},
             measured={
                 "date": now(),
                 "started": min(part.started for part in parts),
@@ -148,10 +144,8 @@ def _as_one(batch: Batch) -> Plan:
 
 
 def _together(values: Iterable[str | None]) -> str | None:
-    """Join what several machines say: what they agree on, or each of what they say."""
-    found = sorted({*values} - {None}, key=str) or [None]
-    said = ", ".join(map(str, found))
-    return found[0] if len(found) == 1 else said if len(said) <= 400 else f"{len(found)} different ones"
+    """Join what several machines say."""
+    return ", ".join(sorted({value for value in values if value is not None})) or None
 
 
 def believable(row: Mapping[str, object]) -> dict[str, object]:

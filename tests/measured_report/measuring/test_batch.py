@@ -5,11 +5,11 @@ import time
 
 import pytest
 
-from measured_report.measuring import gpu_lock
+from measured_report.measuring import batch
 
 
 def hold(exclusive: bool, seconds: float, spans) -> None:
-    with gpu_lock.gpu_lock(exclusive=exclusive):
+    with batch.gpu_lock(exclusive=exclusive):
         begun = time.monotonic()
         time.sleep(seconds)
         spans.put((exclusive, begun, time.monotonic()))
@@ -17,7 +17,7 @@ def hold(exclusive: bool, seconds: float, spans) -> None:
 
 @pytest.mark.parametrize("first", [False, True])
 def test_what_measures_times_has_nothing_beside_it(tmp_path, monkeypatch, capfd, first):
-    monkeypatch.setattr(gpu_lock, "FOLDER", tmp_path / "lock")
+    monkeypatch.setattr(batch, "LOCK", tmp_path / "lock")
     context = multiprocessing.get_context("fork")
     spans, processes = context.Queue(), []
     for exclusive in (first, not first, not first):
