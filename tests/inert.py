@@ -9,7 +9,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.pages.passages import Passage
+from measured_report.pages.passages import needs_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.columns import is_setting
@@ -17,6 +17,7 @@ from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Va
 from tests.perturbed import FACTORS, Perturbation
 
 SOURCE = re.compile('data-src="([^"]*)"')
+PASSAGE = re.compile('class="passage" data-needs="([^"]*)" data-outcome="holds"[^>]*>(.*?)</(?:div|span)>', re.DOTALL)
 NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
 """A number as it is printed, with its unit."""
 LEAVES_TRIED = 4
@@ -142,7 +143,7 @@ def _shapes(section: Section) -> dict[str, tuple[str, str]]:
 
 
 def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
-    """Numbers of a release's passages that could be anything, and the passages would stand."""
+    """Numbers of a release's passages that could be anything, and the passages would stand; after what they need."""
     values = _values(perturbation)
 
     @cache
@@ -150,14 +151,14 @@ def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
         claims = perturbation.of(release, section, map(Pointer, leaves), change).claims
         return {claim.name: claim for claim in claims}
 
-    def falls(passage: Passage, leaves: tuple[str, ...], change: str) -> bool:
-        return not all(need.is_met(outcomes(need.section, leaves, change).get(need.claim)) for need in passage.needs)
+    def falls(needs: str, leaves: tuple[str, ...], change: str) -> bool:
+        return not all(need.is_met(outcomes(need.section, leaves, change).get(need.claim)) for need in needs_of(needs))
 
     return {
-        f"{passage.place} {pointer.partition('/')[2]}"
-        for passage in perturbation.passages[release]
-        for pointer in passage.numbers
-        if (leaves := measured(values, pointer)) and not any(falls(passage, *change) for change in changes(leaves))
+        f"{needs} {pointer.partition('/')[2]}"
+        for needs, said in PASSAGE.findall(perturbation.pages[release])
+        for pointer in SOURCE.findall(said)
+        if (leaves := measured(values, pointer)) and not any(falls(needs, *change) for change in changes(leaves))
     }
 
 

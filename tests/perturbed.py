@@ -1,6 +1,6 @@
 """Perturbed results: what a section would say if other numbers had been measured."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from importlib import import_module
@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.config import config
 from measured_report.pages.chapters import Chapters
 from measured_report.pages.editions import Edition, derive_section
-from measured_report.pages.passages import Passage
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace
-from measured_report.site.pages import contents_of
+from measured_report.site.pages import undrawn
 from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.quantities import Pointer
 from measured_report.values.results import Results, Series
@@ -78,8 +77,8 @@ class Perturbation:
 
     releases: Mapping[str, Chapters]
     templates: Templates
-    passages: Mapping[str, Sequence[Passage]] = field(default_factory=dict)
-    """Those that stand on the pages of a release."""
+    pages: Mapping[str, str] = field(default_factory=dict)
+    """Words of a release."""
 
     def of(self, release: str, name: str, pointers: Iterable[Pointer], change: str) -> Section:
         """A section with the same change made to some numbers and traces."""
@@ -131,8 +130,5 @@ class Perturbation:
 
 def of_editions(editions: Mapping[str, Edition], templates: Templates) -> Perturbation:
     """Of what the results of some editions make."""
-    passages = {
-        release: [passage for page in contents_of(editions, templates, release) for passage in page.passages]
-        for release in editions
-    }
-    return Perturbation({release: edition.chapters for release, edition in editions.items()}, templates, passages)
+    pages = {release: "".join(undrawn(editions, templates, release).values()) for release in editions}
+    return Perturbation({release: edition.chapters for release, edition in editions.items()}, templates, pages)

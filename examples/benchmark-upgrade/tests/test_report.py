@@ -6,7 +6,7 @@ import pytest
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import states_of
-from measured_report.parts.not_shown import overstated
+from measured_report.parts.words import overstated
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from report.paired import Step, sign_test

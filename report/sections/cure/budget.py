@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise, product
 
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided, explains, greater
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided, greater
 from measured_report.parts.figures import FAINT, INK, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
@@ -113,9 +114,15 @@ def _term_uncovers_step(results: Results) -> Claim:
     )
     step = _parts_of(results, TERM)["step"]
     formula = "predicted error of the step, along the way that the cube went with the term put back, of the slip then"
-    part = share(results, "step_share", formula, step, term.slip_mm)
+    part, noise = share(results, "step_share", formula, step, term.slip_mm), noise_floor(results, "slip_floor")
+    known = part
+    if part.noise is None and None not in (part.value, noise.value) and term.slip_mm.value:
+        # A share is known no better than the effect that it is of.
+        known = replace(part, noise=abs(part.value / term.slip_mm.value) * noise.value)
     outcome = all_of(
-        explains(part, term.slip_mm, noise=noise_floor(results, "slip_floor")),
+        greater(term.slip_mm, 0.0, noise=noise, why="there is something to explain"),
+        at_least(known, 50.0, why="most of it"),
+        at_most(known, 110.0, why="no more than there is"),
         at_most(turned, -0.5, why="about the other way"),
     )
     return Claim("term_uncovers_step", outcome, {"term": term.slip_mm, "step": step})

@@ -7,18 +7,7 @@ import pytest
 from markupsafe import Markup
 
 from measured_report.parts import claim as claims
-from measured_report.parts.claim import (
-    FAILS,
-    HOLDS,
-    Claim,
-    Outcome,
-    all_of,
-    at_least,
-    at_most,
-    explains,
-    greater,
-    within,
-)
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater, within
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, ResultsError
@@ -95,13 +84,7 @@ def test_a_number_that_is_not_there_says_of_which_run(toy):
     assert results.row["stiff"].slip_mm.reason == ""
 
 
-def test_an_explanation_needs_an_effect_and_a_share_of_no_more_than_all():
-    share = {60.0: HOLDS, 100.0: HOLDS, 1500.0: FAILS, 20.0: FAILS}
-    for percent, expected in share.items():
-        assert explains(replace(quantity(percent), unit="%"), quantity(2.0), noise=NOISE) == expected
-    assert explains(replace(quantity(100.0), unit="%"), quantity(0.05), noise=NOISE).said == "cannot tell"
-    share = replace(quantity(70.0, noise=None), unit="%")
-    assert [explains(share, quantity(effect), noise=NOISE).said for effect in (2.0, 0.2)] == ["holds", "cannot tell"]
+def test_what_is_not_there_is_not_explained():
     for effect, is_said in ((HOLDS, True), (FAILS, False), (Outcome("unknown"), False)):
         html = replace(make_claim(HOLDS), effect=effect).html("toy")
         assert ("Since it is soft." in html) == is_said
@@ -125,7 +108,7 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
 )
 def test_a_trend_turns_nowhere_by_more_than_the_noise(values, said):
     sequence = [quantity(value) for value in values]
-    assert claims.increases(sequence, noise=NOISE).said == claims.decreases(sequence[::-1], noise=NOISE).said == said
+    assert claims.decreases(sequence[::-1], noise=NOISE).said == said
 
 
 def test_an_outcome_without_numbers_is_unknown_and_says_why():

@@ -11,7 +11,7 @@ import pytest
 
 from measured_report.files.errors import ReportError
 from measured_report.files.processes import KILLED
-from measured_report.parts.drawing import draw
+from measured_report.parts.section import draw
 
 
 @pytest.fixture(autouse=True)

@@ -11,13 +11,12 @@ from measured_report.parts.figures import NARROW_WIDTH, draw_svgs, is_narrow, ne
 WIDTH = re.compile(r'viewBox="0 0 ([\d.]+) ')
 
 
-@pytest.mark.parametrize(("asks", "drawn_for"), [(False, ["any"]), (True, [False, True])])
-def test_a_figure_is_drawn_anew_for_a_narrow_screen_only_where_it_asks(asks, drawn_for):
+def test_names_of_a_legend_stand_one_below_the_other_where_it_is_narrow():
     found = []
 
     def draw():
         drawing, axes = new_figure()
-        found.append(is_narrow() if asks else "any")
+        found.append(is_narrow())
         for label in ("a label that is long", "another one of that kind"):
             axes.plot([1.0, 500.0], label=label)
         axes.set_yscale("log")
@@ -25,11 +24,10 @@ def test_a_figure_is_drawn_anew_for_a_narrow_screen_only_where_it_asks(asks, dra
         return drawing
 
     broad, narrow = (picture.html("", ()) for picture in draw_svgs(draw, name="toy"))
-    assert found == drawn_for
+    assert found == [False, True] and not is_narrow()
     assert [float(WIDTH.search(svg)[1]) for svg in (broad, narrow)] == [7.2 * 72, pytest.approx(NARROW_WIDTH * 72)]
     places = [re.findall(r'x="([\d.]+)" y="([\d.]+)"[^>]*>a(?:nother one| label)', svg) for svg in (broad, narrow)]
-    rows = [len({y for _, y in each}) for each in places]
-    assert rows == [1, 2], "names that are long stand one below the other where it is narrow"
+    assert [len({y for _, y in each}) for each in places] == [1, 2]
 
 
 def test_panels_beside_one_another_stand_one_above_the_other_where_it_is_narrow():

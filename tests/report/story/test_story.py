@@ -9,8 +9,8 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.task import FRAME_RATE
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import Edition
-from measured_report.pages.outline import FRONT
 from measured_report.pages.prose import Templates
+from measured_report.pages.sections import FRONT
 from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.site.check import check_site
 from measured_report.site.pages import contents_of

@@ -9,7 +9,7 @@ from markupsafe import Markup
 
 from measured_report.changes.moves import cost_terms
 from measured_report.pages.chapters import Chapters, Releases
-from measured_report.pages.outline import Page
+from measured_report.pages.sections import Page
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
 from measured_report.records.columns import column_of

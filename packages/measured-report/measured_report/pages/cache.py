@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from importlib import metadata
 from pathlib import Path
 from platform import python_version
-from typing import Any
+from typing import Any, NamedTuple
 
 from measured_report.files.cache import Cache
 from measured_report.files.config import config
@@ -15,43 +15,33 @@ from measured_report.files.root import ROOT
 from measured_report.parts import macros
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Figure, Pictures, Section
-from measured_report.records.code import files, roots_of
+from measured_report.records.code import digest_of, files, roots_of
 from measured_report.values.quantities import Value
 
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
 """What decides how numbers are computed and figures are drawn."""
-FONT = "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf"  # how wide its letters are decides where things stand
 READ_BY_NAME = config().sources
 """What says what columns are, and nobody imports."""
 Derivation = tuple[Section, Mapping[str, Value]]
 """A section without its words, and the values that were derived for it."""
+Place = tuple[str, str, str]
+"""Profile, release and section."""
 
 
-@dataclass(frozen=True)
-class Entry:
-    """A section, kept from before or derived now."""
+class Entry(NamedTuple):
+    """Hold a section, kept from before or derived now, with the digest of all that it was made from."""
 
-    place: tuple[str, str, str]
-    """Profile, release and section."""
     digest: str
-    """Digest of all that it was made from."""
     section: Section
     values: Mapping[str, Value]
-
-    @property
-    def figures(self) -> dict[tuple[str, str], Figure]:
-        """Its figures by release and id."""
-        _, release, section = self.place
-        named = {f"{section}-{name}": figure for name, figure in self.section.figures.items()}
-        return {(release, anchor): replace(figure, anchor=anchor) for anchor, figure in named.items()}
 
 
 @dataclass(frozen=True)
 class DerivedCache:
-    """What is kept of the project at ``root``; without one nothing is."""
+    """Keep what sections of the project at ``root`` make; without one nothing is kept."""
 
     root: Path | None = None
-    _new: list[Entry] = field(default_factory=list)
+    _new: dict[Place, Entry] = field(default_factory=dict)
     """What is to be kept once its figures are drawn."""
     _claims: dict[tuple[str, str, str], Claim] = field(default_factory=dict)
     """Claims with their words, by release, section and name."""
@@ -61,28 +51,24 @@ class DerivedCache:
         """Say what the claims of a section are: others that show one are kept with its name alone."""
         self._claims.update({(release, name, claim.name): claim for claim in section.claims})
 
-    def derived(
-        self, place: tuple[str, str, str], code: Path, given: Sequence[str], derive: Callable[[], Derivation]
-    ) -> Entry:
+    def derived(self, place: Place, code: Path, given: Sequence[str], derive: Callable[[], Derivation]) -> Entry:
         """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` before.
 
         What is given stands there as digests or texts.
         """
-        if self.root is None:
-            return Entry(place, "", *derive())
-        digest = digest_of(*given, self._code(code))
-        kept: Entry | None = Cache(self.root).get(".".join(place), digest, self._claims.__getitem__)
+        digest = digest_of([*given, self._code(code)]) if self.root else ""
+        kept = Cache(self.root).get(".".join(place), digest, self._claims.__getitem__) if self.root else None
         if kept:
             return kept
-        entry = Entry(place, digest, *derive())
-        self._new.append(entry)
+        section, values = derive()
+        self._new[place] = entry = Entry(digest, section.tabled(), values)
         return entry
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:
         """Return anything else, which ``make`` makes of what is given alone."""
         if self.root is None:
             return make()
-        own = digest_of(*given, self._code(code))
+        own = digest_of([*given, self._code(code)])
         kept = Cache(self.root).get(name, own)
         if kept is None:
             kept = (make(),)  # which may be None
@@ -91,30 +77,29 @@ class DerivedCache:
 
     @property
     def figures(self) -> dict[tuple[str, str], Figure]:
-        """The figures of what is to be kept, by release and id, whether a page shows them or not."""
-        return {place: figure for entry in self._new for place, figure in entry.figures.items()}
+        """Collect the figures of what is to be kept, by release and id, whether a page shows them or not."""
+        return {
+            (release, f"{section}-{name}"): replace(figure, anchor=f"{section}-{name}")
+            for (_, release, section), entry in self._new.items()
+            for name, figure in entry.section.figures.items()
+        }
 
     def keep(self, pictures: Mapping[tuple[str, str], Pictures]) -> None:
-        """Keep what was derived and all of whose figures are among ``pictures``, by release and id of the figure."""
-        if self.root is None:
-            return
+        """Keep what was derived, its figures drawn as ``pictures`` by release and id."""
         names = {id(claim): name for name, claim in self._claims.items()}
-        for entry in self._new:
-            if all(place in pictures or not figure.is_there for place, figure in entry.figures.items()):
-                drawn = dict(zip(entry.section.figures, map(pictures.get, entry.figures), strict=True))
-                kept = replace(entry, section=entry.section.kept(drawn))
-                Cache(self.root).put(".".join(entry.place), entry.digest, kept, lambda thing: names.get(id(thing)))
+        for place, entry in self._new.items() if self.root else ():
+            figures = {
+                name: figure.kept(pictures.get((place[1], f"{place[2]}-{name}")))
+                for name, figure in entry.section.figures.items()
+            }
+            kept = entry._replace(section=replace(entry.section, figures=figures))
+            Cache(self.root).put(".".join(place), entry.digest, kept, lambda thing: names.get(id(thing)))
         self._new.clear()
-
-
-def digest_of(*texts: str) -> str:
-    """Digest texts, told apart."""
-    return hashlib.sha256(repr(texts).encode()).hexdigest()
 
 
 def code_digest(code: Path) -> str:
     """Digest a module, and all else of the project and of what is installed that decides what it makes."""
-    return digest_of(installed(), *map(repr, sorted(files_of(code).items())))
+    return digest_of([installed(), files_of(code)])
 
 
 def files_of(code: Path) -> dict[str, str]:
@@ -133,6 +118,4 @@ def files_of(code: Path) -> dict[str, str]:
 @functools.cache
 def installed() -> str:
     """Digest what is installed, as far as it decides what is made."""
-    font = Path(str(metadata.distribution("matplotlib").locate_file(FONT))).read_bytes()
-    versions = [f"{name} {metadata.version(name)}" for name in PACKAGES]
-    return digest_of(python_version(), *versions, hashlib.sha256(font).hexdigest())
+    return digest_of([python_version(), *(f"{name} {metadata.version(name)}" for name in PACKAGES)])

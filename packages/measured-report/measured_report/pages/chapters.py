@@ -1,6 +1,5 @@
 """Chapters: what a section of a release makes of its record, and the words for it; nothing is drawn yet."""
 
-import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -8,8 +7,8 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.editions.status import State
-from measured_report.pages.outline import Page
 from measured_report.pages.prose import Prose
+from measured_report.pages.sections import Page
 from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
@@ -17,7 +16,7 @@ from measured_report.values.results import Results
 
 @dataclass(frozen=True)
 class Chapter:
-    """A section of one release."""
+    """Hold what a section of one release makes."""
 
     state: State
     results: Results
@@ -28,20 +27,13 @@ class Chapter:
     """None for a section that compares releases until it has them."""
     page: Page
     compares: bool = False
-    """Whether it compares releases, so that what it derives is of one page alone."""
+    """Set where it compares releases, so that what it derives is of one page alone."""
     digest: str = ""
-    """Of all that it was made from, as far as others read it; empty where nothing is kept."""
+    """Covers all that it was made from, as far as others read it; empty where nothing is kept."""
 
     @property
     def name(self) -> str:
         return self.state.section
-
-
-def values_text(chapters: Iterable[Chapter]) -> str:
-    """Write the site's values file: what each chapter derived, by its name."""
-    derived = {chapter.name: chapter.results.derived for chapter in chapters}
-    values = {name: {each: value.entry for each, value in found.items()} for name, found in derived.items()}
-    return json.dumps(values, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
 
 
 def stale_mark(chapters: Iterable[Chapter], reads: frozenset[str]) -> Markup:

@@ -1,9 +1,9 @@
 """Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
 
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from hashlib import sha256
 from importlib import import_module
 from itertools import takewhile
 from typing import Any
@@ -16,17 +16,15 @@ from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.pages.cache import Derivation, DerivedCache
-from measured_report.pages.chapters import Chapter, Chapters, Releases, stale_mark, values_text
-from measured_report.pages.outline import FRONT, PAGES, Page
+from measured_report.pages.chapters import Chapter, Chapters, Releases, stale_mark
 from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
-from measured_report.pages.sections import LostError, Read, derive_section, file_of, outline_of
+from measured_report.pages.sections import FRONT, PAGES, LostError, Page, Read, derive_section, file_of, outline_of
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
-from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
-from measured_report.records.code import files
+from measured_report.records.code import digest_of, files
 from measured_report.records.identity import files_digest, sections
 from measured_report.records.record import traces_of
 from measured_report.values.noise import NOISE, noise_floors
@@ -35,7 +33,7 @@ from measured_report.values.results import Results, ResultsError
 
 @dataclass(frozen=True)
 class Edition:
-    """What the results of one release make."""
+    """Hold what the results of one release make."""
 
     project: Project
     chapters: Chapters
@@ -44,12 +42,10 @@ class Edition:
     cache: DerivedCache = field(default_factory=DerivedCache)
     root: str = ""
     """The way from its pages to the root of the site."""
-    full: Chapters = field(default_factory=dict)
-    """Chapters of full runs, where these are short ones: a claim that they answer otherwise says so."""
 
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
-        """Its pages with what each shows; one that would show nothing is not there."""
+        """Return its pages with what each shows; one that would show nothing is not there."""
         chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
         always = {page for page in PAGES if page == FRONT or (page.compares and len(self.project.releases) > 1)}
@@ -57,21 +53,24 @@ class Edition:
 
     @property
     def uncompared(self) -> Chapters:
-        """Its chapters; of those that compare releases, and say what is so on one page alone, their results."""
+        """Return its chapters; of those that compare releases, and say what is so on one page alone, the results."""
         bare = {name: replace(each, section=Section()) for name, each in self.chapters.items() if each.compares}
         return {**self.chapters, **bare}
 
     @cached_property
     def values_text(self) -> str:
-        return values_text(self.chapters.values())
+        """Write the site's values file: what each chapter derived, by its name."""
+        derived = {name: chapter.results.derived for name, chapter in self.chapters.items()}
+        values = {name: {each: value.entry for each, value in found.items()} for name, found in derived.items()}
+        return json.dumps(values, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
 
     @cached_property
     def plugins(self) -> Plugins:
-        """What the report shows of it besides."""
+        """Show what the report has besides."""
         return plugins().Plugins(self)
 
     def is_section(self, name: str) -> bool:
-        """Whether a name of what is left out is that of a section, which can be measured again."""
+        """Tell whether a name of what is left out is that of a section, which can be measured again."""
         return name in sections(self.project.root)
 
     def unmeasured(self, page: Page) -> list[State]:
@@ -80,68 +79,50 @@ class Edition:
         return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
-        """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``plugins``."""
+        """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``plugins``.
+
+        What can't be said of what was measured is said as if nothing had been.
+        """
         found = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
-        told = {
-            anchor: self._worded(anchor, text, self._told_or_left_out(anchor, names)) for anchor, text in found.items()
-        }
-        levels = [1, *[2] * len(found)]  # the first has the title of the page
-        return [self._prose_or_bare(*each, told, names) for each in zip(levels, found.items(), strict=False)]
-
-    def _prose_or_bare(
-        self, level: int, named: tuple[str, Text], told: Mapping[str, Section], names: Mapping[str, Any]
-    ) -> Prose:
-        """Put one text into words; where what was measured can't be said so, as if nothing had been."""
-        anchor, text = named
-        try:
-            return self._prose(level, named, told, names)
-        except ReportError as error:
-            is_untold = any(state.section == anchor for state in self.left_out)
-            lacks = is_untold or any(state.kind == "damaged" for state in self.left_out)
-            if not (lacks or isinstance(error, ResultsError)):
-                raise
-            if not is_untold:
-                self.left_out.append(State(anchor, "damaged", notes=(f"{anchor}: nothing can be said ({error})",)))
-            bare = {**told, anchor: self._worded(anchor, text, Section())}
-            return replace(self, chapters={})._prose(level, named, bare, names)
-
-    def _worded(self, anchor: str, text: Text, section: Section) -> Section:
-        """What a text tells, in its words."""
-        if not section.claims:  # where what it is about was not measured there is nothing to tell
-            section = replace(section, unmeasured=[word for _, word in text.words])
-        story = f"{config().story.replace('.', '/')}/"
-        return section.worded(anchor, text.name, text.words, story, "make page")
+        told = {anchor: _worded(anchor, text, self._told(anchor, names)) for anchor, text in found.items()}
+        said = []
+        for anchor, text in found.items():
+            level = 2 if said else 1  # the first has the title of the page
+            try:
+                said.append(self._prose(level, anchor, text, told, names))
+            except ReportError as error:
+                is_damaged = any(state.kind == "damaged" for state in self.left_out)
+                if not (is_damaged or isinstance(error, ResultsError)):
+                    raise
+                if all(state.section != anchor for state in self.left_out):
+                    self.left_out.append(State(anchor, "damaged", notes=(f"{anchor}: nothing can be said ({error})",)))
+                bare = {**told, anchor: _worded(anchor, text, Section())}
+                said.append(replace(self, chapters={})._prose(level, anchor, text, bare, names))
+        return said
 
     def _prose(
-        self, level: int, named: tuple[str, Text], told: Mapping[str, Section], names: Mapping[str, Any]
+        self, level: int, anchor: str, text: Text, told: Mapping[str, Section], names: Mapping[str, Any]
     ) -> Prose:
         """Put one text into words, which may need claims of all texts ``told`` of its page."""
-        anchor, text = named
         section, sections = told[anchor], {name: chapter.section for name, chapter in self.chapters.items()}
+        mark = partial(stale_mark, self.chapters.values())
+        claims = {  # the one called ``title`` has no mark where it rests on a stale section
+            claim.name: claim.html(anchor) + ("" if claim.name == "title" else mark(claim.outcome.reads))
+            for claim in section.claims
+        }
         known = {
             "release": self.project.release,
             "sections": _Names({name: chapter.names for name, chapter in self.chapters.items()}),
-            **_things(anchor, {**told, **sections}, partial(stale_mark, self.chapters.values())),
-            "claim": _finder(anchor, "claim", {claim.name: self._html(claim, anchor) for claim in section.claims}),
+            **_things(anchor, {**told, **sections}, mark),
+            "claim": _finder(anchor, "claim", claims),
         }
         return text.prose(anchor, {**known, **self.plugins.names(section), **names}, level)
 
-    def _told_or_left_out(self, name: str, names: Mapping[str, Any]) -> Section:
-        """What a text tells; nothing where what was measured lacks what it is about, which is then named."""
-        try:
-            return self._told(name, names)
-        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
-            words = " ".join(f"{name}: nothing can be told ({type(error).__name__}: {error})".split())
-            self.left_out.append(State(name, "damaged", notes=(words,)))
-            return Section()
-
-    def _html(self, claim: Claim, text: str) -> Markup:
-        """A claim of a text, with a mark where it rests on a stale section; the one called ``title`` has none."""
-        mark = "" if claim.name == "title" else stale_mark(self.chapters.values(), claim.outcome.reads)
-        return claim.html(text) + mark
-
     def _told(self, name: str, names: Mapping[str, Any]) -> Section:
-        """What ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
+        """Return what ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives.
+
+        Where what was measured lacks what it is about it tells nothing, and is named.
+        """
         file = file_of(config().story, name) if config().story else None
         arguments = files().source(file, name).top.get("derive", 0) if file else 0
         if not (file and arguments):
@@ -155,11 +136,24 @@ class Edition:
             return derive(places, self.project.release) if arguments > 1 else derive(self.chapters), {}
 
         place = (self.project.profile, self.project.release, name)
-        return self.cache.derived(place, file, _digests(places), derive).section
+        try:
+            return self.cache.derived(place, file, _digests(places), derive).section
+        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
+            words = " ".join(f"{name}: nothing can be told ({type(error).__name__}: {error})".split())
+            self.left_out.append(State(name, "damaged", notes=(words,)))
+            return Section()
+
+
+def _worded(anchor: str, text: Text, section: Section) -> Section:
+    """Give what a text tells its words; where what it is about was not measured there is nothing to tell."""
+    if not section.claims:
+        section = replace(section, unmeasured=[word for _, word in text.words])
+    story = f"{config().story.replace('.', '/')}/"
+    return section.worded(anchor, text.name, text.words, story, "make page")
 
 
 class _Names(dict[str, Mapping[str, Any]]):
-    """What each section's words can name; of one that was not measured there is nothing to say."""
+    """Hold what each section's words can name; of one that was not measured there is nothing to say."""
 
     def __missing__(self, name: str) -> Mapping[str, Any]:
         outline_of(name)  # for a name that no section has
@@ -170,10 +164,8 @@ def editions_of(
     project: Project, templates: Templates, cache: DerivedCache | None = None, among: Sequence[str] | None = None
 ) -> dict[str, Edition]:
     """Derive what the results of every release make, oldest first; ``among``: of these alone."""
-    shown = project.releases if among is None else among
-    cache = cache or DerivedCache()
-    derived = {}
-    for release in shown:
+    cache, derived = cache or DerivedCache(), {}
+    for release in project.releases if among is None else among:
         root = "" if release == project.release else "../"
         derived[release] = replace(derive_edition(project.of(release), templates, cache), root=root)
     releases = {release: edition.chapters for release, edition in derived.items()}
@@ -182,65 +174,39 @@ def editions_of(
 
 def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
     """Derive what the results of one release make by themselves: what compares releases has its results alone."""
-    states = [_with_noise(project, state) for state in states_of(project)]
-    edition = _derived(project, states, templates, cache)
-    unfit = [state for state in edition.left_out if state.section == NOISE]
-    if unfit and any(state.record for state in states if state.section == NOISE):
-        # What no page can show of the noise is no measure of other numbers.
-        states = [unfit[0] if state.section == NOISE else state for state in states]
-        edition = _derived(project, states, templates, cache)
-    return edition
-
-
-def _derived(project: Project, states: Sequence[State], templates: Templates, cache: DerivedCache | None) -> Edition:
-    floors = noise_floors(state.record for state in states if state.record and state.section == NOISE)
-    there = sorted((state for state in states if state.record), key=lambda state: outline_of(state.section).order)
+    floors, measured, left_out = {}, [], []
+    for state in states_of(project):
+        try:
+            floors |= noise_floors([state.record]) if state.record and state.section == NOISE else {}
+        except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+            lost = LostError(f"no noise can be told from it ({type(error).__name__}: {error})")
+            state = _left_out(project, state, lost)
+        (measured if state.record else left_out).append(state)
+    try:  # what a manifest that can't be read says is missed is missed unseen
+        read_manifest(project.results)
+    except RecordError as error:
+        left_out.append(State(MANIFEST, "damaged", notes=(str(error),)))
     measured = [
         (state, Results(state.record, project.record_path(state.section), floors=floors))
-        for state in there
-        if state.record
+        for state in sorted(measured, key=lambda state: outline_of(state.section).order)
     ]
-    left_out = [*(state for state in states if not state.record), *_damaged_manifest(project)]
-    edition = Edition(project, {}, left_out, cache or DerivedCache(), full=_of_full_runs(project, templates))
+    edition = Edition(project, {}, left_out, cache or DerivedCache())
     return _with_chapters(edition, measured, {}, templates)
 
 
-def _of_full_runs(project: Project, templates: Templates) -> Chapters:
-    full = replace(project, profile="full")
-    return derive_edition(full, templates).chapters if project.profile != "full" and full.results.is_dir() else {}
-
-
-def _with_noise(project: Project, state: State) -> State:
-    """The same, or, of a record on noise from which none can be told, that it is damaged."""
-    try:
-        noise_floors([state.record] if state.record and state.section == NOISE else [])
-    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
-        return _left_out(project, state, LostError(f"no noise can be told from it ({type(error).__name__}: {error})"))
-    return state
-
-
-def _damaged_manifest(project: Project) -> list[State]:
-    """Say of a manifest that can't be read that it is damaged: what it says is missed is missed unseen."""
-    try:
-        read_manifest(project.results)
-    except RecordError as error:
-        return [State(MANIFEST, "damaged", notes=(str(error),))]
-    return []
-
-
 def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
-    """The same with the sections that compare releases."""
+    """Add the sections that compare releases."""
     measured = [(chapter.state, chapter.results) for chapter in edition.chapters.values() if chapter.compares]
     compared = _with_chapters(edition, measured, releases, templates)
     sections = {name: chapter.section for name, chapter in compared.chapters.items()}
-    refuse_contradictions(edition.project.templates, sections)
+    refuse_contradictions(templates.pairs, sections)
     return compared
 
 
 def _with_chapters(
     edition: Edition, measured: Sequence[tuple[State, Results]], releases: Releases, templates: Templates
 ) -> Edition:
-    """An edition with these sections, each made of what there is by then; what can't be shown is left out."""
+    """Add these sections to an edition, each made of what there is by then; what can't be shown is left out."""
     found, left_out = dict(edition.chapters), list(edition.left_out)
     for state, results in measured:
         try:
@@ -269,15 +235,13 @@ def _chapter(
 
     def derive() -> Derivation:
         own = replace(results, derived={})
-        return derive_section(own, releases).tabled(), own.derived
+        return derive_section(own, releases), own.derived
 
     given = [digest, repr(sorted(results.floors.items())), *_digests({"": before, **releases})]
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
     section = entry.section.worded(name, text.name, text.words, outline.source, project.rerun(name))
-    if name in edition.full:
-        section = _marked(section, edition.full[name].section)
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
         "release": results.record.origin.release,
@@ -290,22 +254,11 @@ def _chapter(
     }
     # Others read its claims, whose outcomes its words have a part in, and none of its words.
     outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
-    digest = sha256(repr((entry.digest, outcomes, state.notes)).encode()).hexdigest()
+    digest = digest_of([entry.digest, outcomes, state.notes])
     if not outline.compares:
         edition.cache.tell(project.release, section, name)
     prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
-
-
-def _marked(section: Section, full: Section) -> Section:
-    """Put a mark before each claim that full runs answer otherwise."""
-    told = {claim.name: claim for claim in full.claims}
-    marks = {
-        claim.name: macros().otherwise(told[claim.name].text)
-        for claim in section.claims
-        if claim.name in told and told[claim.name].outcome.name != claim.outcome.name
-    }
-    return replace(section, claims=[replace(each, mark=marks.get(each.name, each.mark)) for each in section.claims])
 
 
 def _digests(places: Releases) -> list[str]:
@@ -320,7 +273,7 @@ def results_digest(results: Results) -> str:
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
-    """A section that can't be shown, for the rest of the page stands without it.
+    """Say why a section can't be shown, for the rest of the page stands without it.
 
     A record may lack anything, or have what nobody thought of. What is wrong with a section's code or its words,
     whatever was measured, stops the build where the record is fresh and the project's own.
@@ -337,7 +290,7 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
 def _things(
     own: str, sections: Mapping[str, Section], mark: Callable[[frozenset[str]], Markup] = lambda reads: Markup("")
 ) -> dict[str, Callable[..., Any]]:
-    """What finds tables and figures of the section ``own`` for its words, says its passages, and which claims hold.
+    """Find tables and figures of the section ``own`` for its words, say its passages, and which claims hold.
 
     That is asked of ``claim``, its own, or of ``section.claim``; what was not measured does not hold. A passage has a
     ``mark`` by what it rests on.

@@ -14,10 +14,9 @@ a question says which, ``{% passage needs="tower.leans" answer="why" %}``: its e
 """
 
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import jinja2
 from jinja2 import nodes
@@ -26,27 +25,25 @@ from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-from measured_report.pages.converting import token
 from measured_report.parts.claim import LOST, Claim
 from measured_report.parts.contradictions import contradictory
 from measured_report.parts.macros import macros
+from measured_report.parts.words import token
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
 NAMED = {"cell", "value", "row", "release", "config"}
-"""What a passage may name besides the sections that it needs: each says itself which number it is."""
-SOURCE = re.compile('data-src="([^"]*)"')
+"""Names besides those of the sections that it needs: each says itself which number it is."""
 
 
-@dataclass(frozen=True)
-class Need:
-    """A claim and the outcome that a passage rests on."""
+class Need(NamedTuple):
+    """Name a claim and the outcome that a passage rests on."""
 
     section: str
     claim: str
     outcome: str
 
     def is_met(self, claim: Claim | None) -> bool:
-        """Whether the claim, None where there is none, has this outcome."""
+        """Tell whether the claim, None where there is none, has this outcome."""
         if claim is None:
             return False
         return claim.outcome.is_opposite if self.outcome == "opposite" else claim.outcome.name == self.outcome
@@ -55,27 +52,16 @@ class Need:
         return f"{self.section}.{self.claim} {self.outcome}"
 
 
-@dataclass(frozen=True)
-class Passage:
-    """A passage that stands on a page."""
-
-    place: str
-    """File and line."""
-    needs: Sequence[Need]
-    numbers: Sequence[str]
-    """Pointers to all that it prints."""
-
-
 def needs_of(text: str) -> list[Need]:
     """Read what a passage needs; ValueError for what is none."""
-    found = [(part, NEED.fullmatch(part.strip())) for part in text.split(",")]
-    if wrong := [part.strip() for part, need in found if not need]:
+    found = [(part.strip(), NEED.fullmatch(part.strip())) for part in text.split(",")]
+    if wrong := [part for part, need in found if not need]:
         raise ValueError(f"{wrong[0]!r} is no need of a passage; one is section.claim")
     return [Need(need[1], need[2], (need[3] or "holds").strip()) for _, need in found if need]
 
 
 class PassageTag(Extension):
-    """The tag; an environment that has it has ``pairs`` among its globals, and a template with one a ``passage``."""
+    """Add the tag; an environment with it has ``pairs`` among its globals, and a template with one a ``passage``."""
 
     tags = {"passage"}  # noqa: RUF012, as Jinja has it
 
@@ -88,7 +74,7 @@ class PassageTag(Extension):
         except ValueError as error:
             parser.fail(str(error), line)
         pairs: Any = self.environment.globals["pairs"]
-        if both := contradictory(pairs, {str(need) for need in needs}):
+        if both := contradictory(pairs, [str(need) for need in needs]):
             parser.fail(f"the passage needs {both[0]} and {both[1]}, which contradict each other", line)
         body, other = parser.parse_statements(("name:otherwise", "name:endpassage")), []
         end = next(parser.stream)
@@ -103,7 +89,7 @@ class PassageTag(Extension):
         name = f"otherwise_{line}_{end.lineno}"
         macro = nodes.Macro(name, [], [], other, lineno=line)
         said = nodes.Name(name, "load") if has_other else nodes.Const(None)
-        given = [*map(nodes.Const, (f"{parser.name}:{line}", text, answer, end.lineno == line)), said]
+        given = [*map(nodes.Const, (text, answer, end.lineno == line)), said]
         call = nodes.Call(nodes.Name("passage", "load"), given, [], None, None)
         arguments = [nodes.Name(section, "param") for section in sections]
         return [macro, nodes.CallBlock(call, arguments, [], body, lineno=line)]
@@ -115,9 +101,7 @@ def _attribute(parser: Parser, name: str) -> str:
     return parser.stream.expect("string").value
 
 
-def teller(
-    find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[str]], Markup] = lambda reads: Markup("")
-) -> Callable[..., str]:
+def teller(find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[str]], Markup]) -> Callable[..., str]:
     """Make what says the passages of a template of the claims that ``find`` finds by section and name.
 
     ``mark`` is shown behind a passage that stands, by the pointers to what its claims have read.
@@ -126,47 +110,41 @@ def teller(
     @jinja2.pass_context
     def passage(
         context: jinja2.runtime.Context,
-        place: str,
         text: str,
         answer: str,
         is_inline: bool,
         otherwise: Callable[[], str] | None,
         caller: Callable[..., str],
     ) -> str:
-        printed, needs = context["printed"], needs_of(text)
-        claims = {need: find(need.section, need.claim) for need in needs}
-        said, start = None, len(printed)
+        printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
+        said, stale, start = None, Markup(""), len(printed)
+        there = {need: claim for need, claim in claims.items() if claim}
         if all(need.is_met(claim) for need, claim in claims.items()):
-            said = caller(*_numbers(claims).values())
+            said = caller(*_numbers(there))
             if any(isinstance(each, Markup) and LOST.search(each) for each in printed[start:]):
                 said = None
                 del printed[start:]
-        stands, found = said is not None, [(need, claim) for need, claim in claims.items() if claim]
-        stale = Markup("")
-        if said is not None:
-            numbers = [pointer for each in printed[start:] for pointer in SOURCE.findall(str(each))]
-            context["passages"].append(Passage(f"templates/{place}", needs, numbers))
-            stale = mark(frozenset().union(*(claim.outcome.reads for _, claim in found)))
+        stands = said is not None
+        if stands:
+            stale = mark(frozenset().union(*(claim.outcome.reads for claim in there.values())))
         elif otherwise:
             return otherwise()
-        else:
-            own = [claim.html(need.section) for need, claim in found]
-            # What was not measured is listed on the page, and is no other answer.
-            said = token(printed, Markup(" ").join([*own, macros().other_data()])) if len(own) == len(claims) else ""
+        elif len(there) == len(claims):  # what was not measured is listed on the page, and is no other answer
+            own = [claim.html(need.section) for need, claim in there.items()]
+            said = token(printed, Markup(" ").join([*own, macros().other_data()]))
         if not said:
             return Markup("")
         element, edge = ("span", "") if is_inline else ("div", "\n\n")
-        opened = macros().passage(element, ", ".join(map(str, needs)), stands, answer)
+        opened = macros().passage(element, ", ".join(map(str, claims)), stands, answer)
         before, *behind = (token(printed, end) for end in (opened, *filter(None, [stale]), Markup(f"</{element}>")))
         return Markup(edge.join(["", before, said.strip(), *behind, "" if is_inline else "\n"]))
 
     return passage
 
 
-def _numbers(claims: Mapping[Need, Claim | None]) -> dict[str, SimpleNamespace]:
-    """What a passage can name of the claims, by section, in the order of their names."""
-    found: dict[str, Any] = {}
+def _numbers(claims: Mapping[Need, Claim]) -> list[SimpleNamespace]:
+    """Collect what a passage can name of the claims, by section, in the order of their names."""
+    found: dict[str, dict[str, Any]] = {}
     for need, claim in claims.items():
-        if claim:
-            found.setdefault(need.section, {})[need.claim] = SimpleNamespace(**claim.numbers)
-    return {section: SimpleNamespace(**found[section]) for section in sorted(found)}
+        found.setdefault(need.section, {})[need.claim] = SimpleNamespace(**claim.numbers)
+    return [SimpleNamespace(**found[section]) for section in sorted(found)]

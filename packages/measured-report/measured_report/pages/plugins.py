@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Plugins:
-    """Those of one edition."""
+    """Show what one edition has besides."""
 
     picture = ""
     """Address of the picture that others show with a link to its pages, seen from them; empty: that of ``card``."""
@@ -30,17 +30,17 @@ class Plugins:
 
     @property
     def left_out(self) -> "Sequence[State]":
-        """What of it can't be shown, since it is damaged."""
+        """Say what of it can't be shown, since it is damaged."""
         return ()
 
     @property
     def data(self) -> Sequence[Path]:
-        """Further files for the site to have beside the edition's records."""
+        """Name further files for the site to have beside the edition's records."""
         return ()
 
     @property
     def files(self) -> Mapping[str, Path]:
-        """Further files of the site, by their names below it; editions may have the same."""
+        """Return further files of the site, by their names below it; editions may have the same."""
         return {}
 
     def pages(self, templates: "Templates") -> Mapping[str, str]:

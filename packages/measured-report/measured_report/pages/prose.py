@@ -1,54 +1,49 @@
-"""The page: templates of Markdown with values in it, made into HTML."""
+"""The page: templates of Markdown with values in it, made into HTML.
+
+What a template prints passes as a token between two private characters, so that none of it is taken for Markdown.
+"""
 
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
+from xml.etree.ElementTree import Element, SubElement
 
 import jinja2
+from markdown import Markdown
+from markdown.extensions.toc import slugify
+from markdown.treeprocessors import Treeprocessor
 from markupsafe import Markup, escape
 
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.pages.converting import BLANK, CLOSE, OPEN, converted, token
-from measured_report.pages.passages import Passage, PassageTag
-from measured_report.parts.citations import Cited, StatedTag, references
+from measured_report.pages.passages import PassageTag
+from measured_report.parts.citations import Mark, StatedTag, references
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
-from measured_report.parts.words import Wording, WordTags, refuse_typed, worded
+from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_typed, token, worded
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
 """Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which
 may extend ``layout/NAME``."""
-TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
-"""In a text that was converted; alone in its paragraph it may be a block."""
+NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
+TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")
+"""Stands alone in its paragraph where it may be a block."""
 LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
 """In Markdown, a link that leads to an id."""
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
-Printed = TypeVar("Printed")
 BLOCK = ("<figure", "<p", "<div", "</div")
-
-
-@dataclass(frozen=True)
-class Inner:
-    """A link to a part of the report by its id; a page that shows it knows which page has that."""
-
-    id: str
-
-    @property
-    def anchor(self) -> str:
-        return f"#{self.id}"
-
-    def __html__(self) -> str:
-        return self.anchor
+AFTER_TOC = 1  # the lower the later
+ANCHOR = {"class": "anchor", "tabindex": "-1", "aria-hidden": "true"}
+"""A link of a heading to itself: no stop of the keyboard, which the contents lead to as well."""
 
 
 @dataclass(frozen=True)
 class Prose:
-    """A rendered template of Markdown, its figures not yet drawn."""
+    """Hold a rendered template of Markdown, its figures not yet drawn."""
 
     title: Markup
     body: str
@@ -56,27 +51,27 @@ class Prose:
     anchor: str
     headings: list[tuple[str, Markup]]
     """Id and text of each heading right below the title."""
-    passages: list[Passage]
-    """Those that stand."""
 
     @property
     def figures(self) -> list[Figure]:
-        return self.of_kind(Figure)
+        return [thing for thing in self.printed if isinstance(thing, Figure)]
 
-    def of_kind(self, kind: type[Printed]) -> list[Printed]:
-        """Return what it prints of one kind."""
-        return [thing for thing in self.printed if isinstance(thing, kind)]
+    @property
+    def marks(self) -> list[str]:
+        """List the anchors of links and citations, whose places the page fills."""
+        return [thing.anchor for thing in self.printed if isinstance(thing, Mark)]
 
     def html(self, shown: Mapping[str, Any]) -> Markup:
         """Put in what it prints: as ``shown`` has them by their anchors its figures, and links and marks of sources."""
-        late = (Figure, Inner, Cited)
-        printed = [shown.get(thing.anchor, thing) if isinstance(thing, late) else thing for thing in self.printed]
+        printed = [
+            shown.get(thing.anchor, thing) if isinstance(thing, Figure | Mark) else thing for thing in self.printed
+        ]
         return _put_back(self.body, printed)
 
 
 @dataclass(frozen=True)
 class Text:
-    """One template of Markdown, parsed."""
+    """Hold one template of Markdown, parsed."""
 
     name: str
     template: jinja2.Template
@@ -86,17 +81,40 @@ class Text:
     def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
         """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
         printed: list[Any] = []
-        standing: list[Passage] = []
         with _named(self.name):
-            text = self.template.render({**names, "printed": printed, "passages": standing})
-        text = LINK.sub(lambda link: token(printed, Inner(link[1])), text)
-        title, body, found = converted(text, self.name, anchor, level)
-        headings = [(place, _put_back(heading, printed)) for place, heading in found]
-        return Prose(_put_back(title, printed), body, printed, anchor, headings, standing)
+            text = self.template.render({**names, "printed": printed})
+        text = LINK.sub(lambda link: token(printed, Mark(f"#{link[1]}")), text)
+        slugs = {
+            "baselevel": level,
+            "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),
+        }
+        markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": slugs})
+        markdown.treeprocessors.register(_Headings(), "headings", AFTER_TOC)
+        # What may be wider than the page is scrolled with the keyboard too.
+        body = markdown.convert(text).replace("<pre>", '<pre tabindex="0">')
+        if len(markdown.toc_tokens) != 1 or not text.lstrip().startswith("# "):
+            raise ReportError(f"templates/{self.name} must begin with its one title, a line with a single #")
+        top = markdown.toc_tokens[0]
+        headings = [(heading["id"], _put_back(heading["name"], printed)) for heading in top["children"]]
+        return Prose(_put_back(top["name"], printed), body, printed, anchor, headings)
+
+
+class _Headings(Treeprocessor):
+    """Take the title off a text, and let every other heading link to itself."""
+
+    def run(self, root: Element) -> None:
+        if len(root) and root[0].tag in ("h1", "h2"):
+            root.remove(root[0])
+        for heading in (each for each in root.iter() if "id" in each.attrib):
+            if len(heading):
+                heading[-1].tail = f"{heading[-1].tail or ''} "
+            else:
+                heading.text = f"{heading.text} "
+            SubElement(heading, "a", {**ANCHOR, "href": f"#{heading.get('id')}"}).text = "#"
 
 
 class Templates:
-    """The templates of one project; a name that does not exist is an error."""
+    """Find the templates of one project; a name that does not exist is an error."""
 
     def __init__(self, folder: Path):
         own, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
@@ -105,21 +123,14 @@ class Templates:
             loader=self._loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
         )
         self._prose = self._layout.overlay(finalize=_as_token)
-        self.references = references(folder)
-        self._pairs = pairs_of(folder)
-        self._layout.globals |= {
-            "references": self.references,
-            "config": config(),
-            "pairs": self._pairs,
-            "token": token,
-        }
-        self._prose.add_extension(WordTags)
-        self._prose.add_extension(PassageTag)
-        self._prose.add_extension(StatedTag)
+        self.references, self.pairs = references(folder), pairs_of(folder)
+        self._layout.globals |= {"references": self.references, "config": config(), "pairs": self.pairs}
+        for extension in (WordTags, PassageTag, StatedTag):
+            self._prose.add_extension(extension)
         self._texts: dict[str, Text] = {}
 
     def text(self, name: str) -> Text:
-        """A template of Markdown; it is parsed once."""
+        """Parse a template of Markdown, once."""
         if name not in self._texts:
             with _named(name):
                 self._texts[name] = self._parsed(name)
@@ -138,7 +149,7 @@ class Templates:
             with _named(name):
                 context = template.new_context({**numbers, "printed": printed})
                 text = "".join(template.blocks[block](context))
-            return _put_back(" ".join(text.split()).replace(OPEN, BLANK), printed)
+            return _put_back(" ".join(text.split()), printed)
 
         words = {what: replace(each, render=render) for what, each in words.items()}
         return Text(name, template, words)

@@ -1,35 +1,70 @@
-"""Section modules: one is found, asked what it is, and given the results that it makes a section of."""
+"""Section modules and the pages that they are on: a module is found, asked what it is, and given its results.
+
+``report.toml`` has the pages of a release in their order. Each is a table with a ``name``, the ``label`` of what leads
+to it (without one its name), its ``texts`` (without any ``pages/NAME.md.j2``), and ``compares`` for one that shows all
+editions side by side, where there are several, and no section.
+"""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from traceback import extract_tb
+from typing import Any
 
+from measured_report.files.config import FILE, config
 from measured_report.files.errors import ReportError
-from measured_report.pages.chapters import Releases
-from measured_report.pages.outline import Page, page_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
 from measured_report.values.results import Results
 
 
 class LostError(ReportError):
-    """A record from which nothing of its section can be derived; the message is one line."""
+    """Say, in one line, that from a record nothing of its section can be derived."""
+
+
+@dataclass(frozen=True)
+class Page:
+    """Describe one page of every release."""
+
+    name: str
+    label: str = ""
+    texts: tuple[str, ...] = ()
+    """Its templates of prose; the first begins with the title of the page."""
+    compares: bool = False
+
+    @property
+    def file(self) -> str:
+        return f"{self.name}.html"
+
+
+def _page(**fields: Any) -> Page:
+    try:
+        name = fields["name"]
+        texts = tuple(fields.get("texts", [f"pages/{name}.md.j2"]))
+        return Page(**{"label": name.replace("_", " ").capitalize(), **fields, "texts": texts})
+    except (KeyError, TypeError) as error:
+        raise ReportError(f"{FILE}: what it says of a page can't be read ({error})") from None
+
+
+PAGES = tuple(_page(**fields) for fields in config().pages)
+FRONT = PAGES[0]
+OF_SECTIONS = {page.name: page for page in PAGES[1:] if not page.compares}
 
 
 @dataclass(frozen=True)
 class Outline:
-    """What a section's module, below ``root``, says of itself, known without running it."""
+    """Hold what a section's module, below ``root``, says of itself, known without running it."""
 
     file: Path
     root: Path
     order: int
     page: Page
+    """The page that it names, or else the first that takes sections."""
     compares: bool
-    """Whether it compares releases: its ``derive`` then takes them as a second argument."""
+    """Set where it compares releases: its ``derive`` then takes them as a second argument."""
     leads: bool
-    """Whether its page begins with it, wherever its order has it: it says what the others there come to."""
+    """Set where its page begins with it, wherever its order has it: it says what the others there come to."""
     label: str
     """What figures and tables call the section; the name of its file where it does not say."""
     labels: Mapping[str, str]
@@ -39,7 +74,7 @@ class Outline:
 
     @property
     def source(self) -> str:
-        """The module, or the folder of modules, as it is named to people."""
+        """Name the module, or the folder of modules, to people."""
         return self.file.relative_to(self.root).as_posix().removesuffix("__init__.py")
 
 
@@ -55,14 +90,16 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
-    page, label = page_of(name, says.get("page")), str(says.get("label", section.replace("_", " ")))
+    page, label = says.get("page", next(iter(OF_SECTIONS), "")), str(says.get("label", section.replace("_", " ")))
+    if page not in OF_SECTIONS:
+        raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(OF_SECTIONS)}")
     leads, labels, reads = says.get("leads", False), says.get("labels", {}), says.get("reads", ())
-    return Outline(file, root, says["order"], page, says["derive"] > 1, leads, label, labels, reads)
+    return Outline(file, root, says["order"], OF_SECTIONS[page], says["derive"] > 1, leads, label, labels, reads)
 
 
 @dataclass(frozen=True)
 class Read(Mapping[str, Results]):
-    """Results of the sections that one reads, where they were measured; ReportError for one that it does not name."""
+    """Give the results that a section reads, where they were measured; ReportError for one that it does not name."""
 
     outline: Outline
     there: Mapping[str, Results]
@@ -93,7 +130,7 @@ def file_of(package: str, name: str) -> Path | None:
     return next((place for place in places if place.is_file()), None)
 
 
-def derive_section(results: Results, releases: Releases) -> Section:
+def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
     """Derive a section of its results, its words not yet said; one that compares releases has them as well."""
     outline = outline_of(results.record.section)
     try:

@@ -8,7 +8,7 @@
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,16 +18,16 @@ from jinja2.parser import Parser
 from jinja2.runtime import Context
 from markupsafe import Markup
 
-from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
+from measured_report.parts.words import table_beside, token
 
 NAME = "sources.toml"
 
 
 @dataclass(frozen=True)
 class Reference:
-    """The source of a statement: an address, and for a package's file the line in it."""
+    """Lead to the source of a statement: an address, and for a package's file the line in it."""
 
     url: str = ""
     package: str = ""
@@ -40,58 +40,46 @@ class Reference:
 
 def references(templates: Path) -> Mapping[str, Reference]:
     """Read the references of a folder of templates by name; ReportError, one line, for one that is not whole."""
-    path = templates / NAME
-    if not path.is_file():
-        return {}
-    try:
-        tables = read_toml(path)
-        addresses = tables.pop("packages", {})
-        found = {name: _reference(addresses, **fields) for name, fields in tables.items()}
-    except (ValueError, TypeError) as error:
-        raise ReportError(f"templates/{NAME}: {error}") from None
-    for name, reference in found.items():
-        if not reference.url:
+    tables = table_beside(templates, NAME)
+    addresses, found = tables.pop("packages", {}), {}
+    for name, fields in tables.items():
+        try:
+            known = Reference(**fields)
+        except TypeError as error:
+            raise ReportError(f"templates/{NAME}: {error}") from None
+        if all((known.package in addresses, known.version, known.file, known.line, known.excerpt)):
+            known = replace(known, url=addresses[known.package].format(**fields))
+        if not known.url:
             raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file, line and excerpt")
+        found[name] = known
     return found
 
 
-def _reference(addresses: Mapping[str, str], **fields: Any) -> Reference:
-    known = Reference(**fields)
-    if all((known.package in addresses, known.version, known.file, known.line, known.excerpt)):
-        return Reference(addresses[known.package].format(**fields), **fields)
-    return known
-
-
 @dataclass(frozen=True)
-class Cited:
-    """A mark behind a statement; a page that shows it knows its number."""
+class Mark:
+    """Hold a place that only the page can fill: ``#id`` is a link to a part, ``source name`` numbers a citation."""
 
-    name: str
-
-    @property
-    def anchor(self) -> str:
-        return f"source {self.name}"
+    anchor: str
 
     def __html__(self) -> str:
-        return ""
+        return self.anchor if self.anchor.startswith("#") else ""
 
 
 class StatedTag(Extension):
-    """The tag; an environment that has it has ``references`` and ``token`` among its globals."""
+    """Add the tag; an environment that has it has ``references`` among its globals."""
 
     tags = {"stated"}  # noqa: RUF012, as Jinja has it
 
     def parse(self, parser: Parser) -> nodes.Node:
         line = next(parser.stream).lineno
-        name = parser.stream.expect("name")
+        name = parser.stream.expect("name").value
         known: Any = self.environment.globals["references"]
-        if name.value not in known:
-            parser.fail(f"templates/{NAME} has no {name.value}", name.lineno)
+        if name not in known:
+            parser.fail(f"templates/{NAME} has no {name}", line)
         body = parser.parse_statements(("name:endstated",), drop_needle=True)
-        call = self.call_method("_stated", [nodes.ContextReference(), nodes.Const(name.value)])
+        call = self.call_method("_stated", [nodes.ContextReference(), nodes.Const(name)])
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
     def _stated(self, context: Context, name: str, caller: Callable[[], str]) -> Markup:
-        token: Any = self.environment.globals["token"]
         words = Markup(" ".join(caller().split()))
-        return macros().stated(words, token(context["printed"], Cited(name))) + "\n"
+        return macros().stated(words, token(context["printed"], Mark(f"source {name}"))) + "\n"

@@ -1,4 +1,4 @@
-"""Claims: sentences that say what the data shows, each a test here and a wording for every outcome in a template."""
+"""Test what the data shows: a claim is a test here, and a wording for every outcome in a template."""
 
 import math
 import operator
@@ -25,7 +25,7 @@ LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')
 
 @dataclass(frozen=True)
 class Bound(Quantity):
-    """A number that was chosen for one test, and that no words name."""
+    """Bound one test by a number that was chosen for it, and that no words name."""
 
     why: str = ""
 
@@ -42,7 +42,7 @@ Number = Quantity | float
 
 @dataclass(frozen=True)
 class Outcome:
-    """The finding of a test on the results: ``holds``, ``fails`` or ``unknown``, and what it looked at for that."""
+    """Tell what a test finds: ``holds``, ``fails`` or ``unknown``, and what it looked at for that."""
 
     name: str
     reason: str = ""
@@ -77,7 +77,7 @@ OPPOSITE = Outcome("fails", is_opposite=True)
 
 @dataclass(frozen=True)
 class Claim:
-    """A checked sentence: its test's outcome, and what its wording can name."""
+    """Check a sentence: its test's outcome, and what its wording can name."""
 
     name: str
     outcome: Outcome
@@ -87,8 +87,6 @@ class Claim:
     """The words of the section's template, once they are known."""
     effect: Outcome = HOLDS
     """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
-    mark: Markup = field(default=Markup(""), compare=False)
-    """Shown before its sentence."""
 
     @cached_property
     def sentence(self) -> Markup:
@@ -152,20 +150,6 @@ def _bounded(a: Quantity, bound: Number, why: str, keeps: Callable[[float, float
     return _judged(judge, a, bound, why=why)
 
 
-def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:
-    """Test whether there is an effect beyond the noise, and a ``share`` [%] is most of it and no more than all.
-
-    A share is known no better than the effect that it is of.
-    """
-    if share.noise is None and noise.value is not None and effect.value and share.value is not None:
-        share = replace(share, noise=abs(share.value / effect.value) * noise.value)
-    return all_of(
-        greater(effect, 0.0, noise=noise, why="there is something to explain"),
-        at_least(share, 50.0, why="most of it"),
-        at_most(share, 110.0, why="no more than there is"),
-    )
-
-
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
     """Test whether the true flags stand together, in the order given; they were decided by the quantities."""
     return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)
@@ -176,9 +160,7 @@ def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "")
 
     The ``noise`` that nobody names is the larger one of theirs.
     """
-    if noise is None:
-        noise = _noise_of(a, b)
-    return _judged(lambda a, b, noise: _trend([b.number, a.number], noise.number), a, b, noise, why=why)
+    return decreases([a, b], noise=_noise_of(a, b) if noise is None else noise, why=why)
 
 
 def _noise_of(*numbers: Number) -> Quantity:
@@ -189,29 +171,20 @@ def _noise_of(*numbers: Number) -> Quantity:
     return Quantity(None if unknown else most, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
 
 
-def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """Test whether a sequence rises by more than the noise, and nowhere falls by more; falling so is the opposite."""
+def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Outcome:
+    """Test whether a sequence falls by more than the noise, and nowhere rises by more; rising so is the opposite."""
 
     def judge(*quantities: Quantity) -> Outcome:
         *values, most = (quantity.number for quantity in quantities)
-        return _trend(values, most)
+        if len(values) < 2:
+            return Outcome("unknown", "it takes two values to see a trend")
+        if abs(values[-1] - values[0]) <= most:
+            return Outcome("unknown", "the difference is within the noise")
+        if _rises(values[::-1], most):
+            return HOLDS
+        return OPPOSITE if _rises(values, most) else FAILS
 
     return _judged(judge, *sequence, noise, why=why)
-
-
-def decreases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """Test whether a sequence falls, as ``increases`` does whether it rises."""
-    return increases(sequence[::-1], noise=noise, why=why)
-
-
-def _trend(values: Sequence[float], noise: float) -> Outcome:
-    if len(values) < 2:
-        return Outcome("unknown", "it takes two values to see a trend")
-    if abs(values[-1] - values[0]) <= noise:
-        return Outcome("unknown", "the difference is within the noise")
-    if _rises(values, noise):
-        return HOLDS
-    return OPPOSITE if _rises(values[::-1], noise) else FAILS
 
 
 def _rises(values: Sequence[float], noise: float) -> bool:
@@ -219,7 +192,7 @@ def _rises(values: Sequence[float], noise: float) -> bool:
     return values[-1] - values[0] > noise >= max(falls)
 
 
-def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
+def same_sign(*quantities: Quantity, noise: Number) -> Outcome:
     """Test whether all are beyond the noise in the same direction; one within the noise can't tell."""
 
     def judge(*quantities: Quantity) -> Outcome:
@@ -228,7 +201,7 @@ def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
             return Outcome("unknown", "one of them is within the noise")
         return HOLDS if len({value > 0 for value in values}) == 1 else OPPOSITE
 
-    return _judged(judge, *quantities, noise, why=why)
+    return _judged(judge, *quantities, noise)
 
 
 def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
@@ -236,8 +209,6 @@ def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") 
 
     def judge(*quantities: Quantity) -> Outcome:
         *values, _ = (quantity.number for quantity in quantities)
-        if not values:
-            return Outcome("unknown", "there is nothing to compare")
         return within(replace(quantities[0], value=max(values) - min(values)), quantities[-1])
 
     return _judged(judge, *sequence, noise, why=why)

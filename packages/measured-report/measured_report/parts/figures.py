@@ -6,9 +6,8 @@ import re
 import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from contextvars import ContextVar, copy_context
-from dataclasses import dataclass
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import matplotlib
@@ -25,7 +24,7 @@ from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.text import Text
 from matplotlib.textpath import TextToPath
 
-from measured_report.parts.picture import Picture
+from measured_report.parts.macros import Picture
 from measured_report.values.format import format_number, format_power, format_short, whole
 from measured_report.values.quantities import Quantity
 
@@ -78,18 +77,10 @@ LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 
 
-@dataclass
-class _Screen:
-    """A screen that a figure is being drawn for."""
-
-    is_narrow: bool = False
-    is_asked: bool = False
-    """Set where what is drawn depends on it, so that it is drawn anew for another screen."""
-
-
-_screen: ContextVar[_Screen] = ContextVar("screen")
-_told: ContextVar[dict[str, list[str]]] = ContextVar("told")
+_told: dict[str, list[str]] = {}
 """Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
+_screen = SimpleNamespace(is_narrow=False)
+"""The screen that it is being drawn for."""
 
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
@@ -111,7 +102,7 @@ OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
 class LogLabels(ticker.LogFormatter):
-    """Labels of a logarithmic axis as text; Matplotlib's own are formulas, which take long to typeset."""
+    """Label a logarithmic axis in text; Matplotlib's own labels are formulas, which take long to typeset."""
 
     def __call__(self, value: float, position: int | None = None) -> str:
         if not super().__call__(value, position):
@@ -136,7 +127,7 @@ def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """
     text = format_short(quantity.number) if is_short else quantity.written
     if quantity.source:
-        _told.get({}).setdefault(text, []).append(quantity.source)
+        _told.setdefault(text, []).append(quantity.source)
     return text
 
 
@@ -166,6 +157,7 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
     For a narrow screen panels that are side by side are put one above the other, in an array of the same shape.
     """
     rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
+    width = min(width, NARROW_WIDTH) if is_narrow() else width
     if rows * columns == 1 or not is_narrow():
         drawing = _Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
@@ -187,43 +179,27 @@ def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) ->
 
 def is_narrow() -> bool:
     """Tell whether a figure is being drawn for a narrow screen."""
-    screen = _screen.get(None) or _Screen()
-    screen.is_asked = True
-    return screen.is_narrow
+    return _screen.is_narrow
 
 
 class _Drawing(Drawing):
-    """A figure that can be made narrow when it is drawn."""
+    """Keep legends of a figure no wider than a narrow screen."""
 
-    def __init__(self, **keywords):
-        super().__init__(**keywords)
-        self._asked: list[tuple[tuple, dict[str, Any]]] = []
-        """What its legends were asked for as."""
-
-    def legend(self, *args, **keywords):
-        self._asked.append((args, keywords))
-        return super().legend(*args, **keywords)
-
-    def make_narrow(self) -> None:
-        """Make it as wide as a narrow screen, and its legends no wider than that."""
-        width, height = self.get_size_inches()
-        self.set_size_inches(min(width, NARROW_WIDTH), height)
-        for legend, (args, keywords) in zip(self.legends[:], self._asked, strict=True):
-            legend.remove()
-            self._narrow_legend(*args, **keywords)
-
-    def _narrow_legend(self, *args, loc: str = "best", ncols: int = 1, **keywords) -> None:
+    def legend(self, *args, loc: str = "best", ncols: int = 1, **keywords):
+        if not is_narrow():
+            return super().legend(*args, loc=loc, ncols=ncols, **keywords)
         if loc.startswith("outside"):
             loc = "outside upper left" if "upper" in loc else "outside lower left"
         keywords |= {"loc": loc, "fontsize": 8, "columnspacing": 1.0}
         legend = super().legend(*args, ncols=min(ncols, 2), **keywords)
         if ncols > 1 and any(len(text.get_text()) > LONGEST_NAME for text in legend.get_texts()):
             legend.remove()
-            super().legend(*args, ncols=1, **keywords)
+            legend = super().legend(*args, ncols=1, **keywords)
+        return legend
 
 
 class _Renderer(RendererSVG):
-    """Measures each text once in a process, which Matplotlib does for each drawing."""
+    """Measure each text once in a process, which Matplotlib does for each drawing."""
 
     def get_text_width_height_descent(self, s, prop, ismath):
         return _size_of(s, prop, ismath)
@@ -290,32 +266,27 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> tuple[Picture, Picture]:
+def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
     """Draw the figure for broad and for narrow screens, each in SVG: the same data give the same bytes.
 
     Their ids begin with ``name``, those of the narrow one with ``narrow-`` before it.
     """
-    return copy_context().run(_draw_svgs, draw, name)
+    found = []
+    try:
+        for kind, prefix in (("broad", ""), ("narrow", "narrow-")):
+            _told.clear()
+            _screen.is_narrow = kind == "narrow"
+            with own_style({"svg.hashsalt": name}):
+                drawing = _trimmed(draw())
+                if is_narrow():
+                    _fit_narrow(drawing)
+                found.append(_svg(drawing, kind, f"{prefix}{name}"))
+    finally:
+        _screen.is_narrow = False
+    return found
 
 
-def _draw_svgs(draw: Callable[[], Drawing], name: str) -> tuple[Picture, Picture]:
-    told: dict[str, list[str]] = {}
-    _told.set(told)
-    _screen.set(_Screen())
-    with own_style({"svg.hashsalt": name}):
-        drawing = _trimmed(draw())
-        broad = _svg(drawing, told, "broad", name)
-        if _screen.get().is_asked:
-            told.clear()
-            _screen.set(_Screen(is_narrow=True))
-            drawing = _trimmed(draw())
-        if isinstance(drawing, _Drawing):
-            drawing.make_narrow()
-        _fit_narrow(drawing)
-        return broad, _svg(drawing, told, "narrow", f"narrow-{name}")
-
-
-def _svg(drawing: Drawing, told: Mapping[str, Sequence[str]], kind: str, name: str) -> Picture:
+def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     buffer = io.StringIO()
     # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
     FigureCanvasSVG(drawing)
@@ -325,7 +296,7 @@ def _svg(drawing: Drawing, told: Mapping[str, Sequence[str]], kind: str, name: s
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
     drawing.draw(renderer)
     renderer.finalize()
-    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), {text: [*found] for text, found in told.items()}))
+    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue())))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
@@ -352,13 +323,13 @@ def _trimmed(drawing: Drawing) -> Drawing:
     return drawing
 
 
-def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
+def _linked(svg: str) -> str:
     """Return the drawing with each text saying where its numbers are from, and each tick that it is one.
 
     Numbers that are written alike come in the order in which they were written.
     """
-    numbers = {text: whole(escape(text)) for text in told}
-    longest_first = sorted(told, key=len, reverse=True)
+    numbers = {text: whole(escape(text)) for text in _told}
+    longest_first = sorted(_told, key=len, reverse=True)
     groups: list[bool] = []
 
     def link(piece: re.Match) -> str:
@@ -374,7 +345,7 @@ def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
             found, rest = [], text
             for number in longest_first:
                 rest, count = numbers[number].subn("", rest)
-                sources = told[number]  # each is used up, unless it is the last
+                sources = _told[number]  # each is used up, unless it is the last
                 found += [sources.pop(0) if len(sources) > 1 else sources[0] for _ in range(count)]
             if found:
                 return f'<text data-src="{escape(" ".join(found))}"{opening[5:]}>{text}</text>'

@@ -1,6 +1,9 @@
 """A section as its module derives it from results: claims, figures, tables; their words are in its template."""
 
+import gc
+import os
 import re
+import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -8,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 from markupsafe import Markup
 
 from measured_report.files.errors import ReportError
+from measured_report.files.processes import workers
 from measured_report.parts.claim import Claim
-from measured_report.parts.macros import macros
-from measured_report.parts.picture import Picture
+from measured_report.parts.macros import Picture, macros
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Series
@@ -29,19 +32,25 @@ SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
 """Finds the source of each number that there is."""
 
 
+class _Captioned:
+    numbers: Mapping[str, Any]
+    wording: Wording | None
+
+    @property
+    def caption(self) -> Markup:
+        assert self.wording, "a caption is printed before the template has given its words"
+        return self.wording("caption", self.numbers)
+
+
 @dataclass(frozen=True)
-class Table:
-    """A table whose cells are Quantities, text, or yes and no; the index names the rows."""
+class Table(_Captioned):
+    """Show a table whose cells are Quantities, text, or yes and no; the index names the rows."""
 
     frame: "pd.DataFrame | Markup"
     """HTML where it is kept."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
     """Named by its caption."""
     wording: Wording | None = None
-
-    @property
-    def caption(self) -> Markup:
-        return _caption(self)
 
     def __html__(self) -> Markup:
         return macros().captioned_table(self)
@@ -56,8 +65,8 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Figure:
-    """A figure, which is drawn only after everything else has been checked."""
+class Figure(_Captioned):
+    """Show a figure, which is drawn only after everything else has been checked."""
 
     draw: "Callable[[], Drawing] | None"
     """None where it is kept as it was drawn."""
@@ -108,15 +117,15 @@ class Figure:
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
             return macros().left_out("A figure is left out here", reasons[0])
-        files = list(dict.fromkeys(file for source in there for file in _files(source.partition("#")[0])))
+        files: dict[str, None] = {}
+        for file in (source.partition("#")[0] for source in there):
+            files[file] = None
+            if file.endswith(".json") and not file.endswith(VALUES_FILE):  # rows of a record are there as CSV as well
+                files[file.removesuffix("json") + "csv"] = None
         names = [file.rpartition("/")[2] for file in files]
         # The same file of several releases is told apart by its folder.
         links = [(file, name if names.count(name) == 1 else file) for file, name in zip(files, names, strict=True)]
         return macros().figure(self, self._spoken(pictures, address), links, f"{root}data/")
-
-    @property
-    def caption(self) -> Markup:
-        return _caption(self)
 
     @property
     def undrawn(self) -> Markup:
@@ -139,7 +148,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Download:
-    """A file that the site offers below ``download/``; printed, it is its text with a link to it."""
+    """Offer a file, which lies on the site below ``download/``; printed, it is its text with a link to it."""
 
     name: str
     text: str
@@ -154,7 +163,7 @@ class Download:
 
 @dataclass(frozen=True)
 class Section:
-    """A section: all that its template can name, besides what all of them can."""
+    """Hold all that a section's template can name, besides what all of them can."""
 
     tables: Mapping[str, Any] = field(default_factory=dict)
     """Tables, and other things that print themselves."""
@@ -163,11 +172,6 @@ class Section:
     downloads: Sequence[Download] = ()
     unmeasured: Collection[str] = ()
     """Names that only other records have, so that the words for them stay unsaid."""
-
-    def kept(self, pictures: Mapping[str, Pictures | None]) -> "Section":
-        """Return the same as it is kept once its figures are drawn, by their names."""
-        figures = {name: figure.kept(pictures[name]) for name, figure in self.figures.items()}
-        return replace(self.tabled(), figures=figures)
 
     def tabled(self) -> "Section":
         """Return the same with its tables as HTML, of which each is made once."""
@@ -181,33 +185,43 @@ class Section:
 
         The ids of its figures begin with ``anchor``; all have the same ``drawn_by`` and ``command``.
         """
-        claims = {claim.name: claim for claim in self.claims}
-        things = {"claim": claims, "figure": self.figures, "table": self.tables}
+        things = {"claim": {claim.name: claim for claim in self.claims}, "figure": self.figures, "table": self.tables}
         for (kind, name), wording in words.items():
             if name not in things[kind] and name not in self.unmeasured:
                 raise ReportError(f"{wording.place}: there is no {kind} {name}; there are: {', '.join(things[kind])}")
-        found: dict[str, dict[str, Any]] = {kind: {} for kind in things}
-        for kind, named in things.items():
-            for name, thing in named.items():
-                if (kind, name) not in words:
-                    raise ReportError(f"templates/{place} says nothing of the {kind} {name}")
-                wording = words[kind, name]
-                if hasattr(thing, "wording"):
-                    wording.refuse_unknown(f"{kind} {name}", thing.numbers)
-                    thing = replace(thing, wording=wording)
-                    thing = thing.checked() if kind == "claim" else thing
-                if kind == "figure":
-                    thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by, command=command)
-                found[kind][name] = thing
+
+        def said(kind: str, name: str, thing: Any) -> Any:
+            if (kind, name) not in words:
+                raise ReportError(f"templates/{place} says nothing of the {kind} {name}")
+            if not hasattr(thing, "wording"):
+                return thing
+            words[kind, name].refuse_unknown(f"{kind} {name}", thing.numbers)
+            thing = replace(thing, wording=words[kind, name])
+            if kind == "figure":
+                thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by, command=command)
+            return thing.checked() if kind == "claim" else thing
+
+        found = {kind: {name: said(kind, name, thing) for name, thing in some.items()} for kind, some in things.items()}
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
 
 
-def _caption(thing: Table | Figure) -> Markup:
-    assert thing.wording, "a caption is printed before the template has given its words"
-    return thing.wording("caption", thing.numbers)
+_figures: list[Figure] = []
+"""Those that are drawn: processes are forks of this one, so that a figure can hold functions."""
 
 
-def _files(source: str) -> list[str]:
-    """Name the files of the site's ``data/`` that hold a source: the rows of a record are there as CSV as well."""
-    is_record = source.endswith(".json") and not source.endswith(VALUES_FILE)
-    return [source, source.removesuffix("json") + "csv"] if is_record else [source]
+def draw(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
+    """Draw figures, in their order, on every processor that there is, and do something else ``meanwhile``."""
+    # A fork is safe on Linux alone, and a single figure is drawn here.
+    count = min(len(os.sched_getaffinity(0)), len(figures)) if sys.platform == "linux" else 1
+    if count < 2:
+        meanwhile()
+        return [figure.drawn() for figure in figures]
+    _figures[:] = figures
+    with workers(count, "fork", gc.disable) as pool:  # all drawings of a process fit into memory together
+        drawn = [pool.submit(_drawn, index) for index in range(len(figures))]
+        meanwhile()
+        return [each.result() for each in drawn]
+
+
+def _drawn(index: int) -> Pictures:
+    return _figures[index].drawn()

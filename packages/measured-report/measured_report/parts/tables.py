@@ -1,8 +1,7 @@
 """Tables as HTML: one unit a column, numbers aligned at their points, one mark for what there is none of."""
 
 import re
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import pandas as pd
 from markupsafe import Markup
@@ -17,9 +16,8 @@ FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
 FRACTION = re.compile(r"\.(\d*)$")
 
 
-@dataclass(frozen=True)
-class _Column:
-    """A column: all that its cells have in common."""
+class _Column(NamedTuple):
+    """Hold all that the cells of a column have in common."""
 
     name: str
     has_numbers: bool
@@ -35,20 +33,17 @@ class _Column:
     def cell(self, value: Any) -> tuple["_Column", Any, str]:
         """Return the column, the text of a cell, and what fills it for its point to stand below the others."""
         if isinstance(value, Quantity):
-            return (self, value.bare, self._fill(value)) if self.unit else (self, value, "")
+            if not self.unit:
+                return self, value, ""
+            count = _place_count(value)
+            missing = "" if "×" in value.written else (self.places - count) * FIGURE_SPACE
+            return self, value.bare, missing if count or not missing else POINT_SPACE + missing
         if isinstance(value, bool):
             return self, "yes" if value else "no", ""
         is_missing = pd.isna(value) or value == ""
         if isinstance(value, int | float) and not is_missing:
             raise ResultsError(f"the number {value} in a table says nothing of where it comes from")
         return self, ABSENT if is_missing else value, ""
-
-    def _fill(self, value: Quantity) -> str:
-        count = _place_count(value)
-        missing = (self.places - count) * FIGURE_SPACE
-        if not missing or "×" in value.written:
-            return ""
-        return missing if count else POINT_SPACE + missing
 
 
 def table_html(frame: pd.DataFrame) -> Markup:

@@ -16,8 +16,10 @@ Each stands where it is printed. Its parts can name what Python hands over with 
 """
 
 import re
-from collections.abc import Callable, Mapping
+import secrets
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
@@ -26,6 +28,7 @@ from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from markupsafe import Markup
 
+from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 
 PARTS = {
@@ -37,19 +40,27 @@ PARTS = {
 OPTIONAL = {"opposite", "because"}
 SEPARATOR = "__"
 """Between kind, name and part in the name of the block that Jinja keeps a part as."""
-
+# The token has a part that nobody can know before, so that no text of a record can be one.
+OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 
 TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
 TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|µm|ms|kg|Hz|[Ns%°×])(?!\w)")
 """A number with the unit of one that is measured."""
-
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
 """Names that Jinja has for itself, so that what is given under them is never said."""
+FAILS = re.compile(
+    r"\{% claim (\w+) %\}(?:(?!\{% endclaim).)*?\{% fails %\}(.*?)\{% (?!el|if|endif|for|endfor|set)", re.DOTALL
+)
+SENTENCE, STOP = re.compile(r"[.;?!](?:\s|$)|\{% el.*?%\}"), re.compile(r":\s")
+UNSHOWN = re.compile(
+    r"\b(?:cannot|(?:not?|none|nothing|never|nor)\b[^,:;]*) (?:be )?(?:shown|seen|told|known|found)\b|\bopen\b",
+    re.IGNORECASE,
+)
 
 
 @dataclass(frozen=True)
 class Wording:
-    """What a template says of one claim, figure or table."""
+    """Hold what a template says of one claim, figure or table."""
 
     place: str
     """File and line."""
@@ -75,7 +86,7 @@ class Wording:
 
 
 class WordTags(Extension):
-    """The tags: each part becomes a block that is printed by name, and the whole a call that prints it in place."""
+    """Add the tags: each part becomes a block that is printed by name, and the whole a call that prints it in place."""
 
     tags = set(PARTS)  # noqa: RUF012, as Jinja has it
 
@@ -114,6 +125,44 @@ def refuse_typed(source: str) -> None:
         raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
 
 
+def overstated(templates: Path) -> list[str]:
+    """Say which claims of a folder of templates say more than that they are not shown, a line each.
+
+    A claim fails for want of what would show it as well as where its contrary is shown. So what stands between two
+    stops in ``{% fails %}`` prints something, or its sentence says that this is not shown (not seen, cannot be told).
+    """
+    return [
+        f"{path.relative_to(templates.parent)}: claim {name}: {{% fails %}} asserts “{words}”, and all that is known "
+        "there is that the claim is not shown: say so, name a number instead, or move it to {% opposite %}"
+        for path in sorted(templates.rglob("*.md.j2"))
+        for name, fails in FAILS.findall(path.read_text(encoding="utf-8"))
+        for words in _assertions(fails)
+    ]
+
+
+def _assertions(fails: str) -> Iterator[str]:
+    """Yield what stands between two stops and neither prints anything nor says that something is not shown."""
+    for sentence in SENTENCE.split(re.sub(r"\{\{.*?\}\}", "#", " ".join(fails.split()))):
+        if not UNSHOWN.search(sentence):
+            parts = (re.sub(r"\{%.*?%\}|<[^>]*>", "", part).strip() for part in STOP.split(sentence))
+            yield from (part for part in parts if part and "#" not in part)
+
+
+def token(printed: list[Any], thing: Any) -> Markup:
+    """Return what stands in a text for a thing that is printed, which is kept for the time after Markdown."""
+    printed.append(thing)
+    return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
+
+
+def table_beside(templates: Path, name: str) -> dict[str, Any]:
+    """Read a TOML file of a folder of templates, which need not be there; ReportError, one line, for what is none."""
+    path = templates / name
+    try:
+        return read_toml(path) if path.is_file() else {}
+    except ValueError as error:
+        raise ReportError(f"templates/{name}: {error}") from None
+
+
 def _is_blank(body: list[nodes.Node]) -> bool:
     found = [node for output in body for node in getattr(output, "nodes", [output])]
     return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in found)
@@ -123,10 +172,7 @@ def worded(environment: Environment, parsed: nodes.Template, place: str) -> dict
     """Return what a template, parsed with ``environment``, says, by kind and name; errors name it as ``place``."""
     found: dict[tuple[str, str], Wording] = {}
     for block in parsed.find_all(nodes.Block):
-        kind, _, rest = block.name.partition(SEPARATOR)
-        if kind not in PARTS:
-            continue
-        name, _, part = rest.rpartition(SEPARATOR)
+        kind, name, part = block.name.split(SEPARATOR)
         body = nodes.Template(block.body)
         body.set_environment(environment)
         known = found.get((kind, name), Wording(f"{place}:{block.lineno}", {}, frozenset()))

@@ -18,14 +18,10 @@ from measured_report.files.staging import Draft
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.chapters import Chapter
 from measured_report.pages.editions import Edition
-from measured_report.pages.outline import FRONT, Page
-from measured_report.pages.passages import Passage
-from measured_report.pages.prose import LAYOUT, Inner, Prose, Templates, stylesheet
-from measured_report.parts.citations import Cited
-from measured_report.parts.drawing import draw
-from measured_report.parts.macros import macros
-from measured_report.parts.picture import Picture
-from measured_report.parts.section import Pictures
+from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
+from measured_report.pages.sections import FRONT, Page
+from measured_report.parts.macros import Picture, macros
+from measured_report.parts.section import Pictures, draw
 from measured_report.records.record import traces_of
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
@@ -76,11 +72,6 @@ class Content:
         """Collect the ids of its parts, but for the first, which is the page, and of what is in them."""
         inner = {name for part in self.parts for name in (*ID.findall(part.body), *(f.anchor for f in part.figures))}
         return inner | {part.anchor for part in self.parts[1:]}
-
-    @property
-    def passages(self) -> list[Passage]:
-        """Return the passages that stand on it."""
-        return [passage for part in self.parts for passage in part.passages]
 
 
 @dataclass(frozen=True)
@@ -178,12 +169,12 @@ class Site:
         pages = dict(edition.plugins.pages(self.templates))
         for content in names["contents"]:
             figures = self._drawn(content, place, pictures, edition.root)
-            cited = list(dict.fromkeys(cited.name for part in content.parts for cited in part.of_kind(Cited)))
-            marks = {Cited(name).anchor: macros().cited(number) for number, name in enumerate(cited, 1)}
+            cited = dict.fromkeys(mark for part in content.parts for mark in part.marks if not mark.startswith("#"))
+            marks = {mark: macros().cited(number) for number, mark in enumerate(cited, 1)}
             own = {
                 "content": content,
                 "shown": {**figures, **marks, **_addresses(content, names["contents"], edition)},
-                "references": [self.templates.references[name] for name in cited],
+                "references": [self.templates.references[mark.partition(" ")[2]] for mark in cited],
             }
             pages[content.page.file] = self.templates.layout("base.html.j2", {**known, **own})
         for file, html in pages.items():
@@ -293,10 +284,10 @@ def _addresses(content: Content, contents: Sequence[Content], edition: Edition) 
     files = {anchor: each.page.file for each in reversed(contents) for anchor in each.ids}
     lost = FRONT.file if edition.left_out else ""
     found = {}
-    for link in (link for part in content.parts for link in part.of_kind(Inner)):
-        file = files.get(link.id, "")
-        elsewhere = f"{file}{link.anchor}" if file else lost or link.anchor
-        found[link.anchor] = link.anchor if file == content.page.file else elsewhere
+    for link in (mark for part in content.parts for mark in part.marks if mark.startswith("#")):
+        file = files.get(link[1:], "")
+        elsewhere = f"{file}{link}" if file else lost or link
+        found[link] = link if file == content.page.file else elsewhere
     return found
 
 
