@@ -2,18 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from statistics import median
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, beyond
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.shared import drawing as colours
 from report.shared.arithmetic import (
-    Column,
     by_case,
     cell_count,
     departure,
@@ -26,7 +24,6 @@ from report.shared.arithmetic import (
     other_value,
     resolved,
     share,
-    size_difference,
 )
 from report.shared.drawing import mark_points
 
@@ -43,53 +40,34 @@ labels = {
 }
 
 SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
-PARTS = {"left_out": "the term", "step": "step"}
-"""Columns of the large parts, and what they are called."""
+PARTS = {"response": "response_s", "the term": "left_out_mm_s", "step": "step_mm_s"}
+PARTS |= {"law": "predicted_drift_mm_s", "measured": "drift_mm_s"}
 SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")
 """Runs of the table."""
-KINDS = {"kept": "positions compensated", "rounded": "positions rounded"}
 
 
 @dataclass(frozen=True)
 class Run:
-    """A run that keeps the cube: what the law gives, and what was measured."""
+    """A run that keeps the cube, and how far its drift is off the law [%]."""
 
-    law: Row
-    drift: Quantity
+    row: Row
     off: Value
-    """Size of their difference, of the law [%]."""
-
-    @property
-    def cells(self) -> tuple[Quantity, Quantity]:
-        """Return the drift as measured, and as the law gives it."""
-        return self.drift, self.law.predicted_drift_mm_s
 
 
 def derive(results: Results) -> Section:
-    bound = results.chosen("law_bound", "one law", 1.5, unit="%")
-    rounded = results.others["stiffness"].row if "stiffness" in results.others else {}
-    runs = {
-        kind: [
-            _run(results, row, measured[row.case], kind)
-            for row in results.rows
-            if row.case in measured and is_held(measured[row.case])
-        ]
-        for kind, measured in (("kept", results.row), ("rounded", rounded))
-    }
-    sources = [cell for run in runs["kept"] for cell in run.cells]
-    follows = _follows(results, runs["kept"], bound)
-    figure = Figure(lambda: _draw(runs["kept"]), sources, {"follows": follows.outcome == HOLDS})
+    formula = "drift measured with positions compensated, less that of the law, in size, of the latter"
+    runs = []
+    for row in filter(is_held, results.rows):
+        cells = row.drift_mm_s, row.predicted_drift_mm_s
+        runs.append(Run(row, departure(results, f"off_kept_{row.case}", formula, *cells)))
+    follows = _follows(results, runs)
+    sources = [cell for run in runs for cell in (run.row.drift_mm_s, run.row.predicted_drift_mm_s)]
+    figure = Figure(lambda: _draw(runs), sources, {"follows": follows.outcome == HOLDS})
     return Section(
-        tables={"parts": _table([run for run in runs["kept"] if run.law.case in SHOWN])},
+        tables={"parts": by_case([run.row for run in runs if run.row.case in SHOWN], PARTS)},
         figures={"law": figure},
-        claims=[_by_hand(results), follows, _rounded_too(results, runs["rounded"], bound)],
+        claims=[_by_hand(results), follows],
     )
-
-
-def _run(results: Results, law: Row, measured: Row, kind: str) -> Run:
-    formula = f"drift measured with {KINDS[kind]}, less that of the law, in size, of the latter"
-    cells = measured.drift_mm_s, law.predicted_drift_mm_s
-    return Run(law, cells[0], departure(results, f"off_{kind}_{law.case}", formula, *cells))
 
 
 def _by_hand(results: Results) -> Claim:
@@ -111,78 +89,45 @@ def _by_hand(results: Results) -> Claim:
     )
 
 
-def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
+def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     shipped, fix = results.row[SHIPPED], results.row[FIX]
-    responses, formula = [run.law.response_s for run in runs], "longest over shortest response of the friction rows"
+    bound = results.chosen("law_bound", "one law", 1.5, unit="%")
+    offs = [run.off for run in runs]
+    largest = extreme(results, "largest_kept", "largest departure from the law, positions compensated", max, offs)
+    formula = "runs within the bound, positions compensated"
+    inside = results.value("inside_kept", formula, lambda most, *found: sum(off <= most for off in found), bound, *offs)
+    responses, formula = [run.row.response_s for run in runs], "longest over shortest response of the friction rows"
     width = results.value("response_range", formula, lambda *s: max(s) / min(s), *responses)
-    numbers: dict[str, Quantity] = {**_numbers(results, "kept", runs, bound), "width": width}
+    drifts = [run.row.drift_mm_s for run in runs]
+    fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts, unit="mm/s")
+    formula = "noise of the drift, of the fastest"
+    noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
+    outcome = all_of(at_most(largest, bound), resolved(noise, bound)).having_read(width)
+    numbers: dict[str, Quantity] = {"inside": inside, "largest": largest, "bound": bound, "width": width}
+    numbers["count"] = cell_count(results, "count_kept", "runs that keep the cube, positions compensated", offs)
     numbers["tried"] = cell_count(results, "tried_count", "runs that were tried", [row.pad_ke for row in results.rows])
     numbers |= {"shipped": shipped.drift_mm_s, "shipped_law": shipped.predicted_drift_mm_s}
     numbers |= {"fix": fix.drift_mm_s, "fix_law": fix.predicted_drift_mm_s}
-    fastest = largest_size(results, "drift_most", "fastest of these drifts", [run.drift for run in runs], unit="mm/s")
-    formula = "noise of the drift, of the fastest"
-    noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
-    outcome = all_of(at_most(numbers["largest"], bound), resolved(noise, bound)).having_read(width)
     is_wide = at_least(width, 3.0, why="enough to see a law")
     if outcome == HOLDS and is_wide == FAILS:
         reason = "the friction rows of all runs brake too much alike to tell"
         outcome = Outcome("unknown", reason).having_read(width)
         numbers = {name: absent(number.unit, reason) for name, number in numbers.items()}
-    inside = {run.law.case for run in runs if at_most(run.off, bound) == HOLDS}
-    told = {"is_wide": is_wide == HOLDS, "shipped_follows": SHIPPED in inside, "fix_follows": FIX in inside}
-    return Claim("follows", outcome, numbers | told)
-
-
-def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
-    numbers = _numbers(results, "rounded", runs, bound)
-    formula = "size of the difference of drift and law, positions rounded"
-    gaps = [size_difference(results, f"gap_{run.law.case}", formula, *run.cells) for run in runs]
-    gap = extreme(results, "median_gap", "median of these differences", lambda *found: median(found), gaps)
-    # How far beyond the bound a run is, at most: a drift near zero is off by the noise alone.
-    far = results.value(
-        "rounded_beyond",
-        "size of the difference of drift and law, less the bound's share of the law, the largest of all runs",
-        lambda share, *found: max(
-            abs(drift - given) - 0.01 * share * abs(given) for drift, given in zip(found[::2], found[1::2], strict=True)
-        ),
-        *(bound, *(cell for run in runs for cell in run.cells)),
-        unit="mm/s",
-    )
-    outcome = at_most(numbers["largest"], bound)
-    if outcome == FAILS:
-        outcome = beyond(far, noise_floor(results, "drift_floor")).having_read(numbers["largest"], bound)
-    return Claim("rounded_too", outcome, numbers | {"gap": gap})
-
-
-def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:
-    offs, formula = [run.off for run in runs], f"runs within the bound, {KINDS[kind]}"
-    inside = results.value(
-        f"inside_{kind}", formula, lambda most, *found: sum(off <= most for off in found), bound, *offs
-    )
-    count = cell_count(results, f"count_{kind}", f"runs that keep the cube, {KINDS[kind]}", offs)
-    largest = extreme(results, f"largest_{kind}", f"largest departure from the law, {KINDS[kind]}", max, offs)
-    return {"inside": inside, "count": count, "largest": largest, "bound": bound}
-
-
-def _table(runs: Sequence[Run]) -> Table:
-    rows = [run.law for run in runs]
-    parts = {label: f"{name}_mm_s" for name, label in PARTS.items()}
-    columns: dict[str, Column] = {"response": "response_s", **parts, "law": "predicted_drift_mm_s"}
-    return by_case(rows, columns | {"measured": [run.drift for run in runs]})
+    return Claim("follows", outcome, numbers | {"is_wide": is_wide == HOLDS})
 
 
 def _draw(runs: Sequence[Run]) -> Drawing:
     drawing, axes = new_figure(7.2, 3.2)
-    by_response = sorted(runs, key=lambda run: run.law.response_s.value)
-    law = [(1e3 * run.law.response_s.value, run.law.predicted_drift_mm_s.value) for run in by_response]
+    by_response = sorted(runs, key=lambda run: run.row.response_s.value)
+    law = [(1e3 * run.row.response_s.value, run.row.predicted_drift_mm_s.value) for run in by_response]
     axes.plot(*zip(*law, strict=True), color=INK, linestyle="-", linewidth=1.0, marker="", label="the law")
     for case, colour, label in (
         ("", SERIES[5], "other pads"),
         (SHIPPED, colours.SHIPPED, "shipped pads"),
         (FIX, colours.STIFF, "stiff pads"),
     ):
-        mine = [run for run in runs if (run.law.case if run.law.case in (SHIPPED, FIX) else "") == case]
-        points = [(1e3 * run.law.response_s.value, run.drift.value) for run in mine]
+        mine = [run for run in runs if (run.row.case if run.row.case in (SHIPPED, FIX) else "") == case]
+        points = [(1e3 * run.row.response_s.value, run.row.drift_mm_s.value) for run in mine]
         mark_points(axes, points, marker="D" if case else "o", markersize=9 if case else 5, color=colour, label=label)
     axes.set(xscale="log", yscale="log", xlabel="response time T of the friction rows [ms]", ylabel="drift [mm/s]")
     tick_125(axes.xaxis)

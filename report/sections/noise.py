@@ -4,20 +4,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from statistics import fmean
 
-import numpy as np
-from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
-
-from measured_report.parts.claim import HOLDS, NEAR_NOISE, Claim, all_of, at_least, at_most, within
-from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.section import Figure, Section
+from measured_report.parts.claim import NEAR_NOISE, Claim, all_of, at_most, within
+from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
 from measured_report.values.labels import label_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, extreme, share, size_difference, spread, table_of
-from report.shared.drawing import SHIPPED, STIFF, mark_points
+from report.shared.arithmetic import cell_count, share, size_difference, spread, table_of
 
 order = 20
 page = "method"
@@ -26,15 +20,6 @@ labels = {"as-shipped": "shipped pads"}
 
 METRICS, UNITS = {"slip": "slip_mm", "drift": "drift_mm_s"}, {"slip": "mm", "drift": "mm/s"}
 SMALL = "far less than what is looked for"
-SWITCHES = {
-    "plain": "as shipped",
-    "sorted": "Newton's contacts sorted",
-    "ordered": "MuJoCo Warp asked to order its contacts and rows",
-    "all": "MuJoCo Warp asked to order its sums as well",
-}
-SO = {"sorted": SWITCHES["sorted"], "ordered": f"{SWITCHES['sorted']} and {SWITCHES['ordered']}"}
-SO |= {"all": "all that both offer"}
-"""The same in a sentence."""
 
 
 @dataclass(frozen=True)
@@ -58,18 +43,13 @@ class Group:
 
 
 def derive(results: Results) -> Section:
-    twice = {case: results.row[case] for case in SWITCHES}
-    repeated = [row for row in results.rows if row.case not in SWITCHES]
+    repeated = [row for row in results.rows if row.plain.get("of")]
     keys = dict.fromkeys((row.of, row.kind) for row in repeated)
     groups = [Group(*key, [row for row in repeated if (row.of, row.kind) == key]) for key in keys]
     floors = {metric: _floor(results, groups, metric) for metric in METRICS}
     means, spreads = (
         {metric: [find(results, group, metric) for group in groups] for metric in METRICS} for find in (_mean, _spread)
     )
-    alike = _batch_or_alone(results, groups, means, spreads)
-    labelled = list(zip([group.label for group in groups], spreads["slip"], strict=True))
-    numbers = {"groups": labelled, "is_alike": alike.outcome == HOLDS}
-    runs = Figure(lambda: _draw_runs(groups), [slip for group in groups for slip in group.cells("slip")], numbers)
     results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
@@ -77,12 +57,9 @@ def derive(results: Results) -> Section:
     columns = {"runs": counts}
     for metric in METRICS:
         columns |= {f"mean {metric}": means[metric], f"{metric} spread": spreads[metric]}
-    exact = [_plain_differs(twice["plain"]), _some_switch_repeats(results, twice)] if twice["plain"] else []
     return Section(
         tables={"groups": table_of("case", [group.label for group in groups], columns)},
-        figures={"runs": runs},
-        claims=[_noise_is_small(results, groups, floors), alike, *exact],
-        unmeasured=() if exact else ("plain_differs", "some_way_repeats"),  # as in releases that were measured before
+        claims=[_noise_is_small(results, groups, floors), _batch_or_alone(results, groups, means, spreads)],
     )
 
 
@@ -142,38 +119,3 @@ def _batch_or_alone(results: Results, groups: Sequence[Group], means: Mapping, s
     kind_spread = results.value("within_spread", formula, max, *pair, unit="mm", is_noise=True)
     outcome = all_of(within(apart, kind_spread), at_most(of_slip, 1.0, why=SMALL))
     return Claim("batch_or_alone", outcome, {"difference": apart, "within": kind_spread, "share": of_slip})
-
-
-def _plain_differs(plain: Row) -> Claim:
-    differing, spread = plain.differing_world_count, plain.run_spread_mm
-    is_seen = at_least(spread, 1e-6, why="to be seen in the slip")
-    outcome = all_of(at_least(differing, 1, why="one of them is enough"), is_seen)
-    return Claim("plain_differs", outcome, {"differing": differing, "worlds": plain.worlds, "spread": spread})
-
-
-def _some_switch_repeats(results: Results, rows: Mapping[str, Row]) -> Claim:
-    counts = {switch: rows[switch].differing_world_count for switch in SO}
-    exact = next((switch for switch, count in counts.items() if count.value == 0), "")
-    formula = "least number of worlds that differ, of all ways"
-    least = extreme(results, "differing_least", formula, min, list(counts.values()))
-    tried = Markup("; ").join(SWITCHES[switch] for switch, count in counts.items() if count.value is not None)
-    numbers = {"way": SO.get(exact, ""), "tried": tried, "worlds": rows["plain"].worlds, "least": least}
-    return Claim("some_way_repeats", at_most(least, 0, why="the same to the last bit"), numbers)
-
-
-def _draw_runs(groups: Sequence[Group]) -> Drawing:
-    drawing, axes = new_figure(7.2, 0.7 + 0.55 * len(groups))
-    for place, group in enumerate(groups):
-        slips = np.array([cell.value for cell in group.cells("slip") if cell.value is not None])
-        of_case = [cell.value for cell in _of_case(groups, group.case, "slip") if cell.value is not None]
-        # Dots of one group take turns in height, so that equal slips are still seen as many.
-        heights = place + 0.09 * (np.arange(len(slips)) % 5 - 2)
-        colour, marker = SHIPPED if group.case == "as-shipped" else STIFF, "o" if group.kind == "batch" else "^"
-        style = {"markersize": 5, "markerfacecolor": "none", "color": colour, "marker": marker}
-        mark_points(axes, zip(slips - np.mean(of_case), heights, strict=True), **style)
-        axes.vlines(slips.mean() - np.mean(of_case), place - 0.3, place + 0.3, color=INK, linewidth=1.2)
-    axes.set_yticks(range(len(groups)), [group.label for group in groups])
-    axes.set_ylim(len(groups) - 0.5, -0.5)
-    axes.grid(axis="y", visible=False)
-    axes.set_xlabel("slip, less the mean of its case [mm]")
-    return drawing

@@ -36,8 +36,6 @@ OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C 
 SCENE: tuple[tuple[str, int, str], ...] = (("cube_edge", 40, "mm"), ("cube_mass", 32, "g"), ("frame_rate", 60, "1/s"))
 SCENE += (("substeps", 16, "1"), ("impratio", 50, "1"))
 """Name, value and unit of what the scene sets; a test compares them with the scene."""
-BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}
-"""Most that a batch may cost against one world, by the device that it runs on."""
 
 
 def derive(results: Results) -> Section:
@@ -55,10 +53,8 @@ def derive(results: Results) -> Section:
             slips,
             steady,
             needs_shaking("needs_shaking", results, hold.drift_mm_s, shipped.drift_mm_s),
-            _moves_little_when_held(results, shipped, hold),
             _same_on_both_engines(results, slips),
             _stiff_pads_hold(results, shipped, stiff),
-            _batch_is_cheap(results),
         ],
     )
 
@@ -109,13 +105,6 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
     return Claim("drift_is_steady", at_most(change, bound), numbers)
 
 
-def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
-    formula = "slip with the arm held still, of the slip with shipped pads"
-    total = arithmetic.size_share(results, "hold_slip_share", formula, hold.slip_mm, shipped.slip_mm)
-    bound = results.chosen("hold_slip_share_bound", *arithmetic.NO_DRIFT, unit="%")
-    return Claim("moves_little_when_held", at_most(total, bound), {"slip": hold.slip_mm, "total": total})
-
-
 def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     places |= {suffix: name for suffix, name in OTHER_PLACES.items() if f"as-shipped{suffix}" in results.row}
@@ -132,8 +121,6 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     *first, last = places.values()
     listed = Markup("{} and {}").format(Markup(", ").join(first), last) if first else escape(last)
     numbers = {"shipped": shipped, "stiff": stiff, "places": listed, "bound": bound}
-    differ = {pads: at_most(apart, bound).name == "fails" for pads, apart in (("shipped", shipped), ("stiff", stiff))}
-    numbers |= {"only_shipped": not differ["stiff"], "only_stiff": not differ["shipped"]}
     return Claim("same_on_both_engines", at_most(difference, bound), numbers, effect=slips.outcome)
 
 
@@ -141,15 +128,6 @@ def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
     outcome = at_least(gain, results.chosen("stiff_gain_bound", *arithmetic.SETTLES))
     return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "gain": gain})
-
-
-def _batch_is_cheap(results: Results) -> Claim:
-    rows = sorted((row for row in results.rows if row.case.startswith("batch-")), key=lambda row: row.world_count.value)
-    one, many = [*rows, *[results.row["a batch"]] * (2 - len(rows))][:2]
-    cost = ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
-    device = results.record.machine["device"]
-    bound = results.chosen("batch_cost_bound", f"for {device}", BATCH_COST_BOUND[device])
-    return Claim("batch_is_cheap", at_most(cost, bound), {"worlds": many.world_count, "cost": cost, "bound": bound})
 
 
 def _mean(increments: np.ndarray) -> float:

@@ -2,11 +2,10 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
 
 from matplotlib.axes import Axes
 
-from measured_report.parts.claim import HOLDS, Outcome, all_of, at_most
+from measured_report.parts.claim import Outcome
 from measured_report.parts.figures import SERIES, is_narrow
 from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity, Value
@@ -53,18 +52,6 @@ def compared(rows: Iterable[Row]) -> list[Row]:
 def fine_enough(unseen: Quantity) -> Outcome:
     """Tell whether times are known well enough to say that nothing is slower, from what share would be seen [%]."""
     return resolved(unseen, 3.0, why="a slowdown that would matter")
-
-
-def as_said(results: Results, name: str, outcome: Outcome, taken: Quantity, *times: Quantity) -> Outcome:
-    """Let an outcome stand if the two times that words name are in about the ratio that was measured in turn."""
-    formula = "how far the ratio of the two medians is from that measured in turn, of it"
-    apart = results.value(name, formula, lambda taken, a, b: 100 * abs(a / b / taken - 1), taken, *times, unit="%")
-    agree = at_most(apart, 10.0, why="the medians say the same")
-    both = all_of(outcome, agree)
-    reason = agree.reason or "the times do not stand in the ratio that was measured"
-    if agree == HOLDS:
-        return both
-    return replace(both, name="unknown", reason=reason, is_opposite=False, is_inconclusive=False)
 
 
 def world_axis(axes: Axes, counts: list[int]) -> None:

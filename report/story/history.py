@@ -10,7 +10,7 @@ from measured_report.pages.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import alike
-from report.sections.upgrade.ends import released, with_mark
+from report.sections.upgrade.ends import released
 from report.sections.upgrade.tables import HEADLINES
 
 WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0  # of the line beside a number's name, which keeps from the edges [px]
@@ -34,11 +34,15 @@ def _numbers(releases: Releases) -> Table:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in found}
             numbers = alike([headline.cell(each, name) for name, each in releases.items()])
-            cells = (with_mark(number, marks.get(name, "")) for number, name in zip(numbers, releases, strict=True))
+            cells = (_marked(number, marks.get(name, "")) for number, name in zip(numbers, releases, strict=True))
             line = [_line(found, list(releases)), *cells]
             for column, content in zip(columns.values(), line, strict=True):
                 column.append(content)
     return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
+
+
+def _marked(number: Markup, mark: str) -> Markup:
+    return Markup('{} <span class="moved {}">{}</span>').format(number, mark, mark) if mark else number
 
 
 def _line(found: Sequence[Point], releases: Sequence[str]) -> Markup:

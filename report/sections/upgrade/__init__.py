@@ -1,10 +1,10 @@
 """What a new release changes: numbers, claims, and the contact rows that say why."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from measured_report.changes.flips import Flip, FlipList, flips
-from measured_report.changes.query import Query
 from measured_report.pages.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_most, decided
 from measured_report.parts.section import Section
@@ -12,7 +12,7 @@ from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.sections.upgrade import tables
-from report.sections.upgrade.ends import Ends, change, floor, machines_differ, released, unchanged, up_to
+from report.sections.upgrade.ends import Ends, change, machines_differ, noise_of, released, unchanged, up_to
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 
 order = 200
@@ -30,18 +30,16 @@ labels = {
 def derive(results: Results, releases: Releases) -> Section:
     shown = results.edition
     releases = released(releases, shown)
-    floors = {unit: floor(results, releases, name, unit) for unit, name in tables.FLOORS.items()}
+    noise = noise_of(results, releases)
     seen = up_to(releases, shown)
-    flipped = list(flips(seen, shown))
-    ends, newest = Ends(seen), Ends(releases)
-    same_slip = _slip_is_the_same(results, ends, floors["mm"])
-    steps = _in_one_step(results, seen, floors["mm"], same_slip.outcome)
-    between = shown not in (newest.old, newest.new)
+    flipped, ends = list(flips(seen, shown)), Ends(seen)
+    same_slip = _slip_is_the_same(results, ends, noise)
+    steps = _in_one_step(results, seen, noise, same_slip.outcome)
     return Section(
         tables={
             "turns": FlipList([flip for flip in flipped if flip.is_decided], shown, list(results.others)),
             "tried": tables.tried_table(releases),
-            "speed": tables.speed_table(results, releases),
+            "speed": tables.speed_table(releases),
             "options": tables.option_table(releases),
         },
         figures={"slips": tables.slip_figure(releases, steps.numbers["steps"] if steps.outcome == HOLDS else [])},
@@ -50,11 +48,8 @@ def derive(results: Results, releases: Releases) -> Section:
             steps,
             _claims_stand(results, flipped, list(seen)),
             *cause_claims(results, ends, same_slip.outcome),
-            _same_speed(results, ends, "same_speed", "frame", tables.ONE_WORLD),
-            _same_speed(results, ends, "same_speed_on_cpu", "cpu_frame", tables.ON_CPU),
-            *([_same_as_newest(results, newest, floors["mm"])] if between else []),
+            _same_speed(results, ends),
         ],
-        unmeasured=() if between else ("same_as_newest",),
     )
 
 
@@ -64,14 +59,6 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     grows = (moved.value or 0) > 0
     numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": grows}
     return Claim("slip_is_the_same", ends.one or unchanged(old, new, moved, noise), numbers)
-
-
-def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
-    own = results.edition
-    before, after = tables.SLIP.cell(ends.releases[own], own), tables.SLIP.cell(ends.releases[ends.new], ends.new)
-    moved = change(results, "slip_change_from_here", before, after)
-    numbers = {"a": own, "b": ends.new, "before": before, "after": after}
-    return Claim("same_as_newest", unchanged(before, after, moved, noise), numbers)
 
 
 def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:
@@ -99,20 +86,20 @@ def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[
     return Claim("claims_stand", outcome, {"count": count, "open": others})
 
 
-def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Query) -> Claim:
+def _same_speed(results: Results, ends: Ends) -> Claim:
+    headline = tables.SPEEDS[0]
     old, new = ends.cells(headline)
     formula = "larger of the ranges from the 5th to the 95th percentile of a frame's time"
-    low, high = (ends.cells(tables.edge(headline, end)) for end in EDGES)
-    edges = low[0], high[0], low[1], high[1]
+    edges = [cell for end in EDGES for cell in ends.cells(replace(headline, text=headline.text + end))]
     spread = results.value(
-        f"{name}_spread", formula, lambda a, b, c, d: max(b - a, d - c), *edges, unit="ms", across=True
+        "frame_spread", formula, lambda a, b, c, d: max(c - a, d - b), *edges, unit="ms", across=True
     )
-    moved = change(results, f"{name}_change", old, new)
+    moved = change(results, "frame_change", old, new)
     times: dict[str, Quantity] = {"before": old, "after": new, "spread": spread}
     outcome = ends.one or unchanged(old, new, moved, spread)
     if differ := machines_differ(ends.releases, headline.section):
         outcome, times = differ, {time: absent("ms", differ.reason) for time in times}
-    return Claim(claim, outcome, {"a": ends.old, "b": ends.new, "grows": (moved.value or 0) > 0, **times})
+    return Claim("same_speed", outcome, {"a": ends.old, "b": ends.new, "grows": (moved.value or 0) > 0, **times})
 
 
 SAME = 5.0
@@ -156,11 +143,7 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
 def _mujoco_contacts_as_before(results: Results, ends: Ends) -> Claim:
     found, engine = ends.cells(MUJOCO_CONTACTS), ends.cells(MUJOCO_C)
     formula = "larger change in slip where MuJoCo finds the contacts, of the older slip"
-
-    def larger(a: float, b: float, c: float, d: float) -> float:
-        return 100 * max(abs(b / a - 1), abs(d / c - 1))
-
-    elsewhere = results.value("elsewhere_change", formula, larger, *found, *engine, unit="%", across=True)
+    elsewhere = results.value("elsewhere_change", formula, _farther, *found, *engine, unit="%", across=True)
     numbers = {"a": ends.old, "b": ends.new, "found": found[1], "c": engine[1], "elsewhere": elsewhere}
     return Claim("mujoco_contacts_as_before", ends.one or at_most(elsewhere, SAME, why="the same slip"), numbers)
 
@@ -168,11 +151,13 @@ def _mujoco_contacts_as_before(results: Results, ends: Ends) -> Claim:
 def _pyramid_as_before(results: Results, ends: Ends) -> Claim:
     before, after = ends.cells(PYRAMID)
     formula = "change in slip with a pyramidal cone, of the older slip"
-    change = results.value(
-        "pyramid_change", formula, lambda a, b: 100 * abs(b / a - 1), before, after, unit="%", across=True
-    )
-    numbers = {"before": before, "after": after, "a": ends.old, "b": ends.new, "moved": change}
-    return Claim("pyramid_as_before", ends.one or at_most(change, SAME, why="the same slip"), numbers)
+    moved = results.value("pyramid_change", formula, _farther, before, after, unit="%", across=True)
+    numbers = {"before": before, "after": after, "a": ends.old, "b": ends.new, "moved": moved}
+    return Claim("pyramid_as_before", ends.one or at_most(moved, SAME, why="the same slip"), numbers)
+
+
+def _farther(*slips: float) -> float:
+    return 100 * max(abs(after / before - 1) for before, after in zip(slips[::2], slips[1::2], strict=True))
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:

@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass
 
-from markupsafe import Markup
-
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
@@ -26,19 +24,15 @@ def up_to(releases: Releases, shown: str) -> Releases:
     return {release: releases[release] for release in names[: names.index(shown) + 1]}
 
 
-def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
-    floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
+def noise_of(results: Results, releases: Releases) -> Value:
+    floors = [release["noise"].results.derived["slip_floor"] for release in releases.values() if "noise" in release]
     formula = "largest of the releases' noise floors"
-    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True, is_noise=True)
+    return results.value("slip_floor", formula, max, *floors, unit="mm", across=True, is_noise=True)
 
 
 def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
     formula = "later release less earlier one"
     return results.value(name, formula, lambda a, b: b - a, before, after, unit=before.unit, across=True)
-
-
-def with_mark(number: Markup, mark: str) -> Markup:
-    return Markup('{} <span class="moved {}">{}</span>').format(number, mark, mark) if mark else number
 
 
 @dataclass(frozen=True)

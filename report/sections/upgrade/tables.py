@@ -1,22 +1,16 @@
 """The tables and the figure of what releases have side by side."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.files.config import config
 from measured_report.pages.chapters import Releases
 from measured_report.parts.figures import INK, is_narrow, new_figure, tick_125, write
 from measured_report.parts.section import Figure, Table
-from measured_report.values.format import unit_label
-from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, alike
-from measured_report.values.results import Results
-from report.sections.upgrade.ends import machines_differ, with_mark
 from report.shared import drawing as colours
 from report.shared.arithmetic import table_of
 
@@ -28,14 +22,12 @@ SLIP = Query(f"upgrade.{SHIPPED}.slip_mm")
 MUJOCO_CONTACTS = Query("upgrade.as-shipped-mujoco-contacts.slip_mm")
 MUJOCO_C, PYRAMID = Query("reproduction.as-shipped-mujoco-c.slip_mm"), Query("solver.cone-pyramidal.slip_mm")
 SPEEDS = (
-    Query(f"speed.{SHIPPED}.frame_ms", label="a frame with shipped pads"),
-    Query("speed.fixed.frame_ms", label="a frame of the fixed scene"),
-    Query("scaling.worlds-16384.frame_ms", label="a frame of the most worlds"),
-    Query("leave_out.untrimmed.frame_ms", label="on the CPU, a frame exactly as shipped", device="cpu"),
-    Query("leave_out.without-all.frame_ms", label="on the CPU, a frame without all that is unneeded", device="cpu"),
+    Query(f"speed.{SHIPPED}.frame_ms", label="a frame with shipped pads [ms]"),
+    Query("speed.fixed.frame_ms", label="a frame of the fixed scene [ms]"),
+    Query("scaling.worlds-16384.frame_ms", label="a frame of the most worlds [ms]"),
+    Query("leave_out.untrimmed.frame_ms", label="on the CPU, a frame exactly as shipped [ms]", device="cpu"),
+    Query("leave_out.without-all.frame_ms", label="on the CPU, a frame without what is unneeded [ms]", device="cpu"),
 )
-ONE_WORLD, ON_CPU = SPEEDS[0], SPEEDS[3]
-FLOORS = {"mm": "slip_floor", "mm/s": "drift_floor"}
 TRIED = {
     SHIPPED: "shipped pads",
     TAKEN: "friction rows' time constant taken out",
@@ -61,39 +53,19 @@ DRAWN = {
 """What is drawn: its name, colour and dashes."""
 
 
-def _table(headlines: Sequence[Query], columns: Mapping[str, Sequence]) -> Table:
-    labels = [f"{headline.label} [{unit_label(headline.unit)}]".removesuffix(" []") for headline in headlines]
-    return table_of("", labels, columns)
-
-
-def speed_table(results: Results, releases: Releases) -> Table:
-    columns: dict[str, list[Markup]] = {f"Newton {release}": [] for release in releases}
-    for headline in SPEEDS:
-        differ = machines_differ(releases, headline.section)
-        cells = [headline.cell(chapters, release) for release, chapters in releases.items()]
-        for release, found, number in zip(releases, cells, alike(cells), strict=True):
-            name = f"{headline.section}_{headline.case}_{headline.column}_{headline.device}_{headline.worlds}_{release}"
-            edges = [edge(headline, end).cell(releases[release], release) for end in EDGES]
-            spread = results.value(f"{name}_spread", "95th less 5th percentile", lambda a, b: b - a, *edges, unit="ms")
-            is_told = None not in (cells[0].value, found.value, spread.value) and not differ
-            mark = Move(headline.column, cells[0], found, spread.value).mark if is_told else ""
-            columns[f"Newton {release}"].append(with_mark(number, mark))
-    return _table(SPEEDS, columns)
-
-
-def edge(headline: Query, end: str) -> Query:
-    return replace(headline, text=headline.text + end)
+def speed_table(releases: Releases) -> Table:
+    return _side_by_side("", releases, {headline.label: headline for headline in SPEEDS})
 
 
 def tried_table(releases: Releases) -> Table:
-    cells = dict(_cells(releases, [Query(f"upgrade.{case}.slip_mm") for case in TRIED]))
-    lines = [alike(line) for line in zip(*cells.values(), strict=True)]
-    return table_of("slip [mm]", TRIED.values(), dict(zip(cells, zip(*lines, strict=True), strict=True)))
+    asked = {label: Query(f"upgrade.{case}.slip_mm") for case, label in TRIED.items()}
+    return _side_by_side("slip [mm]", releases, asked)
 
 
-def _cells(releases: Releases, asked: Sequence[Query]) -> Iterator[tuple[str, list[Quantity]]]:
-    for release, chapters in releases.items():
-        yield f"Newton {release}", [each.cell(chapters, release) for each in asked]
+def _side_by_side(heading: str, releases: Releases, asked: Mapping[str, Query]) -> Table:
+    lines = [alike([each.cell(chapters, release) for release, chapters in releases.items()]) for each in asked.values()]
+    columns = {f"Newton {release}": cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)}
+    return table_of(heading, asked, columns)
 
 
 def option_table(releases: Releases) -> Table:
