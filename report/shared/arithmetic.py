@@ -55,17 +55,6 @@ def total(results: Results, name: str, formula: str, cells: Iterable[Quantity]) 
     return results.value(name, formula, lambda *counts: sum(counts), *cells)
 
 
-def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
-    """Return slope of the line of least squares through the logarithms of ``above`` over those of ``below``.
-
-    Each sum is exact before it is rounded, so that it is the same number with every Python and NumPy.
-    """
-    x, y = [math.log(value) for value in below], [math.log(value) for value in above]
-    x_mean, y_mean = math.fsum(x) / len(x), math.fsum(y) / len(y)
-    products = math.fsum((a - x_mean) * (b - y_mean) for a, b in zip(x, y, strict=True))
-    return products / math.fsum((a - x_mean) ** 2 for a in x)
-
-
 def spread(
     results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
 ) -> Value:
@@ -199,12 +188,6 @@ def rows_with(results: Results, *columns: str) -> list[Row]:
     """Return list the rows that have something in each of these columns, by which the parts of a section tell their
     rows."""
     return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
-
-
-def friction_rows_differ(contacts: Results | None) -> bool:
-    """Tell whether friction rows have a time constant of their own, by what section contacts found; C's never have."""
-    rows = contacts.rows if contacts else []
-    return any("friction_timeconst_s" in row and row.friction_timeconst_s.value for row in rows)
 
 
 def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:

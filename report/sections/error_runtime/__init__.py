@@ -1,14 +1,12 @@
 """Error against run time: the cheapest setting for an error, and what the expensive knobs buy."""
 
-from typing import Any
-
 from markupsafe import Markup
 
 from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.claims import accuracy_claims, derive_worlds, knob_claims, pads_claims
-from report.sections.error_runtime.figures import draw_grasp, draw_numerical
+from report.sections.error_runtime.claims import derive_worlds, setting_claims
+from report.sections.error_runtime.figures import draw_numerical
 from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, assignment, is_clamped, points_of
 from report.shared.arithmetic import Column, table_of
 
@@ -31,30 +29,17 @@ SHOWN: dict[str, Column] = {"numerical error": ERROR, "grasp error": GRASP}
 def derive(results: Results) -> Section:
     points = points_of(results)
     worlds_figure, worlds_claim = derive_worlds(points)
-    claims = [*accuracy_claims(points), *knob_claims(points), *pads_claims(points), worlds_claim]
-    held = {claim.name: claim.outcome == HOLDS for claim in claims}
-    soft, stiff = map(points.converged, PADS)
-    numerical = _as_shipped(points, ERROR) | {"rk4_warp": held["rk4_warp"]}
-    grasp = _as_shipped(points, GRASP) | {"soft": soft, "stiff": stiff, "pads_decide": held["pads_decide"]}
-    errors, grasp_errors = ([row[column] for row in points.settings] for column in (ERROR, GRASP))
-    return Section(
-        tables={"front": _front_table(points)},
-        figures={
-            "numerical": Figure(lambda: draw_numerical(points), errors, numerical),
-            "grasp": Figure(lambda: draw_grasp(points), [*grasp_errors, soft, stiff], grasp),
-            "worlds": worlds_figure,
-        },
-        claims=claims,
+    claims = [*setting_claims(points), worlds_claim]
+    pays = next(claim.outcome == HOLDS for claim in claims if claim.name == "rk4_warp")
+    shipped = [row for backend in points.engines for pads in PADS if (row := points.shipped(pads, backend))]
+    found = Markup("; ").join(
+        Markup("{}, {}: {} in {}").format(_engine(r), _pads(r), r[ERROR], r[TIME]) for r in shipped
     )
-
-
-def _as_shipped(points: Points, error: str) -> dict[str, Any]:
-    found = {}
-    for name, backend in zip(("warp", "c"), points.engines, strict=True):
-        rows = [row for row in (points.shipped(pads, backend) for pads in PADS) if row]
-        errors = Markup(" and ").join(Markup("{}").format(row[error]) for row in rows) or Markup("nothing that counts")
-        found[name] = errors + (Markup(" in {}").format(rows[0][TIME]) if rows else "")
-    return found
+    errors = [row[ERROR] for row in points.settings]
+    numerical = Figure(lambda: draw_numerical(points), errors, {"shipped": found, "rk4_warp": pays})
+    return Section(
+        tables={"front": _front_table(points)}, figures={"numerical": numerical, "worlds": worlds_figure}, claims=claims
+    )
 
 
 def _front_table(points: Points) -> Table:

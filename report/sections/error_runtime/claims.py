@@ -28,79 +28,82 @@ from report.sections.error_runtime.runs import (
     ENGINES,
     ERROR,
     GRASP,
-    LABELS,
     PADS,
     SHIPPED,
     TIME,
     Points,
     counts,
     holds_cube,
-    is_clamped,
-    named,
     with_shipped_steps,
 )
-from report.shared.arithmetic import cell_count, log_slope, ratio, resolved, share, told
+from report.shared.arithmetic import cell_count, ratio, resolved, share, told
 from report.shared.timing import compared, resolution, worlds_name
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
 
-def accuracy_claims(points: Points) -> Iterator[Claim]:
+def setting_claims(points: Points) -> Iterator[Claim]:
+    yield _pads_decide(points)
     yield _c_is_cheapest(points)
-    yield _rk4(points, "rk4", "c")
-    yield _rk4(points, "rk4_warp", "newton")
+    yield _rk4_in_warp(points)
     yield _rk4_with_stiff_pads(points)
-
-    results, orders = points.results, {(pads, way): _order(points, pads, way) for pads in PADS for way in LABELS}
-    observed = orders["as-shipped", "newton"]
-    away = results.value("order_away", "distance of the observed order from one", lambda o: abs(o - 1), observed)
-    yield Claim("first_order", at_most(away, 0.15, why="counts as one"), {"observed": observed})
-
     yield _reference_converged(points)
+    yield _solver_effort(points)
+
+
+def _pads_decide(points: Points) -> Claim:
+    """Tell whether the grasp error as shipped stays when the model is solved to the end and is far less with stiff
+    pads."""
+    results, shipped = points.results, points[SHIPPED][GRASP]
+    soft, stiff = map(points.converged, PADS)
+    formula = "converged grasp error, of that as shipped, shipped pads"
+    stays = share(results, "pads_stays", formula, soft, shipped)
+    gain = ratio(results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
+    outcome = all_of(
+        at_least(stays, 80.0, why="nearly all of it"),
+        at_least(gain, 5.0, why="an order of magnitude, nearly"),
+        greater(soft, stiff, noise=points.floors["as-shipped"]),
+    )
+    return Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
 
 
 def _c_is_cheapest(points: Points) -> Claim:
     front = points.best(points.front)
-    others = [row for row in front if row.backend != "mujoco-c"]
-    warp, c = points[SHIPPED][TIME], points[SHIPPED_C][TIME]
-    gain = ratio(points.results, "c_gain", "run time in Warp over that in C, settings as shipped", warp, c)
+    shipped, in_c = points[SHIPPED], points[SHIPPED_C]
+    warp, c = shipped[TIME], in_c[TIME]
     compared = [row[column] for row in points.settings if row.case in points.backend_front for column in (ERROR, TIME)]
-    formula, seen = "resolution of their ratio, of the run time in C", points[SHIPPED_C].ratio_resolution
+    formula = "resolution of their ratio, of the run time in C"
     noise = points.results.value(
-        "engine_time_seen", formula, lambda c, seen: c * seen, c, seen, unit="ms/s", is_noise=True
+        "engine_time_seen", formula, lambda c, seen: c * seen, c, in_c.ratio_resolution, unit="ms/s", is_noise=True
     )
-    is_faster = greater(warp, c, noise=noise)
-    outcome = all_of(decided(not others, *compared), is_faster)
+    outcome = all_of(decided(all(row.backend == "mujoco-c" for row in front), *compared), greater(warp, c, noise=noise))
     if not front:
         outcome = Outcome("unknown", "no run counts").having_read(*compared)
-    shipped = points[SHIPPED]
-    words = {"engine": ENGINES[shipped.backend] if shipped else "Warp", "others": named(others)}
-    return Claim("c_is_cheapest", outcome, {**told(noise, {"c": c, "warp": warp, "gain": gain}), **words})
+    engine = ENGINES[shipped.backend] if shipped else "Warp"
+    return Claim("c_is_cheapest", outcome, {**told(noise, {"c": c, "warp": warp}), "engine": engine})
 
 
-def _rk4(points: Points, name: str, method: str) -> Claim:
-    results, cases = points.results, (f"as-shipped/{method}-rk4/substeps-4", with_shipped_steps("as-shipped", method))
+def _rk4_in_warp(points: Points) -> Claim:
+    results, cases = points.results, ("as-shipped/newton-rk4/substeps-4", SHIPPED)
     error, before = (points[case][ERROR] for case in cases)
     time, time_before = (points[case].time_ratio for case in cases)  # medians are of their own rounds
     few, many = (points[case].substeps for case in cases)
-    gain = ratio(results, f"{name}_gain", "numerical error as shipped over that of RK4", before, error)
-    cost = ratio(
-        results,
-        f"{name}_cost",
-        "run time of RK4 over that as shipped, by what both take of the shipped settings in Warp, timed in turn",
-        time,
-        time_before,
-    )
+    gain = ratio(results, "rk4_warp_gain", "numerical error as shipped over that of RK4", before, error)
+    formula = "run time of RK4 over that as shipped, by what both take of the shipped settings in Warp, timed in turn"
+    cost = ratio(results, "rk4_warp_cost", formula, time, time_before)
     formula = "to within what share the ratio of these run times is known, by the resolutions of both together"
     known = [points[case].ratio_resolution for case in cases]
     seen = results.value(
-        f"{name}_cost_seen", formula, lambda a, b: 100 * math.hypot(a, b), *known, unit="%", is_noise=True
+        "rk4_warp_cost_seen", formula, lambda a, b: 100 * math.hypot(a, b), *known, unit="%", is_noise=True
     )
     is_as_long = None not in (cost.value, seen.value) and abs(cost.value - 1) <= 0.01 * seen.value
-    resolved = [greater(before, error, noise=points.floors["as-shipped"])] if method != "c" else []
-    outcome = all_of(at_least(gain, 2.0, why="worth a change"), at_most(cost, 1.5, why="hardly dearer"), *resolved)
+    outcome = all_of(
+        at_least(gain, 2.0, why="worth a change"),
+        at_most(cost, 1.5, why="hardly dearer"),
+        greater(before, error, noise=points.floors["as-shipped"]),
+    )
     numbers = {"cost": cost, "error": error, "before": before, "few": few, "many": many}
-    return Claim(name, outcome.having_read(seen), numbers | {"seen": seen, "is_as_long": is_as_long})
+    return Claim("rk4_warp", outcome.having_read(seen), numbers | {"seen": seen, "is_as_long": is_as_long})
 
 
 def _rk4_with_stiff_pads(points: Points) -> Claim:
@@ -123,26 +126,6 @@ def _reference_converged(points: Points) -> Claim:
     return Claim("reference_converged", at_least(margin, bound), numbers)
 
 
-def _order(points: Points, pads: str, method: str) -> Value:
-    """Derive the order of convergence over the points whose model is the same, well above what Warp resolves."""
-    floor = points.floors[pads].value or 0.0
-    above = 5.0 * floor if method.startswith(("newton", "mujoco", "cpu")) else 0.0
-    ladder = [row for row in points.settings if (row["pads"], row.method, row.knob) == (pads, method, "substeps")]
-    ladder.sort(key=lambda row: row.substeps.value)
-    used = [row for row in ladder if counts(row) and not is_clamped(row) and (row[ERROR].value or 0.0) > above]
-    return points.results.value(
-        f"order_{pads}_{method}",
-        "slope of log error against log step, over the points that count, leave the timeconst alone and are above five "
-        "times the floor of Warp",
-        lambda *cells: log_slope(cells[::2], cells[1::2]) if len(cells) >= 4 else math.nan,
-        *(quantity for row in used for quantity in (row.substep_ms, row.numerical_error_mm)),
-    )
-
-
-def knob_claims(points: Points) -> list[Claim]:
-    return [_solver_effort(points), _impratio(points)]
-
-
 def _solver_effort(points: Points) -> Claim:
     """Compare solver, iterations and line search with those shipped, and contacts made anew in each substep.
 
@@ -162,40 +145,6 @@ def _solver_effort(points: Points) -> Claim:
 
 def _farthest(base: float, *found: float) -> float:
     return max(abs(each - base) for each in found)
-
-
-def pads_claims(points: Points) -> Iterator[Claim]:
-    """Tell whether the grasp error as shipped stays when the model is solved to the end and is far less with stiff
-    pads, and whether coarse steps make it look less with these."""
-    results, shipped = points.results, points[SHIPPED][GRASP]
-    soft, stiff = map(points.converged, PADS)
-    formula = "converged grasp error, of that as shipped, shipped pads"
-    stays = share(results, "pads_stays", formula, soft, shipped)
-    gain = ratio(results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
-    formula = "grasp error in C with the shipped step, as shipped over that with stiff pads"
-    at_step = [points[with_shipped_steps(pads, "c")][GRASP] for pads in PADS]
-    ratio(results, "pads_gain_shipped_step", formula, *at_step)
-    results.chosen("pads_gain_same", "the same gain", 1.0)
-    outcome = all_of(
-        at_least(stays, 80.0, why="nearly all of it"),
-        at_least(gain, 5.0, why="an order of magnitude, nearly"),
-        greater(soft, stiff, noise=points.floors["as-shipped"]),
-    )
-    yield Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
-
-    coarse = points[with_shipped_steps("stiff", "newton")][GRASP]
-    outcome = greater(stiff, coarse, noise=points.floors["stiff"])
-    yield Claim("coarse_steps_flatter", outcome, {"coarse": coarse, "converged": stiff})
-
-
-def _impratio(points: Points) -> Claim:
-    soft, stiff = PADS
-    pads = stiff if f"{stiff}/newton/impratio-1" in points.results.row else soft
-    low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
-    grasp, before = points[low][GRASP], points[shipped][GRASP]
-    times = ratio(points.results, "impratio_gain", "grasp error with the low impratio over that as set", grasp, before)
-    numbers = {"pads": PADS[pads], "low": points[low].impratio, "grasp": grasp, "before": before, "times": times}
-    return Claim("impratio", greater(grasp, before, noise=points.floors[pads]), numbers)
 
 
 def derive_worlds(points: Points) -> tuple[Figure, Claim]:

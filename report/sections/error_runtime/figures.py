@@ -6,11 +6,10 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure, say_value, write
+from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure, write
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
-from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points, counts
-from report.shared.drawing import SHIPPED, STIFF, mark_cells, name_lines
+from report.sections.error_runtime.runs import ENGINES, ERROR, PADS, TIME, Points, counts
 from report.shared.timing import decade_axis, world_axis
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
@@ -41,27 +40,6 @@ def draw_numerical(points: Points) -> Drawing:
                 _draw_engine(axes, mine, points.backend_front, backend)
             _mark_shipped(axes, points.shipped(pads, backend))
     panels[0][0].set_ylabel("run time [ms per simulated s]")
-    return drawing
-
-
-def draw_grasp(points: Points) -> Drawing:
-    drawing, axes = new_figure(7.2, 2.2)
-    lines = {
-        f"{NAMES[backend]}, shipped": [points.shipped(pads, backend) for pads in PADS] for backend in points.engines
-    }
-    found = {name: [row[GRASP] if row else None for row in rows] for name, rows in lines.items()}
-    found["converged"] = [points.converged(pads) for pads in PADS]
-    name_lines(axes, found)
-    for index, (colour, title) in enumerate(zip((SHIPPED, STIFF), PADS.values(), strict=True)):
-        cells = [each[index] for each in found.values()]
-        mark_cells(axes, cells, colour, title, marker="os"[index], markersize=7)
-        for place, cell in enumerate(cells):
-            if cell is not None and cell.value is not None:
-                say_value(axes, cell.value, place, write(cell), gap=8)
-    axes.set(xlim=(0, 1.15 * axes.get_xlim()[1]), ylim=(len(found) - 0.6, -0.4))
-    axes.set_xlabel("grasp error [mm/cycle]")
-    axes.grid(visible=False, axis="y")
-    drawing.legend(loc="outside upper left", ncols=2)
     return drawing
 
 

@@ -10,16 +10,7 @@ from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
-LABELS = {
-    "newton": "Warp, Newton's contacts",
-    "newton-each-substep": "the same, contacts anew in each substep",
-    "mujoco": "Warp, MuJoCo's contacts",
-    "newton-rk4": "Warp, Newton's contacts, RK4",
-    "mujoco-rk4": "Warp, MuJoCo's contacts, RK4",
-    "cpu": "Warp on the CPU",
-    "c": "MuJoCo C, one core",
-    "c-rk4": "MuJoCo C, one core, RK4",
-}
+METHODS = ("newton", "newton-each-substep", "mujoco", "newton-rk4", "mujoco-rk4", "cpu", "c", "c-rk4")
 ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
 ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
 LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m
@@ -82,7 +73,7 @@ class Points:
 
 
 def points_of(results: Results) -> Points:
-    settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
+    settings = [row for row in results.rows if row.method in METHODS and row.knob and row["pads"] in PADS]
     in_warp = [row for row in settings if row.method in ("newton", "newton-each-substep", "mujoco")]
     fine = [row for row in in_warp if row.knob == "substeps" and row.substeps.value >= AS_SHIPPED.substeps]
     floors = {}
@@ -143,15 +134,3 @@ def assignment(row: Row, name: str) -> Markup:
     """Write a parameter as one sets it in the scene."""
     value = row[name]
     return Markup("{}={}").format(name, value.code if isinstance(value, Quantity) else value)
-
-
-def named(rows: Sequence[Row]) -> Markup:
-    """Name settings in words, without saying of the pads."""
-    by_method: dict[str, dict[str, Markup]] = {}
-    for row in rows:
-        text = Markup("<code>{}</code>").format(assignment(row, row.knob))
-        by_method.setdefault(row.method, {}).setdefault(f"{row.knob} {row[row.knob]}", text)
-    return Markup("; ").join(
-        Markup("{} with {}").format(LABELS[method], Markup(", ").join(knobs.values()))
-        for method, knobs in by_method.items()
-    )

@@ -1,23 +1,21 @@
 """Where the grasp holds, creeps, drops and explodes: maps, the largest stable step, and what is safe."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Value, absent
+from measured_report.values.quantities import absent
 from measured_report.values.results import Results, Row
 from report.sections.stability import claims
-from report.sections.stability.claims import count, family, family_claim
-from report.sections.stability.figures import draw_loads, draw_maps, draw_sizes, draw_steps
-from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, is_stable
+from report.sections.stability.claims import count, family
+from report.sections.stability.figures import draw_maps
+from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, is_stable
 
 order = 145
 page = "limits"
-reads = ("contacts",)
 label = "limits"
 labels = {
     "steps-as-shipped-1": "shipped pads, 1 substep",
@@ -57,38 +55,22 @@ labels = {
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
-    near = results.chosen("near_factor", "alike", NEAR_FACTOR)
     margin = results.chosen("limit_margin", "well below the limit, or well above", LIMIT_MARGIN, unit="%")
     depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
-    safe, gain = claims.safe(results, critical, default_kd), claims.gain_goes(results)
-    crossovers = [claims.crossover(results, name, margin) for name in ("shake", "grip")]
-    size = claims.size(results, depth)
-    steps = family(results, "steps")
-    has_back = any((row.drift_mm_s.value or 0.0) < 0.0 for row in steps)
+    safe = claims.safe(results, critical, default_kd)
+    is_so = safe.outcome == HOLDS and not _holds_stiffest(default_kd)
     return Section(
-        figures={
-            "maps": _maps(results, critical, default_kd, safe.outcome == HOLDS and not _holds_stiffest(default_kd)),
-            "steps": _figure(draw_steps, steps, is_so=gain.outcome == HOLDS, has_back=has_back),
-            "loads": _loads(results, all(claim.outcome == HOLDS for claim in crossovers)),
-            "sizes": _figure(
-                lambda rows: draw_sizes(rows, depth.value),
-                family(results, "size"),
-                bound=depth,
-                small_ones_fail=size.outcome != HOLDS and size.numbers["small_ones_fail"],
-            ),
-        },
+        figures={"maps": _maps(results, critical, default_kd, is_so)},
         claims=[
             safe,
-            claims.steps(results, near),
-            gain,
-            family_claim(results, "explicit_boundary", default_kd, near=near),
+            claims.gain_goes(results),
             claims.clamp(results),
-            *crossovers,
+            *(claims.crossover(results, name, margin) for name in ("shake", "grip")),
             claims.friction(results),
             claims.masses(results),
-            size,
+            claims.size(results, depth),
             claims.overlap(results),
-            *claims.gravity(results),
+            claims.gravity(results),
             claims.long(results),
             claims.buffers(results),
         ],
@@ -98,10 +80,6 @@ def derive(results: Results) -> Section:
 def _holds_stiffest(rows: Sequence[Row]) -> bool:
     most = max((row.pad_ke.value for row in rows), default=None)
     return any(is_stable(row) for row in rows if row.pad_ke.value == most)
-
-
-def _figure(draw: Callable[[Sequence[Row]], Drawing], rows: Sequence[Row], **numbers: Markup | Value | bool) -> Figure:
-    return Figure(lambda: draw(rows), [row.step_ms for row in rows] or [absent("s", "it was not measured")], numbers)
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row], is_so: bool) -> Figure:
@@ -115,17 +93,5 @@ def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row], 
     formula = "cells of both maps that are"
     ends = [(count(results, f"maps_{name}_count", f"{formula} {name}", found), name) for name, found in mine.items()]
     said = Markup(", ").join(Markup("{} {}").format(*end) for end in ends if end[0].value)
-    return _figure(lambda _: draw_maps(panels), rows if critical and default_kd else [], ends=said, is_so=is_so)
-
-
-def _loads(results: Results, is_so: bool) -> Figure:
-    shakes = family(results, "shake")
-    frequencies = [row.shake_frequency_hz.value for row in shakes]
-    common = max(set(frequencies), key=frequencies.count, default=0.0)
-    by_kind = {
-        "amplitude": [row for row in shakes if row.shake_frequency_hz.value == common],
-        "frequency": [row for row in shakes if row.shake_frequency_hz.value != common],
-        "grip force": family(results, "grip"),
-    }
-    series = [(label, rows) for label, rows in by_kind.items() if rows]
-    return _figure(lambda _: draw_loads(series), [row for _, rows in series for row in rows], is_so=is_so)
+    cells = [row.step_ms for row in rows] if critical and default_kd else [absent("s", "it was not measured")]
+    return Figure(lambda: draw_maps(panels), cells, {"ends": said, "is_so": is_so})

@@ -1,39 +1,18 @@
 """What the parts of section stability share: its rows by family, and claims about a family."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from measured_report.parts.claim import (
-    HOLDS,
-    Claim,
-    Outcome,
-    all_of,
-    at_least,
-    at_most,
-    contiguous,
-    decided,
-    decreases,
-    greater,
-)
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, contiguous, decided, decreases
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, is_stable, judged_by, passed, passing
-from report.shared.arithmetic import (
-    case_html,
-    cases_html,
-    cell_count,
-    cell_or_absent,
-    extreme,
-    friction_rows_differ,
-    ratio,
-    share,
-    some_html,
-)
+from report.sections.stability.passing import GROWTH_LARGEST, is_stable, judged_by, passes
+from report.shared.arithmetic import case_html, cell_count, cell_or_absent, extreme, ratio, share, some_html
 
 
 def family(results: Results, name: str) -> list[Row]:
@@ -60,8 +39,8 @@ def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome
     Its wording can name ``numbers``, ``count``, ``failed_count`` and ``failed``, which cases do not pass and how they
     ended.
     """
-    verdicts = [(row, passes) for row, passes in zip(rows, passing(rows), strict=True) if passes is not None]
-    asked, failed = [row for row, _ in verdicts], [row for row, passes in verdicts if not passes]
+    asked = [row for row in rows if passes(row) is not None]
+    failed = [row for row in asked if not passes(row)]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
     own = {
         "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
@@ -99,22 +78,6 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     return Claim("safe_settings", outcome, numbers)
 
 
-def steps(results: Results, near: Value) -> Claim:
-    rows = family(results, "steps")
-    stable = [row for row in rows if is_stable(row)]
-    kept = passed(rows)
-    stiff = [row for row in kept if row.pads == "stiff"]
-    step = most(results, "stiff_step", "largest step at which stiff pads pass", stiff, "step_ms")
-    lost = [row for row in rows if row not in kept]
-    numbers: dict[str, Any] = {
-        **{"near": near, "step": step, "some_are_lost": len(stable) < len(rows)},
-        "stable": count(results, "steps_stable", "of them, runs that keep the cube", stable),
-        "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
-        "failed_are_stiff": all(row.pads == "stiff" and row.step_ms.value > (step.value or 0.0) for row in lost),
-    }
-    return family_claim(results, "steps", rows, **numbers)
-
-
 def gain_goes(results: Results) -> Claim:
     """Return what stiff pads gain against shipped ones, from the shipped step to the longest."""
     runs = {(row.pads, row.substeps.value): row for row in family(results, "steps")}
@@ -145,21 +108,19 @@ def clamp(results: Results) -> Claim:
     failing, holding = ([row for row in rows if is_stable(row) == holds] for holds in (False, True))
     first = most(results, "clamp_fails_at", "largest timeconst over dt that fails", failing, "timeconst_steps")
     last = least(results, "clamp_holds_at", "least timeconst over dt that holds", holding, "timeconst_steps")
-    parted = first.value is None or last.value is None or first.value < last.value
     formula = "explicit bound at damping ratio 1: 1 / (√8 - 2)"
     predicted = results.value("clamp_predicted", formula, lambda: 1 / (8**0.5 - 2))
     ends = {way: {is_stable(row) for row in rows if row.clamp == way} for way in UNCLAMPED}
     never, always = (
         Markup(", ").join(UNCLAMPED[way] for way, found in ends.items() if found == {kept}) for kept in (False, True)
     )
+    is_one = not (never or always) and None not in (first.value, last.value) and first.value < last.value
     numbers = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
-    return family_claim(results, "clamp_off", rows, decided(parted, first, last), **numbers)
+    return Claim("clamp_off", decided(is_one, first, last), numbers)
 
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
-SINK_LEAST_MM, NO_SINKING = 0.1, "no sinking"
-"""A hand that comes down by no more than that has not come down."""
 
 
 def crossover(results: Results, name: str, margin: Value) -> Claim:
@@ -193,13 +154,9 @@ def masses(results: Results) -> Claim:
     return family_claim(results, "masses", rows, also, light=light, heavy=heavy)
 
 
-def _sinks(rows: Iterable[Row]) -> list[Quantity]:
-    return [cell_or_absent(row, "hand_sink_mm", "mm") for row in rows]
-
-
 def size(results: Results, bound: Value) -> Claim:
     rows = family(results, "size")
-    kept = passed(rows)
+    kept = list(filter(passes, rows))
     by_grip = {grip: [row for row in kept if row.grip == grip] for grip in ("as-shipped", "scaled")}
     formula = "least edge that passes, grip"
     shipped = least(results, "size_shipped", f"{formula} as shipped", by_grip["as-shipped"], "cube_edge_mm")
@@ -220,33 +177,12 @@ def overlap(results: Results) -> Claim:
     return family_claim(results, "overlaps", rows, also, deepest=deepest, most=largest)
 
 
-def gravity(results: Results) -> Iterator[Claim]:
-    rows = family(results, "gravity")
-    pulled = [row for row in rows if not row.freed]
+def gravity(results: Results) -> Claim:
+    pulled = [row for row in family(results, "gravity") if not row.freed]
     lost = [row for row in pulled if not is_stable(row)]
     tried = Markup(", ").join(row.gravity_m_s2.bare for row in pulled)
     text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
-    yield family_claim(results, "gravities", pulled, tried=tried, lost=text)
-    yield _arm_gives_way(results, lost, filter(is_stable, [*pulled, *family(results, "mass")]))
-
-    freed = [row for row in rows if row.freed]
-    cells = [cell_or_absent(row, "energy_growth", "1") for row in freed]
-    growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
-    at_rest = [row for row in passed(freed) if row.energy_growth.value is None]
-    also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
-    yield family_claim(results, "freed_cube", freed, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
-
-
-def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -> Claim:
-    sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
-    held_sink = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
-    needed = "largest share of the friction that is needed there"
-    load = results.value("gravity_load", needed, lambda *share: 100 * max(share), *(row.load for row in lost), unit="%")
-    is_farther = greater(sink, held_sink, noise=SINK_LEAST_MM, why=NO_SINKING)
-    outcome = all_of(is_farther, at_most(load, 50.0, why="friction to spare"))
-    if not lost:
-        outcome = Outcome("unknown", "no gravity that was tried takes the cube")
-    return Claim("arm_gives_way", outcome, {"sink": sink, "load": load})
+    return family_claim(results, "gravities", pulled, tried=tried, lost=text)
 
 
 def long(results: Results) -> Claim:

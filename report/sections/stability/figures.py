@@ -11,24 +11,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 
-from measured_report.parts.figures import (
-    FAINT,
-    INK,
-    MAP_INK,
-    SERIES,
-    is_narrow,
-    new_figure,
-    tick_125,
-    tick_at,
-    tick_decades,
-    write,
-)
+from measured_report.parts.figures import MAP_INK, is_narrow, new_figure, tick_at, tick_decades, write
 from measured_report.values.results import Row
-from report.sections.stability.passing import CLASSES, is_stable, near_limit
-from report.shared.drawing import SHIPPED, STIFF, mark_points
+from report.sections.stability.passing import CLASSES
 
-GRIPS = STIFF, SERIES[4]
-"""As shipped, and scaled with the mass."""
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
 """A creeping run is marked by its rate."""
@@ -96,77 +82,3 @@ def _edges(centres: Sequence[float]) -> np.ndarray:
     logs = np.log(centres)
     middle = 0.5 * (logs[1:] + logs[:-1])
     return np.exp([2 * logs[0] - middle[0], *middle, 2 * logs[-1] - middle[-1]])
-
-
-def draw_steps(rows: Sequence[Row]) -> Drawing:
-    """Draw the size of the drift over the step, one line for each kind of pads; marks are open where it goes the other
-    way."""
-    drawing, axes = new_figure(7.2, 3.0)
-    for pads, label, colour, marker in (
-        ("as-shipped", "shipped pads", SHIPPED, "o"),
-        ("stiff", "stiff pads", STIFF, "s"),
-    ):
-        mine = [row for row in rows if row.pads == pads and row.drift_mm_s.value is not None]
-        axes.plot(
-            [row.step_ms.value for row in mine],
-            [abs(row.drift_mm_s.value) for row in mine],
-            color=colour,
-            label=label,
-            marker=marker,
-            markevery=[i for i, row in enumerate(mine) if row.drift_mm_s.value >= 0.0],
-        )
-        back = [(row.step_ms.value, -row.drift_mm_s.value) for row in mine if row.drift_mm_s.value < 0.0]
-        mark_points(axes, back, marker=marker, color=colour, markerfacecolor="none")
-    axes.set(xscale="log", yscale="log", xlabel="step [ms]", ylabel="drift [mm/s]")
-    tick_125(axes.xaxis)
-    tick_125(axes.yaxis)
-    drawing.legend(loc="outside upper left", ncols=2)
-    return drawing
-
-
-def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
-    drawing, axes = new_figure(7.2, 1.3 + 0.5 * len(series))
-    axes.axvspan(*near_limit(), color=FAINT, alpha=0.6, linewidth=0, zorder=0)
-    axes.axvline(1.0, color=INK, linewidth=1, linestyle="--")
-    colours = (SERIES[2], SERIES[0], SERIES[1], SERIES[3], SERIES[5], INK)
-    marks = ("o", "s", "v", "*", "P", "x")
-    for name, colour, mark in zip(CLASSES, colours, marks, strict=True):
-        rows = [(row, place) for place, (_, mine) in enumerate(series) for row in mine if row["class"] == name]
-        found = [(row.load.value, place) for row, place in rows if row.load.value is not None]
-        if found:
-            axes.scatter(*zip(*found, strict=True), color=colour, marker=mark, s=40, label=name, alpha=0.9, zorder=3)
-    axes.set_yticks(range(len(series)), [label for label, _ in series])
-    axes.set(xscale="log", xlabel="friction needed over friction there is", ylim=(len(series) - 0.5, -0.5))
-    tick_125(axes.xaxis)
-    axes.grid(axis="y", visible=False)
-    drawing.legend(loc="outside upper left", ncols=4)
-    return drawing
-
-
-def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
-    drawing, axes = new_figure(7.2, 3.2)
-    held = [_share(row) for row in rows if is_stable(row)]
-    top = 3.0 * max([*held, bound_percent])
-    for number, grip in enumerate(dict.fromkeys(row.grip for row in rows)):
-        mine = [row for row in rows if row.grip == grip]
-        kept = [row for row in mine if is_stable(row)]
-        colour = GRIPS[number]
-        label = {"as-shipped": "shipped grip", "scaled": "grip scaled with the mass"}.get(grip, grip)
-        x = [row.cube_edge_mm.value for row in kept]
-        axes.plot(x, [_share(row) for row in kept], color=colour, label=label, markevery=1)
-        lost = [(row.cube_edge_mm.value * (1.0 + 0.04 * number), top) for row in mine if not is_stable(row)]
-        if lost:
-            mark_points(axes, lost, marker="v", color=colour, clip_on=False, markersize=7)
-    axes.axhline(bound_percent, color=INK, linewidth=1, linestyle="--")
-    axes.set(xscale="log", yscale="log", xlabel="edge [mm]", ylabel="depth over edge [%]")
-    axes.set_ylim(top=top)
-    tick_125(axes.xaxis)
-    tick_125(axes.yaxis)
-    if not all(map(is_stable, rows)):
-        axes.plot([], [], linestyle="", marker="v", color=INK, markersize=7, markevery=1, label="lost")
-    drawing.legend(loc="outside upper left", ncols=3)
-    return drawing
-
-
-def _share(row: Row) -> float:
-    return 100.0 * row.penetration_mm.value / row.cube_edge_mm.value

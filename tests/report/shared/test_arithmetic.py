@@ -72,9 +72,3 @@ def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
     assert is_held_with()
     assert not is_held_with(cycle_count=None, cycle_count_reason="the shake is shorter than one cycle")
     assert not is_held_with(dropped=True)
-
-
-def test_the_slope_of_a_power_law_is_its_exponent():
-    assert arithmetic.log_slope([1.0, 2.0, 8.0], [5.0, 20.0, 320.0]) == pytest.approx(2.0, abs=1e-15)
-    by_hand = -1.0  # -2 log 2 over 2 log 2
-    assert arithmetic.log_slope([1.0, 2.0, 4.0], [8.0, 5.0, 2.0]) == pytest.approx(by_hand, abs=1e-15)
