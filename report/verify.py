@@ -6,11 +6,8 @@ from typing import Any
 
 from measured_report.files.errors import ReportError
 from measured_report.pages.editions import Edition
-from measured_report.parts.claim import Outcome, within
+from measured_report.parts.claim import within
 from measured_report.values.quantities import Quantity, absent
-from report.lab_check import verify_lab
-
-__all__ = ["PROGRAM", "verify", "verify_lab"]
 
 PROGRAM = "experiments.simulation.headline"
 """What measures it."""
@@ -39,17 +36,14 @@ class Repeat:
         return absent("mm", reasons[0]) if reasons else Quantity(abs(self.here.value - self.tracked.value), "mm", "")
 
     @property
-    def outcome(self) -> Outcome:
-        return within(self.difference, self.bound)
-
-    @property
     def agrees(self) -> bool:
         """Tell whether nothing says that they differ; a run that fails where the tracked one did not differs."""
-        return self.outcome.name != "fails" and self.difference.value is not None
+        return within(self.difference, self.bound).name != "fails" and self.difference.value is not None
 
     @property
     def text(self) -> str:
-        said = WORDS[self.outcome.said] if self.difference.value is not None else f"differs ({self.difference.reason})"
+        lost, outcome = self.difference.reason, within(self.difference, self.bound)
+        said = f"differs ({lost})" if lost else WORDS[outcome.said]
         kind = "noise" if self.is_same_processor else "devices"
         cells = (self.case, _exact(self.here), _exact(self.tracked), _exact(self.difference), f"{self.bound} ({kind})")
         return "{:12}{:>12}{:>14}{:>14}   {:22}".format(*cells) + f"{said}; on {self.processor}"
@@ -81,21 +75,11 @@ def repeats_of(edition: Edition, found: Mapping[str, Any]) -> list[Repeat]:
 
 def _lines(edition: Edition, found: Mapping[str, Any], repeats: Sequence[Repeat]) -> Iterator[str]:
     machine, chapter = found["machine"]["gpu"] or found["machine"]["cpu"], edition.chapters[SECTION]
-    values = chapter.results.derived
     where = f"newton {edition.project.release} on {machine}"
     yield f"{where}: measured in {found['measure_s']:.0f} s, after {found['compile_s']:.0f} s for kernels\n"
     yield "{:12}{:>12}{:>14}{:>14}   {:22}".format("slip", "here", "tracked", "difference", "bound").rstrip()
     yield from (repeat.text for repeat in repeats)
-    shipped, stiff = (row["slip_mm"] for row in found["rows"])
-    if shipped and stiff:
-        yield f"\nwith stiff pads the slip is {shipped / stiff:.1f} times less; tracked: {values['stiff_gain']}"
-    if any(repeat.is_same_processor for repeat in repeats):
-        noise = edition.chapters["noise"].results
-        count = sum("of" in row for row in noise.rows)
-        yield f"noise: {noise.derived['slip_floor']}, by {count} runs on this processor (noise.slip_floor)"
-    if not all(repeat.is_same_processor for repeat in repeats):
-        yield f"devices: {values['engine_bound']}, chosen for other devices, whose noise is not known"
-        yield f"  (reproduction.engine_bound); the tracked ones are {values['engine_difference']} apart"
+    yield "\nnoise: of runs on the same processor; devices: chosen for others, whose noise is not known"
     if chapter.state.notes:
         yield f"the tracked ones are stale: {chapter.state.words}"
 

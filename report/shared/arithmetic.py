@@ -169,19 +169,15 @@ def table_of(
     """
     import pandas as pd  # it takes long, and what is kept from before needs none of it
 
-    cells = cells_of(list(rows), columns)
-    return Table(pd.DataFrame(cells, index=pd.Index(list(names), name=heading), dtype=object), numbers)
-
-
-def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, list]:
-    """Look up the cells of each column in the rows; those that are given stay."""
+    rows = list(rows)
 
     def cells(column: Column) -> list:
         if isinstance(column, str):
             return [row[column] for row in rows]
         return list(map(column, rows) if callable(column) else column)
 
-    return {above: cells(column) for above, column in columns.items()}
+    found = {above: cells(column) for above, column in columns.items()}
+    return Table(pd.DataFrame(found, index=pd.Index(list(names), name=heading), dtype=object), numbers)
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:

@@ -11,7 +11,7 @@ from matplotlib.patches import Arc, Polygon, Rectangle
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Series
-from report.shared.drawing import SHIPPED, STIFF
+from report.shared.drawing import SHIPPED, STIFF, draw_bars
 from report.story.found import CASES
 
 EDGE_MM = 40.0  # of the cube, for drawings to scale
@@ -54,36 +54,15 @@ def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
 
 
 def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, noise: Quantity) -> Drawing:
-    """Draw the largest change in slip that each suspect makes, in percent, on a logarithmic axis; the remedy last."""
-    there = {name: share for name, share in shares.items() if share.value}
-    values = [share.value for share in there.values()]
-    drawing, axes = new_figure(7.2, 1.1 + 0.3 * len(there))
-    axes.set_xscale("log")
-    low = 0.5 * min(values, default=1.0)
-    for place, (name, value) in enumerate(zip(there, values, strict=True)):
-        colour = STIFF if name == remedy else SERIES[5]
-        axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
-        axes.plot([value], [place], color=colour, marker="o", markersize=6, markevery=1, linestyle="")
-        beside: dict[str, Any] = {"xytext": (8, 0), "textcoords": "offset points", "fontsize": 9, "va": "center"}
-        is_crossed = bound.value is not None and value < bound.value < 5.0 * value
-        axes.annotate(f"{write(there[name])} %", (bound.value if is_crossed else value, place), **beside)
+    """Draw the largest change in slip that each suspect makes [%], and the ``remedy``'s."""
+    colours = [STIFF if name == remedy else SERIES[5] for name in shares]
+    label = "largest change in slip [% of that with shipped pads]"
+    drawing, axes = draw_bars([*shares], [*shares.values()], colours, label)
     if noise.value is not None:
-        axes.axvspan(low, noise.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
-        _name_above(axes, noise.value, "noise ", "right")
+        axes.axvspan(0.0, noise.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
     if bound.value is not None:
         axes.axvline(bound.value, color=INK, linestyle="--", linewidth=1.0, marker="")
-        _name_above(axes, bound.value, " a cause is beyond this", "left")
-    axes.set_yticks(range(len(there)), list(there))
-    axes.set_xlim(low, 6.0 * max([*values, 100.0]))
-    axes.set_ylim(len(there) - 0.5, -0.6)
-    axes.tick_params(axis="y", length=0)
-    axes.grid(visible=False, axis="y")
-    axes.set_xlabel("largest change in slip [% of that with shipped pads]")
     return drawing
-
-
-def _name_above(axes: Axes, x: float, text: str, side: str) -> None:
-    axes.annotate(text, (x, 1.0), xycoords=("data", "axes fraction"), fontsize=8.5, va="bottom", ha=side)
 
 
 def draw_mechanism() -> Drawing:

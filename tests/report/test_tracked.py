@@ -18,11 +18,9 @@ from measured_report.pages.cache import READ_BY_NAME, files_of
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
 from measured_report.pages.sections import derive_section, outline_of
-from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome
+from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.parts.section import Figure
 from measured_report.records.record import write_record
-from report.story.front import derive as front_of
-from report.story.story import derive as story_of
 
 pytestmark = pytest.mark.words
 NUMBER = re.compile(r"<data[^>]*>([^<]*)</data>&nbsp;([^ .,;:)<]+)")
@@ -105,22 +103,6 @@ def test_no_claim_flips_by_noise_alone(release, tmp_path):
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
     assert [flip.text for flip in flips_between(before, after)] == []
-
-
-def test_what_is_derived_has_read_no_words(editions, monkeypatch):
-    """Else it would have to be derived again whenever a word changes."""
-
-    def said(claim: Claim, part: str = "") -> None:
-        raise AssertionError(f"the words of {claim.name} are read")
-
-    monkeypatch.setattr(Claim, "said", said)
-    monkeypatch.setattr(Claim, "sentence", property(said))  # those as well that were said before
-    releases = {edition.project.release: edition.chapters for edition in editions}
-    for edition in editions:
-        for chapter in edition.chapters.values():
-            derive_section(replace(chapter.results, derived={}), releases).tabled()
-        front_of(edition.chapters)
-        story_of(releases, edition.project.release)
 
 
 def test_what_is_derived_has_read_no_file_that_it_is_not_kept_by(editions):

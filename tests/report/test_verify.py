@@ -47,9 +47,7 @@ def test_the_bound_is_the_noise_on_its_processor_and_that_of_devices_elsewhere(e
     assert first.agrees is agrees
     text, all_agree = verify(edition, found(machine, shipped))
     assert all_agree is all(repeat.agrees for repeat in repeats)
-    assert "devices: 0.02" in text, "the tracked run on another CPU has no noise of its own"
-    assert ("by 72 runs on this processor" in text) == (machine == GPU)
-    assert ("with stiff pads the slip is 20" in text) == (shipped is not None)
+    assert "devices: chosen for others" in text
 
 
 def test_a_release_that_was_not_measured_so_is_refused(edition):

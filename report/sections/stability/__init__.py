@@ -18,24 +18,8 @@ order = 145
 page = "limits"
 label = "limits"
 labels = {
-    "steps-as-shipped-1": "shipped pads, 1 substep",
-    "steps-as-shipped-#": "shipped pads, {} substeps",
-    "steps-stiff-1": "stiff pads, 1 substep",
-    "steps-stiff-#": "stiff pads, {} substeps",
-    "ke-critical-#-1": "pads' ke {}, kd = 2√ke, 1 substep",
-    "ke-critical-#-#": "pads' ke {}, kd = 2√ke, {} substeps",
-    "ke-kd-#-#-1": "pads' ke {1}, kd {0}, 1 substep",
-    "ke-kd-#-#-#": "pads' ke {1}, kd {0}, {2} substeps",
-    "clamp-off-1": "clamp off, timeconst of 1 step",
-    "clamp-off-#": "clamp off, timeconst of {} steps",
-    "clamp-direct-1": "negative solref, timeconst of 1 step",
-    "clamp-direct-#": "negative solref, timeconst of {} steps",
-    "shake-#mm-#hz": "shake {} mm, {} Hz",
-    "grip-#": "grip × {}",
     "friction-#": "friction {}",
     "mass-#kg": "mass {} kg",
-    "size-#mm-as-shipped": "edge {} mm, shipped grip",
-    "size-#mm-scaled": "edge {} mm, grip by mass",
     "overlap-pads-as-shipped-#mm": "start {} mm deep in shipped pads",
     "overlap-pads-stiff-#mm": "start {} mm deep in stiff pads",
     "overlap-ground-#mm": "start {} mm deep in the ground",
@@ -44,12 +28,9 @@ labels = {
     "gravity-9.81": "gravity as on Earth",
     "gravity-98.1": "gravity tenfold",
     "gravity--9.81": "gravity upward",
-    "gravity-0-freed-as-shipped": "no gravity, cube let go, shipped pads",
-    "gravity-0-freed-stiff": "no gravity, cube let go, stiff pads",
     "buffers-contact-#": "room for {} contacts",
     "buffers-constraint-#": "room for {} constraint rows",
     "buffers-ample": "ample buffers",
-    "long-stiff": "stiff pads, long shake",
 }
 
 

@@ -24,12 +24,6 @@ class Point:
     mark: str = ""
     """Against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
 
-    @property
-    def ends(self) -> tuple[float, float]:
-        """Return the number less its noise, and with it."""
-        off = self.noise or 0.0
-        return float(self.answer) - off, float(self.answer) + off
-
 
 def points(releases: Releases, query: Query) -> list[Point]:
     """Return what the editions answer that can, oldest first."""
