@@ -5,23 +5,12 @@ from typing import Any
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import (
-    HOLDS,
-    OPPOSITE,
-    Claim,
-    Outcome,
-    all_of,
-    at_least,
-    at_most,
-    decided,
-    greater,
-    same_sign,
-)
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, decided, greater
 from measured_report.parts.figures import FAINT
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import departure, difference, noise_floor, ratio, resolved, size_share, table_of
+from report.shared.arithmetic import departure, difference, noise_floor, size_share, table_of
 from report.shared.drawing import SHIPPED, STIFF, TERM, draw_bars
 
 order = 70
@@ -58,9 +47,6 @@ def derive(results: Results) -> Section:
             _slide_accounts(results, runs["as-shipped"]),
             missing,
             back,
-            _rest_is_creep(results, left_out, restored),
-            _rest_goes_with_step(results, restored[0]),
-            _slide_falls_with_timeconst(results, left_out, restored),
         ],
     )
 
@@ -115,64 +101,18 @@ def _missing_term(results: Results, rows: list[Row]) -> Claim:
 def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
     bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, unit="%")
     formula = "size of the slide of the friction rows with the term put back, of that without it"
-    numbers: dict[str, Quantity] = {"bound": bound}
+    numbers: dict[str, Quantity] = {}
     shares, falls = [], []
     for case, name, plain, back in zip(CASES, ("", "_stiff"), left_out, restored, strict=True):
         shares.append(size_share(results, f"restored_share_{case}", formula, back.slide_mm, plain.slide_mm))
-        falls.append(_is_smaller(results, f"restored_{case}", back.slide_mm, plain.slide_mm))
+        less, more = (
+            results.value(f"restored_{case}_{which}_size", "its size", abs, row.slide_mm, unit="mm")
+            for which, row in (("small", back), ("large", plain))
+        )
+        falls.append(greater(more, less, noise=noise_floor(results, "slip_floor")))
         numbers |= {f"slide{name}": plain.slide_mm, f"restored{name}": back.slide_mm}
     largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
     return Claim("term_restored", all_of(at_most(largest, bound), *falls), numbers)
-
-
-def _is_smaller(results: Results, name: str, small: Quantity, large: Quantity) -> Outcome:
-    less, more = (
-        results.value(f"{name}_{which}_size", "its size", abs, found, unit="mm")
-        for which, found in (("small", small), ("large", large))
-    )
-    return greater(more, less, noise=noise_floor(results, "slip_floor"))
-
-
-def _rest_is_creep(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    formula = "size of: measured displacement less slide of the rows, less the displacement with the term put back"
-    rests = [
-        results.value(
-            f"rest_{case}",
-            formula,
-            lambda along, slide, creep: abs(along - slide - creep),
-            *(plain.along_mm, plain.slide_mm, back.along_mm),
-            unit="mm",
-        )
-        for case, plain, back in zip(CASES, left_out, restored, strict=True)
-    ]
-    largest = results.value("rest", "larger of both", max, *rests, unit="mm")
-    bound = results.chosen("rest_bound", "all accounted for", 0.03, unit="mm")
-    outcome = all_of(at_most(largest, bound), resolved(noise_floor(results, "slip_floor"), bound))
-    creep, creep_stiff = (row.along_mm for row in restored)
-    numbers = {"creep": creep, "creep_stiff": creep_stiff, "rest": largest, "bound": bound}
-    return Claim("rest_is_creep", outcome, numbers)
-
-
-def _rest_goes_with_step(results: Results, shipped: Row) -> Claim:
-    single, double = shipped.along_mm, results.row["double-step-term-restored"].along_mm
-    formula = "displacement with a step twice as long over that with the shipped one, both with the term put back"
-    growth = ratio(results, "rest_growth", formula, double, single)
-    off = results.value("rest_growth_off", "how far that ratio is from two", lambda found: abs(found - 2.0), growth)
-    outcome = all_of(at_most(off, 0.25, why="near two"), _is_smaller(results, "rest_step", single, double))
-    return Claim("rest_goes_with_step", outcome, {"double": double, "growth": growth})
-
-
-def _slide_falls_with_timeconst(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    (shipped, stiff), (_, creep) = left_out, restored
-    formula = "slide of the friction rows as shipped, over that with stiff pads"
-    slide = ratio(results, "slide_gain", formula, shipped.slide_mm, stiff.slide_mm)
-    formula = "measured displacement as shipped, over that with stiff pads"
-    along = ratio(results, "along_gain", formula, shipped.along_mm, stiff.along_mm)
-    falls = at_least(slide, 1.0, why="the slide falls at all")
-    directions = same_sign(stiff.slide_mm, creep.along_mm, noise=noise_floor(results, "slip_floor"))
-    outcome = all_of(greater(along, slide, noise=1.0, why="the same gain"), falls)
-    numbers = {"slide": slide, "along": along, "hides": directions.said == OPPOSITE.said}
-    return Claim("slide_falls_less_than_displacement", outcome, numbers)
 
 
 PADS = {"shipped pads": SHIPPED, "stiff pads": STIFF}

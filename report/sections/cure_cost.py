@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from measured_report.parts.claim import Claim, all_of, at_least, within
+from measured_report.parts.claim import Claim, all_of, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
@@ -21,7 +21,7 @@ CASES = {
     "term-rk4": "term put back, RK4",
 }
 """Labels of what is compared with the scene as shipped."""
-TESTED = tuple(CASES)[:-1]
+TESTED = ("best", "firm")
 """Cases that should be no slower."""
 Shares = Mapping[tuple[str, int], Quantity]
 """Shares [%] by case and number of worlds."""
@@ -43,40 +43,15 @@ def derive(results: Results) -> Section:
     columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}
     worst = resolution(results, "resolution", compared(results.rows))
     table = table_of("way", CASES.values(), columns, resolution=worst)
-    return Section(tables={"ways": table}, claims=[*costs, _rk4_is_dear(results, extra, worst)])
+    return Section(tables={"ways": table}, claims=costs)
 
 
 def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str) -> Claim:
-    name = case.replace("-", "_")
     pairs = [(extra[case, count], seen[case, count]) for count in TIMED_WORLDS]
-
-    def beyond(*cells: float) -> float:
-        return max(0.0, *(more - noise for more, noise in zip(cells[::2], cells[1::2], strict=True)))
-
-    formula = "by how much a frame takes longer{}, most of all numbers of worlds"
-    both = [quantity for pair in pairs for quantity in pair]
-    slower = results.value(
-        f"{name}_beyond", formula.format(" than the resolution"), beyond, *both, unit="%", is_noise=True
-    )
     seen_more = [more for more, noise in pairs if None in (more.value, noise.value) or more.value > noise.value]
-    worst = results.value(
-        f"{name}_worst", formula.format(" where it is seen"), lambda *more: max(more, default=0.0), *seen_more, unit="%"
-    )
+    formula = "by how much a frame takes longer where it is seen, most of all numbers of worlds"
+    worst = results.value(f"{case}_worst", formula, lambda *more: max(more, default=0.0), *seen_more, unit="%")
     formula = "largest resolution of these: a frame that takes so much longer would be seen"
-    noises = [noise for _, noise in pairs]
-    unseen = results.value(f"{name}_unseen", formula, max, *noises, unit="%", is_noise=True)
-    outcomes = [fine_enough(unseen)]
-    for count, (more, noise) in zip(TIMED_WORLDS, pairs, strict=True):
-        formula = "this, or none where it is less"
-        longer = results.value(f"{name}_longer_{count}", formula, lambda a: max(a, 0.0), more, unit="%")
-        outcomes.append(within(longer, noise, why="the resolution of the ratio"))
-    outcome = all_of(*outcomes).having_read(slower)
-    return Claim(f"{name}_costs_nothing", outcome, {"worst": worst, "unseen": unseen})
-
-
-def _rk4_is_dear(results: Results, extra: Shares, worst: Quantity) -> Claim:
-    costs = [extra["term-rk4", count] for count in TIMED_WORLDS]
-    formula = "time of a frame with the term and RK4 over that as shipped, least of all numbers of worlds"
-    least = results.value("rk4_least", formula, lambda *found: 1 + min(found) / 100, *costs)
-    outcome = all_of(at_least(least, 2.0, why="a price to think about"), fine_enough(worst))
-    return Claim("rk4_is_dear", outcome, {"least": least})
+    unseen = results.value(f"{case}_unseen", formula, max, *(noise for _, noise in pairs), unit="%", is_noise=True)
+    slower = (within(more, noise, why="the resolution of the ratio") for more, noise in pairs)
+    return Claim(f"{case}_costs_nothing", all_of(fine_enough(unseen), *slower), {"worst": worst, "unseen": unseen})

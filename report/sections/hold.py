@@ -1,6 +1,5 @@
 """The same grasp with the arm held still: how much of the drift needs the load cycle?"""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -27,8 +26,6 @@ LINES = {
 """Traces that are drawn: what they are called, colour and style. The second is of section reproduction."""
 PRECISION = ("c-double", "c-single", "warp")
 """MuJoCo C in double precision, with positions rounded to single, and MuJoCo Warp, from one state."""
-SUBSTEPS = ("hold-substeps-4", "hold", "hold-substeps-32")
-"""Cases with fewer, as many and more substeps than as shipped."""
 
 
 def derive(results: Results) -> Section:
@@ -45,8 +42,7 @@ def derive(results: Results) -> Section:
             needs_shaking("drift_needs_cycle", results, results.row["hold"].drift_mm_s, shaken.drift_mm_s),
             goes_on,
             keeps,
-            *_creep_is_rounding(results, *(results.row[f"precision-{name}"] for name in PRECISION)),
-            _longer_steps_creep_less(results),
+            _creep_is_rounding(results, *(results.row[f"precision-{name}"] for name in PRECISION)),
         ],
     )
 
@@ -67,7 +63,7 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
     return Claim("stiff_pads_keep_creep", at_least(remaining, 50.0, why="most of it remains"), numbers)
 
 
-def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Iterator[Claim]:
+def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Claim:
     numbers = {"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s}
     formula = "creep with positions in double precision, of that with positions rounded to single precision"
     remaining = share(results, "double_share", formula, numbers["double"], numbers["single"])
@@ -78,20 +74,7 @@ def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) ->
     formula = "noise of the drift, of MuJoCo Warp's creep"
     noise = size_share(results, "creep_noise", formula, noise_floor(results, "drift_floor"), numbers["warp"])
     seen = resolved(noise, 10.0, why="the same creep")
-    yield Claim("creep_is_rounding", all_of(creeps, gone, same, seen), numbers)
-
-    motion, velocity = warp.joint_motion_mrad_s, warp.joint_velocity_mrad_s
-    formula = "how much of its velocity the fastest arm joint's position follows"
-    followed = size_share(results, "joint_motion_share", formula, motion, velocity)
-    bound = results.chosen("joint_motion_bound", "it stands still", 20.0, unit="%")
-    yield Claim("joint_stands_still", at_most(followed, bound), {"velocity": velocity, "bound": bound})
-
-
-def _longer_steps_creep_less(results: Results) -> Claim:
-    few, shipped, many = (results.row[case].increment_final_mm for case in SUBSTEPS)
-    floor = noise_floor(results, "slip_floor")
-    outcome = all_of(greater(shipped, few, noise=floor), greater(many, shipped, noise=floor))
-    return Claim("longer_steps_creep_less", outcome, {"few": few, "shipped": shipped, "many": many})
+    return Claim("creep_is_rounding", all_of(creeps, gone, same, seen), numbers)
 
 
 def _draw_motion(traces: dict[str, Series]) -> Drawing:

@@ -1,10 +1,8 @@
-"""Measure it yourself: what the engine in the page is held against, and what Newton's model for MuJoCo C loses."""
+"""Measure it yourself: what the engine in the page is held against."""
 
-from measured_report.parts.claim import Claim, all_of, at_most, decided
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.shared.arithmetic import by_case, cell_or_absent
+from report.shared.arithmetic import by_case
 
 order = 26
 page = "lab"
@@ -20,32 +18,10 @@ labels = {
 }
 
 COLUMNS = {"slip": "slip_mm", "drift": "drift_mm_s", "friction used": "cone_use", "class": "class"}
-MIDPHASE = "impratio-1-midphase"
-NEARBY = "as-shipped-nearby"
+CHECKS = ("impratio-1-midphase", "as-shipped-nearby")
+"""Cases that the page in the browser is not held against."""
 
 
 def derive(results: Results) -> Section:
-    shown = [row for row in results.rows if "slip_mm" in row and row.case not in (MIDPHASE, NEARBY)]
-    return Section(tables={"runs": by_case(shown, COLUMNS)}, claims=[_repeats(results), _loses_contacts(results)])
-
-
-def _repeats(results: Results) -> Claim:
-    slips = [_cell(results, case, "slip_mm", "mm") for case in ("as-shipped", NEARBY)]
-    formula = "slip as shipped, less that of a start hardly aside, in size"
-    apart = results.value("apart", formula, lambda a, b: abs(a - b), *slips, unit="mm", is_noise=True)
-    offset = results.value(
-        "offset", "in µm", lambda m: 1e6 * m, _cell(results, NEARBY, "cube_offset_m", "m"), unit="µm"
-    )
-    outcome = at_most(apart, 0.001, why="a slip is written in µm")
-    return Claim("repeats", outcome, {"apart": apart, "offset": offset})
-
-
-def _loses_contacts(results: Results) -> Claim:
-    off, on = results.row["impratio-1"], results.row[MIDPHASE]
-    slip = _cell(results, "impratio-1", "slip_mm", "mm")
-    kept, lost = decided(bool(off) and not off.dropped, slip), decided(bool(on) and on.dropped, slip)
-    return Claim("loses_contacts", all_of(kept, lost))
-
-
-def _cell(results: Results, case: str, column: str, unit: str) -> Quantity:
-    return cell_or_absent(results.row[case], column, unit)
+    shown = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
+    return Section(tables={"runs": by_case(shown, COLUMNS)})

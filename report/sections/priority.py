@@ -1,14 +1,9 @@
 """Whose material counts: the same swing of stiffness on the cube and on the pads, and the pads without priority."""
 
-from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
-
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, greater, within
-from measured_report.parts.figures import SERIES
-from measured_report.parts.section import Figure, Section
-from measured_report.values.results import Results, Row
-from report.shared.arithmetic import noise_floor, settles, share, spread
-from report.shared.drawing import SHIPPED, STIFF, draw_bars
+from measured_report.parts.section import Section
+from measured_report.values.results import Results
+from report.shared.arithmetic import by_case, noise_floor, share, spread
 
 order = 100
 page = "fix"
@@ -22,27 +17,18 @@ labels = {
 }
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
-RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")
-"""What the contact has after the two sides' materials are combined."""
+COLUMNS = {"time constant": "timeconst_s", "damping ratio": "dampratio", "friction": "friction", "slip": "slip_mm"}
 EXACT = "what a material gives is exact"
 
 
 def derive(results: Results) -> Section:
-    rows, shipped = results.rows, results.row["cube-ke-8e4"]
-    said = Markup("; ").join(Markup("{}: {}").format(row.label, row.slip_mm) for row in rows)
-    moves = _cube_does_not_move_slip(results)
-    pads_alone = all_of(moves.outcome, settles(shipped.slip_mm, results.row["pad-ke-2.5e5"].slip_mm)) == HOLDS
-    numbers = {"slips": said, "pads_alone": pads_alone}
-    return Section(
-        figures={"slips": Figure(lambda: _draw_slips(rows), [row.slip_mm for row in rows], numbers)},
-        claims=[_cube_does_not_count(results), moves, _equal_priorities_mix(results, shipped)],
-    )
+    claims = [_cube_does_not_count(results), _cube_does_not_move_slip(results), _equal_priorities_mix(results)]
+    return Section(tables={"materials": by_case(results.rows, COLUMNS)}, claims=claims)
 
 
 def _cube_does_not_count(results: Results) -> Claim:
-    rows = [results.row[case] for case in CUBE]
-    spreads = []
-    for column in RESOLVED:
+    rows, spreads = [results.row[case] for case in CUBE], []
+    for column in ("timeconst_s", "dampratio", "friction", "dmin", "dmax"):
         cells = [row[column] for row in rows]
         formula = f"largest less smallest {column} of the contact, over the three stiffnesses of the cube"
         spreads.append(spread(results, f"cube_{column}_spread", formula, cells, unit=cells[0].unit))
@@ -63,8 +49,8 @@ def _cube_does_not_move_slip(results: Results) -> Claim:
     return Claim("cube_does_not_move_slip", outcome, {"change": change})
 
 
-def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
-    mixed = results.row["priority-0"]
+def _equal_priorities_mix(results: Results) -> Claim:
+    shipped, mixed = results.row["cube-ke-8e4"], results.row["priority-0"]
     before, after = shipped.timeconst_s, mixed.timeconst_s
     formula = "how much the slip falls when both geoms have the same priority, of the slip as shipped"
     slips = shipped.slip_mm, mixed.slip_mm
@@ -72,8 +58,3 @@ def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
     falls = greater(shipped.slip_mm, mixed.slip_mm, noise=noise_floor(results, "slip_floor"))
     numbers = {"before": before, "after": after, "drop": drop, "slip": mixed.slip_mm, "shipped": shipped.slip_mm}
     return Claim("equal_priorities_mix", all_of(greater(before, after, noise=0.0, why=EXACT), falls), numbers)
-
-
-def _draw_slips(rows: list[Row]) -> Drawing:
-    colours = [STIFF if "pad_ke" in row else SHIPPED if row.case in CUBE else SERIES[5] for row in rows]
-    return draw_bars([row.label for row in rows], [row.slip_mm for row in rows], colours, "slip [mm]")[0]

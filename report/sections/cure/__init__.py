@@ -2,16 +2,16 @@
 
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.sections.cure import bodies, budget, envelope, hold, limits, turntable
+from report.sections.cure import bodies, budget, hold, limits, turntable
 from report.shared.arithmetic import joined
 
 order = 141
 page = "cure"
-reads = ("envelope", "noise", "reproduction")
+reads = ("noise",)
 label = "the cure"
 leads = True
 
-PARTS = (turntable, hold, envelope, limits, bodies, budget)
+PARTS = (turntable, hold, limits, bodies, budget)
 """The modules of its parts; the last one reads what the limits are."""
 
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from functools import partial
 
 from measured_report.files.root import ROOT
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
@@ -31,8 +30,6 @@ def derive(results: Results) -> Section:
             _stays_as_it_is(results, _of(runs, FREE, "term", engine="c")),
             _stands_on_any_feet(results, _of(runs, TABLE, "exact")),
             _spinning_ball_goes_straight(results, runs),
-            _rolls_no_deeper(results, runs),
-            _tumbles_as_stiff_bodies_do(results, _of(runs, ("tumble",), "limit", engine="c")),
         ],
         downloads=[Download(PLACE_FILE.name, PLACE_FILE.read_text(encoding="utf-8"))],
     )
@@ -94,30 +91,3 @@ def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
     far = at_least(travel, 500.0, why="a way on which it would be seen")
     outcome = all_of(at_most(most, straight), at_least(drifts, 10.0, why="it is seen"), far)
     return Claim("spinning_ball_goes_straight", outcome, {"points": drifts, "travel": travel, "straight": straight})
-
-
-def _rolls_no_deeper(results: Results, runs: Runs) -> Claim:
-    deeper = partial(size_difference, results)
-    formula = "how much deeper the body ends than with nothing done"
-    exact, points = (
-        [
-            deeper(f"deeper_{variant}_{name}", formula, found["plain"].rise_mm, found[variant].rise_mm)
-            for name, found in _of(runs, ("roll",), variant, engine)
-        ]
-        for variant, engine in (("exact", ""), ("full", "c"))
-    )
-    most = extreme(results, "deeper_most", "most of these, with the exact term", max, exact)
-    sinks = extreme(results, "sinks_least", "least of these, with that of material points", min, points)
-    same = results.chosen("depth_bound", "a third of the depth at rest", 0.1, unit="mm")
-    outcome = all_of(at_most(most, same), at_least(sinks, 1.0, why="deeper than a contact of this weight is"))
-    return Claim("rolls_no_deeper", outcome, {"most": most, "sinks": sinks, "same": same})
-
-
-def _tumbles_as_stiff_bodies_do(results: Results, runs: list[tuple[str, Found]]) -> Claim:
-    formula, shares = "how far from where stiff contacts take it the body ends with", []
-    for name, found in runs:
-        exact = _off(results, f"stray_exact_{name}", f"{formula} the exact term", found["exact"], found["limit"])
-        plain = _off(results, f"stray_{name}", f"{formula} nothing done", found["plain"], found["limit"])
-        shares.append(share(results, f"of_stray_{name}", "the first of these, of the second", exact, plain))
-    numbers = _largest(results, ("of_stray_most", "tumble_count"), "runs that tumble", shares)
-    return Claim("tumbles_truer", at_most(numbers["largest"], 50.0, why="half as far"), numbers)

@@ -6,12 +6,12 @@ from dataclasses import replace
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.files.root import ROOT
-from measured_report.parts.claim import FAILS, HOLDS, Claim, all_of, at_least, at_most, greater
+from measured_report.parts.claim import FAILS, HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import INK
 from measured_report.parts.section import Download, Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size, size_share
+from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size
 from report.shared.drawing import CURE, SHIPPED, TERM, draw_bars, mark_cells
 
 ENGINES = ("warp", "c")
@@ -61,7 +61,6 @@ def derive(results: Results) -> Section:
             _follows_law(results, measured, law, resolution),
             _by_hand(results, measured["plain-c"]),
             no_setting,
-            _term_leaves_step(results, measured, resolution),
             cured,
         ],
         downloads=[Download(BIAS_FILE.name, BIAS_FILE.read_text(encoding="utf-8"))],
@@ -79,17 +78,9 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
     formula = "growth less that of the law, in size, of the latter"
     shares = [departure(results, f"{case}_off", formula, measured[case], law[case]) for case in fast]
     largest = extreme(results, "law_off", "largest of the departures from the law", max, shares)
-    rest = results.value(
-        "law_gap",
-        "largest difference from the law, of the runs for which it gives less than the resolution",
-        lambda *found: max(abs(a - b) for a, b in zip(found[::2], found[1::2], strict=True)),
-        *(cell for case in there if case not in fast for cell in (measured[case], law[case])),
-        unit="%/s",
-    )
-    numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "rest": rest}
+    numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest}
     numbers |= {"count": cell_count(results, "fast_count", "runs for which it gives more", shares)}
-    outcome = all_of(at_most(largest, 0.5, why="the same growth"), at_most(rest, resolution))
-    return Claim("follows_law", outcome, numbers | {"resolution": resolution})
+    return Claim("follows_law", at_most(largest, 0.5, why="the same growth"), numbers)
 
 
 def _by_hand(results: Results, plain: Value) -> Claim:
@@ -111,24 +102,13 @@ def _by_hand(results: Results, plain: Value) -> Claim:
 
 def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
     plain, formula = measured["plain-c"], "change of the growth, in size, of the growth with nothing done"
-    found = {variant: measured[f"{variant}-c"] for variant in NO_HELP}
-    changes = [departure(results, f"{variant}_change", formula, growth, plain) for variant, growth in found.items()]
+    changes = [departure(results, f"{name}_change", formula, measured[f"{name}-c"], plain) for name in NO_HELP]
     largest = results.value("setting_change", "largest of these changes", max, *changes, unit="%")
     there = at_least(plain, resolution)
     outcome = all_of(at_most(largest, 10.0, why="a cure would take more of it away"), there)
     if there == FAILS:
         outcome = replace(outcome, name="unknown", reason="there is no growth to stop")
-    return Claim("no_setting_stops_it", outcome, {"plain": plain, "largest": largest, **found})
-
-
-def _term_leaves_step(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
-    plain, term = measured["plain-warp"], measured["term-warp"]
-    formula = "growth with the term put back, in size, of that with nothing done"
-    left = size_share(results, "term_share", formula, term, plain)
-    size = results.value("term_size", "size of that growth", abs, term, unit="%/s")
-    inward = greater(0.0, term, noise=resolution, why="neither outward nor inward")
-    outcome = all_of(at_most(left, 10.0, why="most of it is gone"), inward)
-    return Claim("term_leaves_step", outcome, {"term": term, "size": size})
+    return Claim("no_setting_stops_it", outcome, {"largest": largest})
 
 
 def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:

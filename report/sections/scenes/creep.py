@@ -13,7 +13,7 @@ from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_fig
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cases_html, other_value
+from report.shared.arithmetic import cases_html, other_value, ratio
 from report.shared.drawing import mark_points
 
 SCENES = {
@@ -110,16 +110,15 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
         results.value(f"{name}_creep", f"{name} creep measured", choose, *measured, across=True, unit="mm/s")
         for name, choose in (("fastest", max), ("slowest", min))
     )
-    formula = "powers of ten between fastest and slowest"
-    decades = results.value("decades", formula, lambda a, b: math.log10(a / b), fast, slow)
+    spanned = ratio(results, "creep_range", "the first of these over the second", fast, slow)
     names, formula = {point.scene for point in points}, "runs with a creep and a prediction"
     count = results.value("point_count", formula, lambda *found: len(found), *factors, across=True)
     formula = "scenes that these runs are of"
     scenes = results.value("scene_count", formula, lambda *_: len(names), *factors, across=True)
     outside = cases_html([point.row for point in points if point.factor.value > bound.value])
-    outcome = all_of(at_most(largest, bound), at_least(decades, 3.0, why="a range to test it over"))
+    outcome = all_of(at_most(largest, bound), at_least(spanned, 1000.0, why="a range to test it over"))
     if missing := [label for scene, label in SCENES.items() if scene not in names]:
-        outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}").having_read(largest, decades)
+        outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}").having_read(largest, spanned)
     numbers: dict[str, Any] = {"largest": largest, "bound": bound, "count": count, "scenes": scenes}
     return Claim("predicted", outcome, numbers | {"fast": fast, "slow": slow, "outside": outside})
 

@@ -11,7 +11,7 @@ from measured_report.parts.section import Section
 from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.sections import cure, cure_cost, noise
-from report.sections.cure.variants import FIRM, FIRM_EULER, TERM, Variant
+from report.sections.cure.variants import FIRM, Variant
 
 Change = Callable[[dict], Mapping]
 
@@ -53,29 +53,17 @@ def at_limits(variant: str, *, kept: bool) -> Change:
     return lambda row: {"kept": kept} if row.get("variant") == variant and "family" in row else {}
 
 
-def test_only_what_loses_no_cube_is_compared_with(claims):
-    slips_less = at(FIRM_EULER, slip_mm=0.0001)
+def test_the_cure_on_stiff_pads_is_recommended(claims):
+    assert claims["what_to_use"].outcome == HOLDS
     slip = next(row["slip_mm"] for row in rows() if at(FIRM, found=1.0)(row))
     assert claims["what_to_use"].numbers["slip"].value == slip
-    assert claims["what_to_use"].outcome == HOLDS == claims_with(slips_less)["what_to_use"].outcome
-    assert claims_with(slips_less, at_limits("firm-euler", kept=True))["what_to_use"].outcome != HOLDS
 
 
 @pytest.mark.parametrize(
-    "change",
-    [at_limits("firm", kept=False), at(TERM, slip_mm=0.001), at(FIRM, slip_mm=20.0)],
-    ids=["it loses cubes", "the term slips less", "it slips"],
+    "change", [at_limits("firm", kept=False), at(FIRM, slip_mm=20.0)], ids=["it loses cubes", "it slips"]
 )
 def test_it_is_not_recommended_where(change):
     assert claims_with(change)["what_to_use"].outcome != HOLDS
-
-
-@pytest.mark.parametrize("times", [0.05, 20.0])
-def test_an_explanation_covers_most_of_its_effect_and_no_more_than_there_is(claims, times):
-    row = next(row for row in rows() if at(TERM, found=1.0)(row))
-    scaled = {name: times * row[name] for name in ("step_x_mm", "step_z_mm")}
-    assert claims["term_uncovers_step"].outcome == HOLDS
-    assert claims_with(at(TERM, **scaled))["term_uncovers_step"].outcome == FAILS
 
 
 def test_the_budget_says_both_tolerances(claims):
@@ -83,14 +71,12 @@ def test_the_budget_says_both_tolerances(claims):
     numbers = {name: quantity.value for name, quantity in claims["budget_closes"].numbers.items()}
     assert numbers["count"] == len(kept)
     assert numbers["closed"] == sum(rest <= max(0.02, 0.05 * slip) for rest, slip in kept)
-    assert numbers["relative"] == sum(rest <= 0.05 * slip for rest, slip in kept)
-    assert numbers["little"] == sum(slip <= 0.04 for _, slip in kept)
 
 
 def test_a_price_is_seen_beyond_the_noise_alone():
     def told(ratio: float) -> Claim:
-        results = results_of("cure_cost", lambda row: {"frame_ratio": ratio} if row["case"] == "term" else {}, {})
-        return next(claim for claim in cure_cost.derive(results).claims if claim.name == "term_costs_nothing")
+        results = results_of("cure_cost", lambda row: {"frame_ratio": ratio} if row["case"] == "best" else {}, {})
+        return next(claim for claim in cure_cost.derive(results).claims if claim.name == "best_costs_nothing")
 
     assert (told(1.0).outcome, told(1.2).outcome) == (HOLDS, FAILS)
     assert told(1.2).numbers["worst"].value > told(1.0).numbers["unseen"].value

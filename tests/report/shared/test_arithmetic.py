@@ -5,11 +5,9 @@ from dataclasses import replace
 import pytest
 
 from measured_report.editions.project import Project
-from measured_report.parts.claim import Outcome
 from measured_report.records.record import load_record
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
-from report.sections import fix
 from report.shared import arithmetic
 
 
@@ -45,19 +43,6 @@ def test_a_cell_that_is_not_there_says_why(results):
     assert arithmetic.other_cell(later, "toy", "soft", "slip_mm", unit="mm") == soft.slip_mm
     for section, case, reason in (("toy", "firm", "does not say"), ("noise", "soft", "has no results here")):
         assert arithmetic.other_cell(later, section, case, "slip_mm", unit="mm").reason == f"section {section} {reason}"
-
-
-def test_a_script_is_not_compared_with_what_was_not_measured():
-    def results_of(section: str, **others: Results) -> Results:
-        path = Project("1.4.0").record_path(section)
-        return Results(load_record(path), path, others)
-
-    measured = results_of("reproduction")
-    rows = [row for row in measured.record.rows if row["case"] != "stiff-pads"]
-    incomplete = Results(replace(measured.record, rows=rows), measured.path)
-    for others, reason in (({}, "has no results here"), ({"reproduction": incomplete}, "does not say")):
-        found = {claim.name: claim for claim in fix.derive(results_of("fix", **others)).claims}
-        assert found["same_as_report"].outcome == Outcome("unknown", f"section reproduction {reason}")
 
 
 def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
