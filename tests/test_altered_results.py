@@ -47,7 +47,7 @@ RECOMMENDING = ("front.title", "front.remedy", "front.is_mistuned", "front.way_"
 RECOMMENDING += ("fix.recommended", "stiffness.together_they_hold", "reproduction.stiff_pads_hold")
 CAUSES = ("stiffness.cause", "contacts.missing_term", "contacts.term_restored", "story.restored", "story.missing")
 CAUSES += ("hold.creep_is_rounding", "front.remedy", "story.remedy", "fix.recommended")
-BELOW_THE_NOISE = ("speed.fixed_is_faster", "envelope.map_gain", "hold.creep_goes_on", "gap.not_the_cause")
+BELOW_THE_NOISE = ("envelope.map_gain", "hold.creep_goes_on", "gap.not_the_cause")
 TURNED = ("reversed", "all-equal", "moving-x-0.05", "moving-x-20", "noise-x-60", "releases-swapped")
 """Scenarios in which everything is there, and is otherwise."""
 PART = re.compile(r"[.;:]\s")

@@ -120,10 +120,10 @@ def _same_slip_on_gpu(results: Results, differences: Mapping[str, Value]) -> Cla
 
 def audit_table(results: Results) -> Table:
     rows = [row for row in results.rows if "item" in row]
+    items = [row.item.partition(", against ") for row in rows]
     columns: dict[str, Column] = {"there": lambda row: _whole(results, row, "present")}
-    return table_of(
-        "part", [row.item for row in rows], columns | {"used": lambda row: _whole(results, row, "used")}, rows
-    )
+    columns |= {"used": lambda row: _whole(results, row, "used"), "counted as used": [item[2] for item in items]}
+    return table_of("part", [item[0] for item in items], columns, rows)
 
 
 def _whole(results: Results, row: Row, column: str) -> Quantity:
