@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 from markupsafe import Markup
@@ -22,7 +21,6 @@ from measured_report.parts.claim import (
 )
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Value
-from measured_report.values.results import Row
 from report.sections.error_runtime.figures import draw_worlds
 from report.sections.error_runtime.runs import (
     ENGINES,
@@ -168,8 +166,7 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
     engine = ENGINES[rows[0].backend]
     said = (Markup("{}: {}").format(worlds_name(row.worlds.value), rate) for row, rate in zip(rows, rates, strict=True))
     worst = resolution(results, "worlds_resolution", compared(rows))
-    claim = _crossover_claim(points, engine, one_core, rates, crossover)
-    claim = replace(claim, outcome=claim.outcome.having_read(worst))
+    claim = _crossover_claim(points, engine, one_core, rates, crossover, worst)
     numbers = {"rates": Markup("; ").join(said), "resolution": worst, "crossover": crossover, "engine": engine}
     figure = Figure(
         draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
@@ -193,28 +190,23 @@ def crossing(level: float, worlds: Sequence[float], rates: Sequence[float]) -> f
     return int(np.ceil(np.exp(np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))) - 1e-9))
 
 
-def _crossover_claim(points: Points, engine: str, one_core: Value, rates: Sequence[Value], crossover: Value) -> Claim:
-    results, (first, last), ends = points.results, (rates[0], rates[-1]), (points.worlds[0], points.worlds[-1])
-    advantage = ratio(
-        results, "one_core_advantage", "speed of C on one core over that of Warp with one world", one_core, first
-    )
+def _crossover_claim(
+    points: Points, engine: str, one_core: Value, rates: Sequence[Value], crossover: Value, worst: Value
+) -> Claim:
+    results, first, last = points.results, rates[0], rates[-1]
+    formula = "speed of C on one core over that of Warp with one world"
+    advantage = ratio(results, "one_core_advantage", formula, one_core, first)
     formula = "speed of Warp with the most worlds over that of C on one core"
     gain = ratio(results, "worlds_gain", formula, last, one_core)
-    seen = [_rate_seen(points, *each) for each in zip(("first", "last"), ends, (first, last), strict=True)]
+    formula = "resolution of these ratios, of the speed of C on one core"
+    seen = results.value(
+        "rate_seen", formula, lambda a, b: a * b / 100, worst, one_core, unit=one_core.unit, is_noise=True
+    )
     is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
     outcome = all_of(
-        greater(one_core, first, noise=seen[0]),
-        greater(last, one_core, noise=seen[1]),
+        greater(one_core, first, noise=seen),
+        greater(last, one_core, noise=seen),
         contiguous(is_ahead, *rates, one_core),
     )
     numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
-    return Claim("crossover", outcome, numbers | {"most": ends[1].worlds})
-
-
-def _rate_seen(points: Points, name: str, row: Row, rate: Value) -> Value:
-    """Derive what difference to the speed of one core would be seen with these worlds [world-s/s]."""
-    formula = "resolution of the ratio of its time to that of one core, of the speed with these worlds"
-    sources = rate, row.ratio_resolution
-    return points.results.value(
-        f"{name}_rate_seen", formula, lambda rate, seen: rate * seen, *sources, unit=rate.unit, is_noise=True
-    )
+    return Claim("crossover", outcome, numbers | {"most": points.worlds[-1].worlds})

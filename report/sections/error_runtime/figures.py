@@ -16,8 +16,6 @@ COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}
 NAMED = ("newton", "newton-rk4", "cpu", "c", "c-rk4")
 """Methods whose points have their substeps beside them; those of the others lie next to these."""
-STARS_MM = 1e-2
-"""With larger errors the substeps stand below their points; above them are the stars."""
 LEAST_ERROR_MM = 1e-5
 """Smaller errors are drawn on the left edge: no one can live with less, and the rest gets the room."""
 
@@ -66,9 +64,7 @@ def _draw_engine(axes: Axes, rows: Sequence[Row], front: frozenset[str], backend
         axes.scatter(x, y, s=14, color=colour, linewidths=0, clip_on=False)
         for row in (row for row in best if row.method in NAMED):
             text = ("RK4 " if row.method.endswith("rk4") else "") + write(row.substeps)
-            below: dict[str, Any] = {"xytext": (-3, -2), "ha": "right", "va": "top"}
-            beside = below if row[ERROR].value > STARS_MM else {"xytext": (3, 3)}
-            axes.annotate(text, _place(row), **beside, textcoords="offset points", fontsize=7, color=colour)
+            axes.annotate(text, _place(row), xytext=(3, 3), textcoords="offset points", fontsize=7, color=colour)
     top = _place(max(rows, key=lambda row: row[TIME].value))
     is_left = top[0] <= 10 * LEAST_ERROR_MM
     above: dict[str, Any] = {"xytext": (4 if is_left else 0, 14), "ha": "left" if is_left else "center"}
