@@ -66,9 +66,10 @@ def has_slip(results: Results) -> Outcome:
     return at_least(results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
 
 
+BACK = "that the slide ends when it is put back"
 CONDITIONS = {
     "that the left-out acceleration gives the slide": ("contacts", "missing_term_departure", "missing_term_bound", "%"),
-    "that the slide ends when it is put back": ("contacts", "restored_share", "restored_share_bound", "%"),
+    BACK: ("contacts", "restored_share", "restored_share_bound", "%"),
     "that friction rows have no position residual": ("contacts", "friction_residual", "friction_residual_bound", "mm"),
     "that sliding is the motion": ("contacts", "slide_departure_as-shipped", "slide_departure_bound", "%"),
     "that it takes the load cycle": ("hold", "hold_share", "hold_share_bound", "%"),
@@ -82,6 +83,12 @@ def cause(results: Results) -> Claim:
         words: at_most(other_value(results, section, name, unit=unit), other_value(results, section, bound, unit=unit))
         for words, (section, name, bound, unit) in CONDITIONS.items()
     }
+    noise = noise_floor(results, "slip_floor")
+    for case in ("as-shipped", "stiff-pads"):
+        less, more = (
+            other_value(results, "contacts", f"restored_{case}_{size}_size", unit="mm") for size in ("small", "large")
+        )
+        outcomes[BACK] = all_of(outcomes[BACK], greater(more, less, noise=noise))
     lacking = Markup(", ").join(words for words, outcome in outcomes.items() if outcome != HOLDS)
     # Without a slip the others need not be known.
     bound = other_value(results, "reproduction", "slip_bound", unit="mm")
@@ -126,6 +133,7 @@ def ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     slip, outcome = has_slip(results), at_least(of_shipped, 80.0, why="no help")
     if slip == FAILS:
         outcome = Outcome("unknown", "with shipped pads there is no slip to bring down", reads=slip.reads)
+        outcome = outcome.having_read(low, of_shipped)
     return Claim("ke_alone_does_not_help", outcome, numbers)
 
 
