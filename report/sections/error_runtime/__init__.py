@@ -31,12 +31,8 @@ def derive(results: Results) -> Section:
     worlds_figure, worlds_claim = derive_worlds(points)
     claims = [*setting_claims(points), worlds_claim]
     pays = next(claim.outcome == HOLDS for claim in claims if claim.name == "rk4_warp")
-    shipped = [row for backend in points.engines for pads in PADS if (row := points.shipped(pads, backend))]
-    found = Markup("; ").join(
-        Markup("{}, {}: {} in {}").format(_engine(r), _pads(r), r[ERROR], r[TIME]) for r in shipped
-    )
     errors = [row[ERROR] for row in points.settings]
-    numerical = Figure(lambda: draw_numerical(points), errors, {"shipped": found, "rk4_warp": pays})
+    numerical = Figure(lambda: draw_numerical(points), errors, {"rk4_warp": pays})
     return Section(
         tables={"front": _front_table(points)}, figures={"numerical": numerical, "worlds": worlds_figure}, claims=claims
     )
