@@ -17,8 +17,7 @@ from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
 from experiments.simulation.simulation import CONTACT_MAX, Simulation, run
-from measured_report.measuring.batch import Batch, Plan
-from measured_report.measuring.error_text import NOT_COMPILED
+from measured_report.measuring.batch import NOT_COMPILED, Batch, Plan
 
 BATCH_COUNT = {"full": 32, "quick": 4}
 ALONE_COUNT = {"full": 8, "quick": 2}

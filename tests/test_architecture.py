@@ -11,7 +11,7 @@ from measured_report.records.identity import sections
 
 SIMULATOR = re.compile(r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE)
 WORDING = re.compile(r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b")
-CARRYING = {f"measured_report.measuring.{name}" for name in ("batch", "measurement", "pool", "error_text")}
+CARRYING = {f"measured_report.measuring.{name}" for name in ("batch", "measurement", "pool")}
 CARRYING |= {f"measured_report.{name}" for name in ("files.errors", "files.root", "editions.environment")}
 """What carries calls to where they are made: its code is no part of a record's identity, and changes no row."""
 MOST_ROOMS, MOST_FLOORS, MOST_ARROWS = 10, 10, 60

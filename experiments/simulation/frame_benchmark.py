@@ -30,7 +30,7 @@ from experiments.simulation.timing import (
     run_frames,
     spread,
 )
-from measured_report.measuring.error_text import is_out_of_memory
+from measured_report.measuring.batch import is_out_of_memory
 
 STATE_FRAME_STEP = 7
 """Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""

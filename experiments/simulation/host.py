@@ -7,7 +7,7 @@ from tqdm import tqdm
 
 from experiments.simulation.measurement import Conditions
 from measured_report.files.errors import ReportError
-from measured_report.measuring.error_text import NOT_COMPILED
+from measured_report.measuring.batch import NOT_COMPILED
 from measured_report.measuring.machine import NO_CUDA
 from measured_report.records.provenance import package_versions
 

@@ -11,7 +11,7 @@ from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.measuring.error_text import is_expected, reason_of
+from measured_report.measuring.batch import is_expected, reason_of
 
 
 @pytest.mark.parametrize(

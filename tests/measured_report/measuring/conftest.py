@@ -7,7 +7,7 @@ import pytest
 from conftest import SOURCES, link
 
 from measured_report.files.root import ROOT
-from measured_report.measuring import error_text, host, machine, pool
+from measured_report.measuring import batch, host, machine, pool
 
 
 @pytest.fixture(scope="session")
@@ -24,7 +24,7 @@ def plain(tmp_path_factory) -> Path:
 @pytest.fixture(autouse=True)
 def plain_host(monkeypatch):
     """This process, and its forks, as of such a report."""
-    for module in (error_text, machine, pool):
+    for module in (batch, machine, pool):
         monkeypatch.setattr(module, "host", lambda: host)
     machine.machine.cache_clear()
     yield

@@ -19,7 +19,7 @@ from measured_report.files.atomic import RecordError, atomic_file, read_own_file
 from measured_report.files.config import config, parse_toml
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.records.columns import UNPRINTABLE, name_problem
+from measured_report.records.columns import name_problem
 
 PROFILES = ("full", "quick")
 INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
@@ -47,9 +47,8 @@ def read_manifest(results: Path) -> Manifest | None:
     content = read_own_file(path, BYTE_LIMIT)
     try:
         found = parse_toml(content.decode("utf-8"))
-        for text in (value for value in [*found.values(), *found.get("sections", ())] if isinstance(value, str)):
-            if problem := name_problem(text):
-                raise ValueError(f"{UNPRINTABLE.sub('?', text)!r:.80} {problem}")
+        if any(name_problem(str(text)) for text in (*found.values(), *found.get("sections", ()))):
+            raise ValueError("it has a text with what can't be printed")
         told = {"asked": found.pop(config().package), "date": found.pop("date"), "sections": found.pop("sections")}
         return msgspec.convert({**told, **found}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:

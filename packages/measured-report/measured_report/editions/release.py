@@ -17,11 +17,10 @@ from typing import Any
 
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.records.provenance import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
+from measured_report.records.provenance import SHORT_COMMIT, checkout_source, git, wheel_source
 
 VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?")
 WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
-WEB_ADDRESS = re.compile(r"https?://[^\s@]+")
 REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
 OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
@@ -112,18 +111,11 @@ def _found(asked: str, option: str) -> Release:
     path, _, reference = asked.rpartition("@")
     here = Path(asked).expanduser().resolve()
     wheel = WHEEL.fullmatch(here.name)
-    if wheel and wheel["package"].replace("_", "-").lower() == package:
-        version = full_version(wheel["version"])
-        if WEB_ADDRESS.fullmatch(asked):
-            return Release(version, address_source(asked), requirement=f"{requirement} @ {asked}", asked=asked)
-        if here.is_file():
-            address = f"{requirement} @ {here.as_uri()}"
-            return Release(version, wheel_source(here), requirement=address, asked=str(here))
-    if asked.startswith("git+"):
-        address = path.removeprefix("git+")
-        if ADDRESS.fullmatch(address) and REFERENCE.fullmatch(reference):
-            return _commit(address, reference, asked, option)
-        raise UsageError(f"{option}={asked} names no commit; {option}=git+https://HOST/{package}.git@main does")
+    if wheel and here.is_file() and wheel["package"].replace("_", "-").lower() == package:
+        address, version = f"{requirement} @ {here.as_uri()}", full_version(wheel["version"])
+        return Release(version, wheel_source(here), requirement=address, asked=str(here))
+    if asked.startswith("git+") and ADDRESS.fullmatch(path[4:]) and REFERENCE.fullmatch(reference):
+        return _commit(path[4:], reference, asked, option)
     if (here / "pyproject.toml").is_file():
         source = checkout_source(here)
         version = _own_version((here / "pyproject.toml").read_text(encoding="utf-8"), asked, option)

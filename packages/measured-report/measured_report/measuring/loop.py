@@ -8,8 +8,7 @@ from typing import Any, Protocol
 from tqdm import tqdm
 
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, BatchError, measure_batch
-from measured_report.measuring.error_text import reason_of
+from measured_report.measuring.batch import Batch, BatchError, measure_batch, reason_of
 from measured_report.measuring.section import Section
 
 

@@ -11,8 +11,7 @@ from tqdm import tqdm
 
 from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, Plan, Result, now, trace_of
-from measured_report.measuring.error_text import reason_of
+from measured_report.measuring.batch import Batch, Plan, Result, now, reason_of, trace_of
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import commit, kind_of, needs_gpu
 from measured_report.measuring.measurement import Measurement

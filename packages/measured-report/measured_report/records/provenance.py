@@ -52,7 +52,7 @@ def _source() -> str:
         return checkout_source(path)
     if address.startswith("file:"):
         return wheel_source(path)
-    return address_source(address) if address else ""
+    return ""
 
 
 def checkout_source(folder: Path) -> str:
@@ -76,11 +76,6 @@ def code_in(folder: Path) -> str:
 
 def wheel_source(path: Path) -> str:
     return f"w{_digest([path], path.parent)}"
-
-
-def address_source(address: str) -> str:
-    """The same of a wheel that is fetched: another one has another address."""
-    return f"w{hashlib.sha256(address.encode()).hexdigest()[:SHORT_COMMIT]}"
 
 
 def _digest(paths: list[Path], root: Path) -> str:
