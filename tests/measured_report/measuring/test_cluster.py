@@ -120,10 +120,7 @@ def test_workers_for_what_is_exclusive_are_asked_for_and_a_scheduler_that_ends_i
         gone = pytest.raises(ReportError, match="the scheduler is gone; what is finished is kept")
         with gone, connected(address, "cpu") as client:
             pools = [cluster.ClusterPool(client, resource) for resource in ("shared", "exclusive")]
-            section = section_of(toy, batches.plan(str(log), "a", 60.0))
-            loop = Loop([section], *pools)
-            loop._show = lambda bar: begun(log) and process.kill()
-            loop.run()
+            Loop([section_of(toy, batches.single(Batch("end", os.kill, (process.pid, 9))))], *pools).run()
     unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
     monkey = pytest.MonkeyPatch()
     monkey.setattr(cluster, "CONNECT_S", 0.5)

@@ -29,7 +29,7 @@ BYTE_LIMIT = 1 << 20
 
 
 class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
-    """Knowledge of an edition besides its records."""
+    """Keep what is known of an edition besides its records."""
 
     asked: str
     """As the command that measured it named its package: a release, a path or an address."""
@@ -64,7 +64,7 @@ def write_manifest(results: Path, manifest: Manifest) -> None:
 
 @dataclass(frozen=True)
 class Project:
-    """A report of one checkout."""
+    """Name the folders, editions and commands of a report in one checkout."""
 
     release: str
     """Label of the edition whose results are shown."""

@@ -29,7 +29,7 @@ INDEX = "https://pypi.org/simple"
 
 @dataclass(frozen=True)
 class Release:
-    """A release, or other code, of the package whose releases are editions, and what is to be installed with it."""
+    """Name a release, or other code, of the package whose releases are editions, and what is installed with it."""
 
     version: str
     """Version of that package, with three numbers at least."""

@@ -16,7 +16,7 @@ from measured_report.records.record import Record, load_record
 
 @dataclass(frozen=True)
 class State:
-    """A section's record against the code that would measure it now."""
+    """Compare a section's record with the code that would measure it now."""
 
     section: str
     kind: str

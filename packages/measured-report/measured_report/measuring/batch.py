@@ -41,7 +41,7 @@ LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
 
 @dataclass(frozen=True)
 class Batch:
-    """A call that a process of its own can make."""
+    """Describe a call that a process of its own can make."""
 
     name: str
     """Name that no other of its section has: lower-case words, numbers and hyphens."""
@@ -53,7 +53,7 @@ class Batch:
 
     @property
     def time_name(self) -> str:
-        """Name under which a record keeps how long it took."""
+        """Return the name under which a record keeps how long it took."""
         return f"{'alone' if self.exclusive else 'batch'}_{self.name}_s"
 
 
@@ -62,9 +62,10 @@ Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
 
 @dataclass(frozen=True)
 class Result:
-    """A value that a batch has returned, and what measured it."""
+    """Keep a value that a batch has returned, and what measured it."""
 
     value: Any
+    time_name: str
     machine: Mapping[str, Any]
     started: str
     ended: str
@@ -80,7 +81,7 @@ def gpu_lock(*, exclusive: bool) -> Iterator[None]:
 
 
 class BatchError(Exception):
-    """An error in a batch: why, in a line, and the trace, unless the line says all there is."""
+    """Say why a batch failed, in a line, and where, unless the line says all there is."""
 
 
 def measure_batch(batch: Batch, device: str) -> Result:
@@ -91,7 +92,7 @@ def measure_batch(batch: Batch, device: str) -> Result:
         with gpu_lock(exclusive=batch.exclusive):
             started, start = now(), time.perf_counter()
             value = batch.function(*batch.arguments)
-            return Result(value, here, started, now(), round(time.perf_counter() - start, 1))
+            return Result(value, batch.time_name, here, started, now(), round(time.perf_counter() - start, 1))
     except Exception as error:
         raise BatchError(reason_of(error), trace_of(error)) from None
 

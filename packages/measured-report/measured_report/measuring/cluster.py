@@ -101,7 +101,7 @@ def cluster_pools(
 
 
 class ClusterPool:
-    """A pool of those workers of a cluster that have a resource."""
+    """Submit to those workers of a cluster that have a resource."""
 
     lost: type[Exception] = KilledWorker  # Dask has tried again by itself
     limit = sys.maxsize  # it also keeps what waits

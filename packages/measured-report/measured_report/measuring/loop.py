@@ -13,7 +13,7 @@ from measured_report.measuring.section import Section
 
 
 class Pool(Protocol):
-    """Processes that measure; see ``concurrent.futures.Executor``."""
+    """Submit to processes that measure; see ``concurrent.futures.Executor``."""
 
     limit: int
     """Batches that it is given at once."""
@@ -25,7 +25,7 @@ class Pool(Protocol):
 
 
 class Loop:
-    """Sections, and the pools for batches that share their host and for those that are exclusive there."""
+    """Measure sections, with a pool for batches that share their host and one for those that are exclusive there."""
 
     def __init__(self, sections: Sequence[Section], shared: Pool, exclusive: Pool):
         self.sections, self.shared, self.exclusive = sections, shared, exclusive
@@ -39,7 +39,7 @@ class Loop:
             while self._submit():
                 for future in wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done:
                     self._take(future, *self.running.pop(future))
-                self._show(bar)
+                    bar.update()
         return any(section.has_failed for section in self.sections)
 
     def _submit(self) -> bool:
@@ -57,7 +57,7 @@ class Loop:
     def _take(self, future: Future, section: Section, batch: Batch) -> None:
         pool = self.exclusive if section.is_exclusive(batch) else self.shared
         try:
-            section.take(batch, future.result())
+            section.results[batch.name] = future.result()
         except pool.lost:
             section.lose(batch)
         except CancelledError:
@@ -69,8 +69,3 @@ class Loop:
             section.fail(f"{batch.name}: {reason_of(error)}")
         else:
             section.advance()
-
-    def _show(self, bar: tqdm) -> None:
-        bar.n = sum(len(section.results) for section in self.sections)
-        bar.total = bar.n + len(self.running) + sum(len(section.waiting) for section in self.sections)
-        bar.set_postfix_str(", ".join(section.title(batch) for section, batch in self.running.values()))

@@ -7,7 +7,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Conditions:
-    """Conditions under which a section is measured."""
+    """Say under which conditions a section is measured."""
 
     device: str
     """Alias: ``cuda:0`` or ``cpu``."""
@@ -26,7 +26,7 @@ class Conditions:
 
 @dataclass(frozen=True)
 class Measurement:
-    """Rows, each with its case's name and plain numbers, and traces: a table (column: values) for each case."""
+    """Hold rows, each with its case's name and plain numbers, and traces: a table (column: values) for each case."""
 
     rows: Sequence[Mapping[str, Any]]
     traces: Mapping[str, Mapping[str, Sequence[float]]] = field(default_factory=dict)

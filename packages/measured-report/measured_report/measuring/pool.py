@@ -17,7 +17,7 @@ from measured_report.measuring.machine import MPS
 
 
 class HostPool:
-    """Forks of this process, which has loaded the simulator but no device; new ones after one of them was killed."""
+    """Submit to forks of this process, which has loaded the simulator but no device, and to new ones after a kill."""
 
     lost: type[Exception] = BrokenProcessPool
 

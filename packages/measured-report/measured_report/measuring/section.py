@@ -26,7 +26,7 @@ WHOLE = "whole"
 
 @dataclass
 class Section:
-    """A section on its way to a record."""
+    """Lead a section to its record."""
 
     project: Project
     name: str
@@ -41,8 +41,6 @@ class Section:
     waiting: list[Batch] = field(default_factory=list)
     """Batches that are neither done nor running."""
     results: dict[str, Result] = field(default_factory=dict)
-    times: dict[str, float] = field(default_factory=dict)
-    """Seconds that its batches took, as ``known``."""
     lost: set[str] = field(default_factory=set)
     """Names of batches whose process was killed."""
     is_over: bool = False
@@ -79,10 +77,6 @@ class Section:
         except Exception as error:
             self.fail(reason_of(error), trace_of(error))
 
-    def take(self, batch: Batch, result: Result) -> None:
-        """Keep what a batch has returned."""
-        self.results[batch.name], self.times[batch.time_name] = result, result.seconds
-
     def lose(self, batch: Batch) -> None:
         """Measure a batch whose process was killed again, alone, but no more than once."""
         if batch.name in self.lost:
@@ -114,7 +108,7 @@ class Section:
                 "commit": commit(),
                 "command": self.project.rerun(self.name, parts[0].machine["device"]),
                 "seconds": seconds,
-                **{name: self.times[name] for name in sorted(self.times) if WHOLE not in self.results},
+                **dict(sorted((part.time_name, part.seconds) for part in parts if WHOLE not in self.results)),
             },
             units=units_of(measurement.rows),
             rows=[believable(row) for row in measurement.rows],

@@ -36,7 +36,7 @@ BUILT = "site"  # what is kept of the last build
 
 @dataclass(frozen=True)
 class Built:
-    """Lacks of a release's pages: sections that something changed under since, and those that are left out."""
+    """List what a release's pages lack: sections that something changed under since, and those that are left out."""
 
     stale: Sequence[str]
     left_out: Sequence[State]

@@ -27,7 +27,7 @@ BEHIND = re.compile(r"{(\d+)}(?:\s[^\s{]{1,5})?\s(at (?:most|least))\b")
 
 
 class Data:
-    """Data that a page's numbers point into."""
+    """Read the data that a page's numbers point into."""
 
     def __init__(self, folder: Path):
         self.folder = folder

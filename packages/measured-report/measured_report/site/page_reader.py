@@ -1,10 +1,10 @@
-"""A reader of a built site's pages, as far as they are checked."""
+"""Reader of a built site's pages."""
 
 from html.parser import HTMLParser
 
 
 class PageReader(HTMLParser):
-    """A reader of the HTML of a page."""
+    """Read the HTML of a page, as far as it is checked."""
 
     def __init__(self, html: str):
         super().__init__()

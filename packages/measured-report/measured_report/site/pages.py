@@ -35,7 +35,7 @@ AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-n
 
 @dataclass(frozen=True)
 class Citation:
-    """Citation of the report, as ``CITATION.cff`` has it."""
+    """Say how the report is cited, as ``CITATION.cff`` has it."""
 
     title: str
     license: str
@@ -57,7 +57,7 @@ def citation() -> Citation:
 
 @dataclass(frozen=True)
 class Content:
-    """Content of a page of one release, its figures not yet drawn."""
+    """Collect what is on a page of one release, its figures not yet drawn."""
 
     page: Page
     texts: Sequence[Prose]
@@ -76,7 +76,7 @@ class Content:
 
 @dataclass(frozen=True)
 class Link:
-    """A release, as the pages of another one lead to it, from where its own lie at ``base``."""
+    """Lead to a release from the pages of another one, from where its own lie at ``base``."""
 
     edition: Edition
     base: str
@@ -105,7 +105,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Site:
-    """A site that is being written: the pages of ``shown`` are the first; ``editions`` are by release, oldest first."""
+    """Write a site: the pages of ``shown`` are the first; ``editions`` are by release, oldest first."""
 
     draft: Draft
     shown: str

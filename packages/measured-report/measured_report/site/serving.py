@@ -13,7 +13,7 @@ from measured_report.files.errors import UsageError
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    """A handler that answers with the files of the site, and lists no folder."""
+    """Answer with the files of the site, and list no folder."""
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-store")
@@ -27,7 +27,7 @@ class _Handler(SimpleHTTPRequestHandler):
 
 
 class Server(ThreadingHTTPServer):
-    """A server of a folder at a port of this machine; UsageError where the port can't be had."""
+    """Serve a folder at a port of this machine; UsageError where the port can't be had."""
 
     def __init__(self, folder: Path, port: int):
         try:
