@@ -32,7 +32,7 @@ kinds = [{"shared": 1}, {"shared": 1}, {"exclusive": 1}][: int(sys.argv[1])]
 options = [{**own, "nthreads": 1, "memory_limit": 0, "silence_logs": 50, "resources": kind} for kind in kinds]
 workers = {number: {"cls": Nanny, "options": each} for number, each in enumerate(options)}
 if __name__ == "__main__":
-    config.set({"distributed.scheduler.allowed-failures": 2})
+    config.set({"distributed.scheduler.allowed-failures": 2, "distributed.deploy.lost-worker-timeout": "1h"})
     with SpecCluster(workers, {"cls": Scheduler, "options": own}, silence_logs=50) as cluster:
         print(cluster.scheduler_address, flush=True)
         sys.stdin.read()

@@ -28,6 +28,7 @@ SHARED, EXCLUSIVE = "shared", "exclusive"
 SETTINGS = {
     "distributed.scheduler.allowed-failures": 2,  # a batch is tried three times
     "distributed.scheduler.no-workers-timeout": "120s",
+    "distributed.deploy.lost-worker-timeout": "120s",  # a killed one that is not back by then never is
     "distributed.worker.memory.terminate": False,
     # Its web servers can't be left out; they listen on the host alone, and have nothing to say.
     "distributed.scheduler.http.routes": [],
