@@ -210,20 +210,16 @@ def test_the_command_that_is_shown_names_what_make_can_find(toy):
     assert other == "make rerun SECTION=gap DEVICE=cpu NEWTON=99.0 PROFILE=quick"
 
 
-def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages():
-    packages = {"newton": "1.8.0", "warp-lang": "1.19.0"} | dict.fromkeys(("mujoco-warp", "mujoco"), provenance.MISSING)
-    found = environment.requirements(ROOT, packages)
+def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages(monkeypatch):
+    missing = dict.fromkeys(package_versions(), provenance.MISSING)
+    found = environment.requirements(ROOT, missing | {"newton": "1.8.0", "warp-lang": "1.19.0"})
     assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
     assert any(name.startswith("pandas") for name in found)
     assert not any(name.startswith("mujoco") or "1.4.0" in name for name in found)
-
-
-def test_what_does_not_come_out_with_the_edition_stays_as_the_project_asks_for_it(monkeypatch):
     alone = replace(config(), changes=replace(config().changes, together=(("warp-lang",),)))
     monkeypatch.setattr(environment, "config", lambda: alone)
-    found = environment.requirements(ROOT, dict.fromkeys(package_versions(), provenance.MISSING))
-    asked = [name for name in found if name.startswith(("mujoco", "warp", "newton"))]
-    assert [name.partition("==")[0] for name in asked] == ["mujoco-warp", "mujoco"]
+    asked = [name.partition("==")[0] for name in environment.requirements(ROOT, missing)]
+    assert [name for name in asked if name.startswith(("mujoco", "warp", "newton"))] == ["mujoco-warp", "mujoco"]
 
 
 def test_an_environment_is_made_once_and_whole_or_not_at_all(tmp_path, monkeypatch):

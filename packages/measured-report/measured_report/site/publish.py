@@ -20,7 +20,6 @@ SUBJECT = "The report, as make publish made it"
 SUMS = "SHA256SUMS"  # the file that names all others with their digests
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
-OF_ANOTHER_GIT = {"GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE"}  # as a hook sets them
 
 
 def publish(site: Path, target: str) -> str:
@@ -144,8 +143,7 @@ def _to_rsync(copy: Path, place: str, site: Path) -> str:
 def _run(command: Sequence[str], **settings: str) -> str:
     """Return what a program prints; UsageError, with the line that says why, when it fails or is not there."""
     name = "ghp-import" if "ghp_import" in command else command[0]
-    own = {each: value for each, value in os.environ.items() if each not in OF_ANOTHER_GIT}
-    own |= {"GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C", **settings}
+    own = {**os.environ, "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C", **settings}
     try:
         done = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=own, check=False)
     except FileNotFoundError:
