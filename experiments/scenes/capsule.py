@@ -5,7 +5,6 @@ chosen by what it says of the loads: with a gain of 20 kN/m the pads press with 
 timeconst of 4 ms with its 60 N. The capsule is longer than the pads are wide.
 """
 
-import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,7 +13,7 @@ from tqdm import tqdm
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.mjcf_engines import ENGINES, GRAVITY_M_S2, SOLIMP, STEPS, numbers
 from measured_report.measuring.measurement import Conditions, absent
-from newton_lint.creep import impedance_at, predicted_creep
+from newton_lint.law import Contact, Option, impedance_at, response_of
 from newton_lint.newton_models.compat import warp_has_noslip
 
 MASS_KG = 0.045
@@ -126,21 +125,14 @@ def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
     contacts, weight_n = engine.contacts(), MASS_KG * GRAVITY_M_S2
     pad, capsule = engine.model.body_invweight0[[1, -1], 0].tolist()
     noslip = bool(engine.model.opt.noslip_iterations)  # which what the way there made of the MJCF need not have
-    forecast = predicted_creep(
-        (case.timeconst_s, 1.0),
-        SOLIMP[1],
-        load_n=weight_n / contacts.count,
-        inverse_mass_1_kg=pad + capsule,
-        impedance=impedance_at(SOLIMP, contacts.depth_m),
-        impratio=math.inf if noslip else case.impratio,
-        cone=case.cone,
-        mu=FRICTION[0],
-    )
+    option = Option(0.0, cone=case.cone, impratio=case.impratio, noslip=noslip)
+    contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION[0], pad + capsule)
+    response = response_of(contact, option, impedance_at(SOLIMP, contacts.depth_m))
     return {
         "creep_mm_s": 1e3 * float((height[0] - height[-1]) / (pair_s * len(speed))),
         "steady_creep_mm_s": 1e3 * float(np.median(speed)),
         "predicted_creep_mm_s": 0.0 if noslip else 1e3 * contacts.creep_m_s(weight_n),
-        "forecast_creep_mm_s": forecast.load_mm_s,
+        "forecast_creep_mm_s": 1e3 * response.load_m_s_n * weight_n / contacts.count,
         "normal_force_n": contacts.normal_n,
         "loaded_contact_count": contacts.count,
         "pad_inverse_mass": pad,

@@ -17,7 +17,7 @@ from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.mjcf_engines import ENGINES, SOLIMP, STEPS, InC, numbers
 from measured_report.files.root import ROOT
 from measured_report.measuring.measurement import Conditions, absent
-from newton_lint.creep import impedance_at, predicted_creep
+from newton_lint.law import Contact, Option, impedance_at, response_of
 
 SCENE = "assets/panda.xml"
 """The robot, a floor and one free object; it says whose robot it is."""
@@ -192,23 +192,17 @@ def hold(case: Pick) -> dict[str, float]:
     pads, own = case.solrefs
     solimp = 0.5 * np.add((*PAD_SOLIMP, 0.5, 2.0), SOLIMP)
     finger, held = (model.body_invweight0[body, 0] for body in (-2, -1))
-    forecast = predicted_creep(
-        0.5 * np.add(pads, own),
-        solimp[1],
-        timestep_s=case.timestep_s,
-        load_n=weight_n / contacts.count,
-        inverse_mass_1_kg=finger + held,
-        impedance=impedance_at(solimp, contacts.depth_m),
-        impratio=case.impratio,
-        cone=case.cone,
-    )
+    option = Option(case.timestep_s, cone=case.cone, impratio=case.impratio)
+    contact = Contact(0.5 * np.add(pads, own), solimp, 1.0, finger + held)
+    response = response_of(contact, option, impedance_at(solimp, contacts.depth_m))
+    forecast_mm_s = 1e3 * response.load_m_s_n * weight_n / contacts.count
     margin_mm = 1e3 * float(height[0] + PAD_HEIGHT_M + TOUCHED_M[case.object])
     return {
         "creep_mm_s": 1e3 * float((height[0] - height[-1]) / (pair_s * (len(height) - 1))),
         "predicted_creep_mm_s": 1e3 * contacts.creep_m_s(weight_n),
-        "forecast_creep_mm_s": forecast.load_mm_s,
+        "forecast_creep_mm_s": forecast_mm_s,
         "normal_force_n": contacts.normal_n,
         "loaded_contact_count": contacts.count,
         "margin_mm": margin_mm,
-        "forecast_drop_s": HOLD_S[0] + margin_mm / forecast.load_mm_s,
+        "forecast_drop_s": HOLD_S[0] + margin_mm / forecast_mm_s,
     }

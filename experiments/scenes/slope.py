@@ -7,7 +7,7 @@ from itertools import product
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.mjcf_engines import GRAVITY_M_S2, SOLIMP, STEPS, InC
 from measured_report.measuring.measurement import Conditions, absent
-from newton_lint.creep import impedance_at, predicted_creep
+from newton_lint.law import Contact, Option, impedance_at, response_of
 
 TILT_RAD = 0.1
 MASS_KG = 0.2
@@ -75,15 +75,8 @@ def creep_mm_s(case: Slope) -> tuple[float, float]:
     for _ in range(round(SECONDS / pair_s)):
         engine.advance()
     contacts = engine.contacts()
-    forecast = predicted_creep(
-        (case.timeconst_s, 1.0),
-        SOLIMP[1],
-        timestep_s=model.opt.timestep,
-        load_n=MASS_KG * GRAVITY_M_S2 * math.sin(TILT_RAD) / contacts.count,
-        inverse_mass_1_kg=1.0 / MASS_KG,
-        impedance=impedance_at(SOLIMP, contacts.depth_m),
-        impratio=case.impratio,
-        cone=case.cone,
-        mu=FRICTION,
-    )
-    return 1e3 * (world.qpos[0] - start) / SECONDS, forecast.load_mm_s
+    option = Option(model.opt.timestep, cone=case.cone, impratio=case.impratio)
+    contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION, 1.0 / MASS_KG)
+    response = response_of(contact, option, impedance_at(SOLIMP, contacts.depth_m))
+    load_n = MASS_KG * GRAVITY_M_S2 * math.sin(TILT_RAD) / contacts.count
+    return 1e3 * (world.qpos[0] - start) / SECONDS, 1e3 * response.load_m_s_n * load_n

@@ -3,8 +3,8 @@
 import math
 from collections.abc import Mapping
 
-from newton_lint.creep import clamped
 from newton_lint.findings import Advice, Change
+from newton_lint.law import clamped
 from newton_lint.scene import Scene
 
 

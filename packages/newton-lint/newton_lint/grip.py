@@ -9,9 +9,8 @@ import numpy as np
 
 from newton_lint.advice import for_geom, for_option
 from newton_lint.combined import Contacts
-from newton_lint.creep import M
 from newton_lint.findings import Finding
-from newton_lint.law import Option, response_of, settled_impedance
+from newton_lint.law import M, Option, response_of, settled_impedance
 from newton_lint.scene import Scene
 
 SLIP_MM_S = 1.0

@@ -1,16 +1,23 @@
-"""The whole law of creep: what a contact's slide comes to under each integrator, cone and flag of MuJoCo C.
+"""How fast a contact that holds slides: the law under each integrator, cone and flag of MuJoCo C.
 
-``creep`` has the law as if time had no steps. Here the step h is in it: a contact slides by a h/2 less with integrators
-that move by the new velocity, and by a h/2 more with ``discrete``, which also weighs rows by 1 + b h + h² k d (MuJoCo
-documentation, "Computation", numerical integration).
+A friction row asks for the acceleration -b v and yields R f to its force f (MuJoCo documentation, "Computation",
+constraint model). At a steady rate both balance what the row does not know of, an acceleration a such as J̇·q̇:
+
+    b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio,
+
+with the contact's impedance d and w, the sum of both bodies' body_invweight0; (1 + μ²) w in a row of a pyramid. Besides
+a contact slides by a h/2 less, with the step h, under integrators that move by the new velocity, and by a h/2 more with
+``discrete``, which also weighs rows by 1 + b h + h² k d (numerical integration).
 """
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from newton_lint.creep import clamped, impedance_at, response
+import mujoco
 
+M = 1e3
+"""mm in a metre."""
 EULER, RK4, IMPLICIT, IMPLICITFAST, DISCRETE = range(5)
 """``mjtIntegrator``; the last since MuJoCo 3.13."""
 STEP_SHARE = {EULER: -0.5, RK4: 0.0, IMPLICIT: -0.5, IMPLICITFAST: -0.5, DISCRETE: 0.5}
@@ -61,10 +68,6 @@ class Response:
     edge_count: int = 0
     """Of the pyramid; 0 where the cone is none."""
     mu: float = 1.0
-
-    def slide_m_s(self, load_n: float) -> float:
-        """Return the steady slide under a load well within the cone [m/s]."""
-        return self.load_m_s_n * load_n
 
     def force_n(self, slide_m_s: float, normal_n: float) -> float:
         """Return the friction with which a pressed point resists a slide along an axis of the contact [N].
@@ -176,3 +179,37 @@ def settled_impedance(contact: Contact, option: Option, normal_n: float) -> floa
         else:
             high = depth
     return impedance(contact.solimp, 0.5 * (low + high))
+
+
+def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> float:
+    """Return 1 / b of a row [s], infinite where it has no damping.
+
+    Args:
+        solref: Timeconst [s] and dampratio, or, both negative, -stiffness and -damping [1/s].
+        timestep_s: Time step of an engine that takes no timeconst below two of them [s]; 0 where refsafe is off.
+    """
+    first, second = solref
+    if second == 0.0:
+        return math.inf
+    if second < 0.0:
+        return clamped(dmax) / -second
+    return 0.5 * clamped(dmax) * max(first, 2.0 * timestep_s)
+
+
+def clamped(impedance: float) -> float:
+    """Return an impedance, or solimp's midpoint, as the engine takes it: between 0 and 1, and never either of them."""
+    return min(max(impedance, mujoco.mjMINIMP), mujoco.mjMAXIMP)
+
+
+def impedance_at(solimp: Sequence[float], depth_m: float) -> float:
+    """Return d at a depth [m], as MuJoCo interpolates it between dmin and dmax over solimp's width."""
+    dmin, dmax, width, midpoint, power = solimp
+    dmin, dmax, midpoint, power = clamped(dmin), clamped(dmax), clamped(midpoint), max(power, 1.0)
+    x = min(abs(depth_m) / width, 1.0) if width > 0.0 else 1.0
+    if power == 1.0 or x in (0.0, 1.0):
+        y = x
+    elif x <= midpoint:
+        y = x**power / midpoint ** (power - 1.0)
+    else:
+        y = 1.0 - (1.0 - x) ** power / (1.0 - midpoint) ** (power - 1.0)
+    return dmin + y * (dmax - dmin)

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from newton_lint.creep import M, clamped
 from newton_lint.grouping import alike
-from newton_lint.law import STEP_SHARE, Contact, Option, response_of
+from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
 from newton_lint.scene import Scene
 
 
@@ -81,7 +80,7 @@ def predicted(
     if not math.isfinite(deep.acceleration_s):
         return None
     inverse_b = deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s
-    loads = sorted(M * each.slide_m_s(load.load_n) for each in (deep, shallow))
+    loads = sorted(M * (each.load_m_s_n * load.load_n) for each in (deep, shallow))
     return Prediction(
         pairs=tuple(pairs),
         timeconst_s=2.0 * inverse_b / dmax,

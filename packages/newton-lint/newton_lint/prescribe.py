@@ -10,10 +10,9 @@ import mujoco
 import numpy as np
 
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of, positive, work_of
-from newton_lint.creep import M
 from newton_lint.findings import Change
 from newton_lint.fix import fix
-from newton_lint.law import IMPLICITFAST, STEP_SHARE
+from newton_lint.law import IMPLICITFAST, STEP_SHARE, M
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene

@@ -10,9 +10,8 @@ import mujoco
 import numpy as np
 
 from newton_lint.advice import for_option
-from newton_lint.creep import M
 from newton_lint.findings import Finding
-from newton_lint.law import Response, response_of, settled_impedance, shared_slide_m_s
+from newton_lint.law import M, Response, response_of, settled_impedance, shared_slide_m_s
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 

@@ -1,12 +1,14 @@
 """A Panda's shake, and a box on a slope: what is set up, what is counted, and the law."""
 
 from dataclasses import replace
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
 
 from experiments.scenes import pick, slope
 from experiments.scenes.pick import Pick, hold, shake
+from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.mjcf_engines import InC
 from measured_report.measuring.measurement import Conditions
 
@@ -41,16 +43,16 @@ def test_the_ball_is_dropped_as_published_and_creeps_as_predicted():
     assert 0.0 < row["margin_mm"] < 2e3 * pick.PAD_HEIGHT_M
 
 
-def test_shakes_are_counted_or_have_a_reason(tmp_path, monkeypatch):
+def test_shakes_are_counted_or_have_a_reason(monkeypatch):
     row = pick.shake_columns(np.array([True, True, False]), np.array([5.0, np.nan, 4.0]))
     assert (row["lifted_count"], row["held_count"]) == (2, 1)
     assert (row["first_drop_s"], row["median_drop_s"], row["last_drop_s"]) == (4.0, 4.5, 5.0)
     row = pick.shake_columns(np.array([True]), np.array([np.nan]))
     assert row["median_drop_s"] is None and row["median_drop_s_reason"]
-    monkeypatch.chdir(tmp_path)  # where MuJoCo keeps a log of it
-    row = pick.shaken(Pick("", timestep_s=0.1), Conditions("cpu", quick=True))
+    monkeypatch.setattr(pick, "shake", Mock(side_effect=RunFailed("reset")))
+    row = pick.shaken(Pick(""), Conditions("cpu", quick=True))
     assert row["held_count"] is row["lifted_count"] is row["median_drop_s"] is None
-    assert "reset" in row["held_count_reason"]
+    assert row["held_count_reason"] == "reset"
 
 
 def test_every_grasp_is_a_case_of_its_own():
