@@ -1,6 +1,6 @@
 """How hard can one shake? Amplitude and frequency, before and after the fix, as a few cases and as a map."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -26,11 +26,11 @@ def shaken(case: Case, name: str, amplitude_m: float, frequency_hz: float) -> Ca
 
 
 def measure(conditions: Conditions) -> Plan:
-    points, (row, table) = yield [
+    points, table = yield [
         Batch("points", measure_points, (conditions,)),
-        Batch("map", measure_map, (conditions, map_cells(SIDES, MAP_SIZE[conditions.profile]))),
+        Batch("map", measure_map, (conditions, SIDES)),
     ]
-    return Measurement([*points, row], {"map": table})
+    return Measurement(points, {"map": table})
 
 
 def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
@@ -43,12 +43,6 @@ def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
     ]
 
 
-def map_table(sides: Mapping[str, Case], summaries: Sequence[dict]) -> dict[str, np.ndarray]:
-    """Return the results of all cells of a map."""
-    table = {"side": np.repeat(list(sides), len(summaries) // len(sides))}
-    return table | {name: np.array([row[name] for row in summaries]) for name in COLUMNS}
-
-
 def measure_points(conditions: Conditions) -> list[dict]:
     """Return a row for each of the points."""
     points = [
@@ -58,14 +52,10 @@ def measure_points(conditions: Conditions) -> list[dict]:
     return [summarize(case, trace) for case, trace in zip(points, traces, strict=True)]
 
 
-def measure_map(conditions: Conditions, cells: list[Case]) -> tuple[dict, dict[str, np.ndarray]]:
-    """Return all cells of the map as one batch: a row with how many lose the cube, and a table of the results."""
+def measure_map(conditions: Conditions, sides: Mapping[str, Case]) -> dict[str, np.ndarray]:
+    """Return a table of all cells of a map, which are one batch."""
+    cells = map_cells(sides, MAP_SIZE[conditions.profile])
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [summarize(case, trace) for case, trace in zip(cells, traces, strict=True)]
-    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase)}
-    for side in SIDES:
-        mine = [row for row in summaries if row["case"].startswith(f"{side}-map")]
-        key = side.replace("-", "_")
-        row[f"dropped_{key}_count"] = sum(bool(row["dropped"]) for row in mine)
-        row[f"failed_{key}_count"] = sum(row["failure"] is not None for row in mine)
-    return row, map_table(SIDES, summaries)
+    table = {"side": np.repeat(list(sides), len(cells) // len(sides))}
+    return table | {name: np.array([row[name] for row in summaries]) for name in COLUMNS}

@@ -44,16 +44,6 @@ PEAK_FRAME_COUNT = SETUP_FRAME_COUNT + FRAME_RATE
 """Frames of the run for the peaks: the set-up and one cycle of the shake."""
 
 
-def as_shipped() -> newton.Model:
-    """The shake test exactly as shipped, a target of the lint."""
-    return SCENES["as-shipped"].model()
-
-
-def fixed() -> newton.Model:
-    """The shake test with its fix, a target of the lint."""
-    return SCENES["fixed"].model()
-
-
 def lint_scenes(conditions: Conditions, names: Sequence[str]) -> dict[str, list[Finding]]:
     """Build each scene, run it as far as its peaks, and lint it."""
     runs = [replace(SCENES[name].peaks, frame_count=PEAK_FRAME_COUNT) for name in names]

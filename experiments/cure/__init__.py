@@ -4,26 +4,48 @@ With the robot: ``combinations`` beside their predicted ``budget``, a minute hel
 envelope of harder shakes. Without it: the box on a turntable and other bodies.
 """
 
+from dataclasses import replace
 from itertools import chain
 
-from experiments.cure import bodies, combinations, envelope, hold, limits, turntable
-from experiments.simulation.measurement import Conditions, Measurement
+from experiments.cure import bodies, combinations, limits, turntable
+from experiments.envelope import MAP_SIZE, measure_map
+from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS
+from experiments.facts.variants import BEST, IMPRATIO, POSITIONS, TERMS
+from experiments.hold import LONG_FRAME_COUNT, creep
+from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
 from measured_report.measuring.batch import Batch, Plan
+
+MINUTE = replace(HOLD, frame_count=LONG_FRAME_COUNT)
+HELD = (
+    replace(MINUTE, name="rounded"),
+    replace(MINUTE, name="kept", **POSITIONS["kept"]),
+    replace(MINUTE, name="kept-stiff", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd, **POSITIONS["kept"]),
+    replace(MINUTE, name="rounded-impratio", impratio=IMPRATIO),
+    replace(MINUTE, name="kept-impratio", impratio=IMPRATIO, **POSITIONS["kept"]),
+    replace(MINUTE, name="best", **BEST),
+)
+SIDES = {"term": replace(AS_SHIPPED, **TERMS["term"]), "best": replace(AS_SHIPPED, **BEST)}
+"""Sides of the map of section envelope: with the term, and with the whole cure."""
 
 
 def measure(conditions: Conditions) -> Plan:
     """Measure the combinations by their kind of contacts, and each other part."""
     groups = combinations.by_contacts(conditions.quick)
-    *combined, held, (map_rows, cells), tried, turned, moved = yield [
+    *combined, (held, displacements), cells, tried, turned, moved = yield [
         *(Batch(kind, combinations.measure, (conditions, cases)) for kind, cases in groups.items()),
-        Batch("hold", hold.measure, (conditions,)),
-        Batch("envelope", envelope.measure, (conditions,)),
+        Batch("hold", measure_held, (conditions,)),
+        Batch("envelope", measure_map, (conditions, SIDES)),
         Batch("limits", limits.measure, (conditions,)),
         Batch("turntable", turntable.measure, (conditions,)),
         Batch("bodies", bodies.measure, (conditions,)),
     ]
-    runs = chain.from_iterable(rows for rows, _ in combined)
-    motions = {row["case"]: row for _, rows in combined for row in rows}
-    held_rows, displacements = held
-    rows = [*runs, *motions.values(), *held_rows, *map_rows, *tried, *turned, *moved]
-    return Measurement(rows, {**displacements, "map": cells})
+    count = MAP_SIZE[conditions.profile] ** 2
+    maps = [{"case": f"map-{side}", "contact_bias": True, "cell_count": count} for side in SIDES]
+    return Measurement([*chain(*combined, held, maps, tried, turned, moved)], {**displacements, "map": cells})
+
+
+def measure_held(conditions: Conditions) -> tuple[list[dict], dict[str, dict]]:
+    """Measure a row for each minute with the arm held still, with the creep in its last second, and the cube's way."""
+    runs = list(zip(HELD, conditions.simulate(HELD, title="cure, held"), strict=True))
+    rows = [summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace) for case, trace in runs]
+    return rows, {case.name: displacement_table(trace) for case, trace in runs}

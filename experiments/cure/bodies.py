@@ -30,7 +30,7 @@ VARIANTS = {"plain": None, "term": {}, "full": {"centred": True, "normal": True}
 LIMIT = {"timestep": 5e-5, "timeconst_s": 5e-4}
 """Contacts so stiff that what is left out moves nothing; in C alone."""
 WITHOUT_TERM, COMPARED = ("plain", "limit"), ("plain", "exact")
-IN_WARP = [("roll", "sphere"), ("pivot", "sphere"), ("spin and slide", "sphere"), ("tumble", "ellipsoid")]
+IN_WARP = [("roll", "sphere"), ("pivot", "sphere"), ("tumble", "ellipsoid")]
 IN_WARP += [("carried", "sphere"), ("carried", "cylinder"), ("carried", "mesh")]
 """Motions that MuJoCo Warp runs too, in the variants that are COMPARED; MuJoCo C runs all."""
 SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 20.0, 0.03, 0.5, 9.81
@@ -135,7 +135,6 @@ MOTIONS = [
             ("leaning box", 0.3, (1.0, 3.0, 3.0)),
         )
     ),
-    Motion("spin and slide", "sphere", "plane", on_plane("sphere"), partial(thrown, spin=SPIN_RAD_S)),
     Motion("pivot", "sphere", "plane", on_plane("sphere"), partial(thrown, roll=True, spin=SPIN_RAD_S)),
     Motion("slide", "mesh", "plane", on_plane("mesh"), thrown),
     *(Motion("carried", feet, "table", on_table(feet), carried) for feet in FEET),

@@ -1,6 +1,6 @@
 """Combinations of the cure's parts, pads, contacts and shakes, beside what each cause is predicted to move the cube."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -66,8 +66,8 @@ def by_contacts(quick: bool) -> dict[str, list[Case]]:
     return groups
 
 
-def measure(conditions: Conditions, variants: Sequence[Case]) -> tuple[list[dict], list[dict]]:
-    """Measure a row for each case, and one for each run that their parts are predicted from."""
+def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
+    """Measure a row for each case."""
     shakes = dict.fromkeys(shake_of(case) for case in variants)
     # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
@@ -78,8 +78,7 @@ def measure(conditions: Conditions, variants: Sequence[Case]) -> tuple[list[dict
         waiting = start(pool, measure_motion, [(case,) for case in moved])
         traces = conditions.simulate(variants, title="cure")
         motions = dict(zip(shakes, gather(waiting, "cure, in C"), strict=True))
-    rows = [row_of(case, trace, motions[shake_of(case)]) for case, trace in zip(variants, traces, strict=True)]
-    return rows, [motion_row(*item) for item in motions.items()]
+    return [row_of(case, trace, motions[shake_of(case)]) for case, trace in zip(variants, traces, strict=True)]
 
 
 def shake_of(case: Case) -> tuple[str, str]:
@@ -94,7 +93,8 @@ def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
     row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
     parts = predicted_mm(case, motion)
     total = sum(parts.values())
-    found = in_plane({f"{name}_{{}}_mm": part for name, part in {**parts, "predicted": total}.items()})
+    vectors = {**parts, "predicted": total}
+    found = {f"{name}_{axis}_mm": float(part[at]) for name, part in vectors.items() for axis, at in ALONG.items()}
     row |= known(found | {"predicted_slip_mm": float(np.linalg.norm(total))}, motion.failure)
     reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
     slip = np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
@@ -106,23 +106,3 @@ def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
 def known(columns: dict[str, object], reason: str | None) -> dict[str, object]:
     """Return the columns, or each without a value where there is a reason for it."""
     return absent(columns, reason) if reason else columns
-
-
-def motion_row(shake: tuple[str, str], motion: Motion) -> dict[str, object]:
-    """Make the row of what the parts are predicted from: sums over a run through C, along the pads."""
-    pads, amplitude = shake
-    row: dict[str, object] = {"case": f"motion-{pads}-{amplitude}", "kind": "motion", "pads": pads, "shake": amplitude}
-    sums = {
-        "left_out_{}_m_s": motion.bias_m_s,
-        "damping_{}_m_s": motion.damping_m_s,
-        "load_{}_m_s": motion.load_m_s,
-        "rounding_{}_mm": 1e3 * motion.rounding_m,
-    }
-    return row | known(in_plane(sums) | {"depth_mm": 1e3 * motion.depth_m}, motion.failure)
-
-
-def in_plane(vectors: Mapping[str, np.ndarray]) -> dict[str, object]:
-    """Make columns of the parts along the pads of vectors, by what the columns are called but for the axis."""
-    return {
-        name.format(axis): float(vector[place]) for name, vector in vectors.items() for axis, place in ALONG.items()
-    }

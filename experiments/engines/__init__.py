@@ -20,7 +20,7 @@ from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
 from experiments.engines import laws, newton_solvers
 from experiments.engines.laws import Load, walk_per_s
 from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
-from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.facts.case import AS_SHIPPED
 from experiments.scenes import capsule
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
 from experiments.simulation.mjcf_engines import GRAVITY_M_S2
@@ -36,12 +36,13 @@ STEPS_S = (0.002, 0.001)
 STICTION_M_S = 1e-3
 """Drake's own."""
 APART = "experiments/engines/apart/apart.py"
-GROWTHS = ("growth_per_s", "predicted_growth_per_s", "end_height_mm")
+GROWTHS = ("growth_per_s", "predicted_growth_per_s")
 CREEPS = ("creep_mm_s", "predicted_creep_mm_s")
 TEST_SHAKE = {"shake_amplitude_m": 0.02, "shake_frequency_hz": 2.0}
 TEST_FRAMES = SETUP_FRAME_COUNT + 121
 """The last one is 2 s after the first of the shake."""
-TEST_PADS_KD = (100.0, 50.0, 20.0, 10.0, 5.0, 2.0)
+TEST_PADS_KD = (100.0, 5.0)
+"""As shipped, and softer ones."""
 
 
 @dataclass(frozen=True)
@@ -167,7 +168,6 @@ def growth_columns(model: Model, scene: dict, step_s: float, result: dict) -> di
         raise ValueError("the box is not on the table any more")
     radius = np.hypot(path[:, 0], path[:, 1])
     row: dict[str, object] = {"growth_per_s": float(np.polyfit(time_s, np.log(radius), 1)[0])}
-    row["end_height_mm"] = 1e3 * float(path[-1, 2])
     if not model.law:
         return row | absent(["predicted_growth_per_s"], "it is MuJoCo's, which section cure has")
     middle = float(np.exp(np.mean(np.log(radius))))
@@ -207,8 +207,7 @@ def load_on(model: Model, scene: dict, step_s: float, result: dict, carried: Map
 
 
 def shake_rows(conditions: Conditions) -> Sequence[dict[str, object]]:
-    """Do the shake by the rule of FET028, with stiff pads and with ever softer ones."""
-    cases = [replace(STIFF_PADS, name="fet028-stiff-pads")]
-    cases += [replace(AS_SHIPPED, name=f"fet028-pad-kd-{kd:g}", pad_kd=kd) for kd in TEST_PADS_KD]
-    cases = [replace(case, frame_count=TEST_FRAMES, **TEST_SHAKE) for case in cases]
+    """Do the shake by the rule of FET028."""
+    shipped = replace(AS_SHIPPED, frame_count=TEST_FRAMES, **TEST_SHAKE)
+    cases = [replace(shipped, name=f"fet028-pad-kd-{kd:g}", pad_kd=kd) for kd in TEST_PADS_KD]
     return conditions.measure(cases, "engines").rows

@@ -20,7 +20,7 @@ from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
 SECONDS = {"full": 4.0, "quick": 2.0}
-NUMBERS = ("growth_per_s", "end_radius_mm", "end_height_mm", "end_turn_mrad_s")
+NUMBERS = ("growth_per_s", "end_radius_mm")
 SOLVERS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
     "mujoco": ("SolverMuJoCo", {"cone": "elliptic", "integrator": "implicitfast"}),
     "xpbd": ("SolverXPBD", {"angular_damping": 0.0}),
@@ -39,7 +39,7 @@ def rows(conditions: Conditions) -> list[dict[str, object]]:
     for solver, step_s in tqdm(runs, desc="Newton's solvers", unit="run", delay=3.0):
         row = {"case": f"{solver}-{1e3 * step_s:g}ms", "solver": solver, "step_ms": 1e3 * step_s}
         try:
-            found.append(row | columns(*run(solver, step_s, SECONDS[conditions.profile], conditions.device)))
+            found.append(row | columns(run(solver, step_s, SECONDS[conditions.profile], conditions.device)))
         except Exception as error:  # each is a program of its own, and need not know all that the scene has
             reason = " ".join(str(error).split())[:120] or type(error).__name__
             found.append(row | {"stays": None} | absent(NUMBERS, reason))
@@ -69,8 +69,8 @@ def build(device: str) -> newton.Model:
     return model
 
 
-def run(solver: str, step_s: float, seconds: float, device: str) -> tuple[np.ndarray, float]:
-    """Return the box's place [m] at each sample, shape [sample, 3], and the table's turning at the end [rad/s]."""
+def run(solver: str, step_s: float, seconds: float, device: str) -> np.ndarray:
+    """Return the box's place [m] at each sample, shape [sample, 3]."""
     with wp.ScopedDevice(device):
         model = build(device)
         states, control = (model.state(), model.state()), model.control()
@@ -87,10 +87,10 @@ def run(solver: str, step_s: float, seconds: float, device: str) -> tuple[np.nda
                     here.clear_forces()
                     stepper.step(here, there, control, contacts, step_s)
             path.append(states[0].body_q.numpy()[1, :3].copy())
-        return np.array(path, dtype=float), float(states[0].body_qd.numpy()[0, 5])
+        return np.array(path, dtype=float)
 
 
-def columns(path: np.ndarray, turn_rad_s: float) -> dict[str, object]:
+def columns(path: np.ndarray) -> dict[str, object]:
     """Say how fast the distance of the box from the axis grows, and whether it stays on the table."""
     if not np.isfinite(path).all():
         return {"stays": False} | absent(NUMBERS, "a position is not finite")
@@ -99,7 +99,5 @@ def columns(path: np.ndarray, turn_rad_s: float) -> dict[str, object]:
     return {
         "stays": bool(abs(path[-1, 2] - path[0, 2]) < FOOT_M and radius[-1] < 0.5),
         "end_radius_mm": 1e3 * float(radius[-1]),
-        "end_height_mm": 1e3 * float(path[-1, 2]),
-        "end_turn_mrad_s": 1e3 * turn_rad_s,
         "growth_per_s": float(np.polyfit(time_s[settled], np.log(radius[settled]), 1)[0]),
     }

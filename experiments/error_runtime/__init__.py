@@ -60,7 +60,7 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
     references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
 
     pilot = pilot_at_shake(PADS.values(), device)
-    shakes = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
+    shakes = {point: in_warp(point, pilot, device) for point in points if not point.is_native}
     start = starts_by_pads(pilot, FRAME_COUNT)[pads]
     natives = {point: NativeShake(point.case, start) for point in (*references, *points) if point.is_native}
     with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) - 1)) as pool:  # C runs on the CPU, beside the GPU
@@ -74,7 +74,8 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
         row = describe(point, traces[point], natives[native])
         row |= errors(traces[point], traces[reference_of(point, finest)])
         if not point.is_native:
-            row |= number("c_difference_mm", distance_mm(traces[point], traces[native])) | shakes[point].columns()
+            row |= number("c_difference_mm", distance_mm(traces[point], traces[native]))
+            row["backend"] = backend_on(shakes[point].device)
         rows.append(row if row["valid"] else row | untimed(TIME_COLUMNS, row["invalid_reason"]))
     for point in references:
         if point.case.substeps == finest:
@@ -90,35 +91,27 @@ def starts_by_pads(pilot: Simulation, frame_count: int) -> Mapping[str, Start]:
     return dict(zip(PADS, starts_of(pilot, frame_count), strict=True))
 
 
-class WarpShake:
-    """A setting as a simulation of one world, compiled, captured and at the start of the shake."""
-
-    def __init__(self, point: Setting, pilot: Simulation, device: wp.Device):
-        device = wp.get_device(point.case.device) if point.case.device else device
-        built: list[Simulation] = []
-        self.build_ms = elapsed_ms(device, lambda: built.append(Simulation([point.case], device)))
-        [self.simulation] = built
-        world = list(PADS).index(point.pads)
-        put_in_state_of(self.simulation, pilot, world)
-        self.first_frame_ms = elapsed_ms(device, self.simulation.step)
-        put_in_state_of(self.simulation, pilot, world)  # the frame that was captured must not count
-        self.simulation.recorder.cursor.zero_()
-        wp.synchronize_device(device)
-
-    def columns(self) -> dict[str, object]:
-        times = {"build_s": 1e-3 * self.build_ms, "capture_s": 1e-3 * self.first_frame_ms}
-        return {"backend": backend_on(self.simulation.device), **times}
+def in_warp(point: Setting, pilot: Simulation, device: wp.Device) -> Simulation:
+    """Return a setting as a simulation of one world, compiled, captured and at the start of the shake."""
+    simulation = Simulation([point.case], wp.get_device(point.case.device) if point.case.device else device)
+    world = list(PADS).index(point.pads)
+    put_in_state_of(simulation, pilot, world)
+    simulation.step()
+    put_in_state_of(simulation, pilot, world)  # the frame that was captured must not count
+    simulation.recorder.cursor.zero_()
+    wp.synchronize_device(simulation.device)
+    return simulation
 
 
 def backend_on(device: wp.Device) -> str:
     return "warp-cuda" if device.is_cuda else "warp-cpu"
 
 
-def run_shakes(shakes: Mapping[Setting, WarpShake]) -> dict[Setting, Trace]:
+def run_shakes(shakes: Mapping[Setting, Simulation]) -> dict[Setting, Trace]:
     """Run all frames of all settings, those of one device side by side."""
     traces = {}
-    for device in dict.fromkeys(shake.simulation.device.alias for shake in shakes.values()):
-        mine = {point: shake.simulation for point, shake in shakes.items() if shake.simulation.device.alias == device}
+    for device in dict.fromkeys(shake.device.alias for shake in shakes.values()):
+        mine = {point: shake for point, shake in shakes.items() if shake.device.alias == device}
         results = run(list(mine.values()), title=f"error_runtime on {device}")
         traces |= {point: trace for point, [trace] in zip(mine, results, strict=True)}
     return traces
@@ -139,7 +132,6 @@ def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, obj
         "timeconst_ms": 1e3 * native.pad_timeconst_s,
         "valid": reason is None,
         "invalid_reason": reason,
-        **number("cone_use_max", float(np.nanmax(trace.column("cone_use")))),
         "iteration_peak_count": trace.peak_iteration_count,
         "frame_count": len(trace.phase),
     }

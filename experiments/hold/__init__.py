@@ -38,17 +38,16 @@ def measure(conditions: Conditions) -> Measurement:
     return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
 
 
-CREEP_COLUMNS = (*(f"creep_{axis}_mm_s" for axis in "xyz"), "increment_first_mm", "increment_final_mm")
+CREEP_COLUMNS = ("creep_z_mm_s", "increment_final_mm")
 
 
 def creep(trace: Trace) -> dict[str, object]:
-    """Return the rates of all three axes, and how far the cube goes in the first and the last whole second, in the
-    direction in which it ends up; None without a whole second."""
+    """Return the rate along the tool, and how far the cube goes in the last whole second, in the direction in which it
+    ends up; None without a whole second."""
     moved = metrics.displacement(trace)
     if trace.failure or len(moved.time_s) <= FRAME_RATE:
         reason = str(trace.failure or "the time after the lift is shorter than a second")
         return absent(CREEP_COLUMNS, reason)
     slope = 1e3 * np.polyfit(moved.time_s, moved.vector_m, 1)[0]
     way = moved.vector_m @ (moved.vector_m[-1] / np.linalg.norm(moved.vector_m[-1]))
-    ends = 1e3 * np.diff(way[::FRAME_RATE])[[0, -1]]
-    return dict(zip(CREEP_COLUMNS, map(float, (*slope, *ends)), strict=True))
+    return dict(zip(CREEP_COLUMNS, (float(slope[2]), 1e3 * float(np.diff(way[::FRAME_RATE])[-1])), strict=True))

@@ -31,7 +31,7 @@ class Held:
     arm_rad_s: list[np.ndarray] = field(default_factory=list)
 
     def columns(self) -> dict[str, object]:
-        """Return the rates [mm/s] of the cube, and of the arm's fastest joint how much of its velocity its position
+        """Return the rate [mm/s] of the cube, and of the arm's fastest joint how much of its velocity its position
         follows."""
         seconds = len(self.cube_m) - 1
         rate = 1e3 * (self.cube_m[-1] - self.cube_m[0]) / seconds
@@ -39,11 +39,7 @@ class Held:
         joint = int(np.abs(velocity).argmax())
         moved = (self.arm_rad[-1] - self.arm_rad[0])[joint] / seconds
         return {
-            "creep_x_mm_s": float(rate[0]),
-            "creep_y_mm_s": float(rate[1]),
-            "creep_z_mm_s": float(rate[2]),
             "creep_mm_s": float(np.linalg.norm(rate)),
-            "joint": joint + 1,
             "joint_velocity_mrad_s": 1e3 * float(velocity[joint]),
             "joint_motion_mrad_s": 1e3 * float(moved),
         }

@@ -38,7 +38,7 @@ ON_CPU = ("buffers",)
 RUN_COUNT = 8
 """Worlds in which a case is run to the end on a GPU; on a CPU they would all be the same."""
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
-MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
+MEASURED = ("slip_mm", "pose_difference_mm")
 
 
 def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
@@ -102,7 +102,7 @@ def has_large_buffers(case: Case) -> bool:
 
 
 def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> dict[str, dict[str, object]]:
-    """Return by case mean slip, peaks, and whether the trajectory is that of the first case to the last bit.
+    """Return by case the mean slip, and whether the trajectory is that of the first case to the last bit.
 
     Args:
         traces: ``run_count`` runs of each case, one case after the other.
@@ -110,21 +110,16 @@ def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> 
     found = {}
     for index, case in enumerate(cases):
         worlds = traces[index * run_count : (index + 1) * run_count]
-        found[case.name] = mean_columns([summarize(case, trace) for trace in worlds]) | likeness(worlds[0], traces[0])
+        found[case.name] = mean_slip([summarize(case, trace) for trace in worlds]) | likeness(worlds[0], traces[0])
     return found
 
 
-def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
-    """Return slip and drift as means over the runs of a case, and the peaks of all of them."""
+def mean_slip(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
+    """Return the slip as its mean over the runs of a case."""
     failure = next((row["failure"] for row in summaries if row["failure"]), None)
-    columns: dict[str, object] = {"failure": failure, "run_count": len(summaries)}
-    for name in ("peak_contact_count", "peak_constraint_count"):
-        columns[name] = max(row[name] for row in summaries)
-    for name in ("slip_mm", "drift_mm_s"):
-        values = [row[name] for row in summaries]
-        missing = next((row[f"{name}_reason"] for row in summaries if row[name] is None), None)
-        columns |= absent([name], missing) if missing else {name: float(np.mean(values))}
-    return columns
+    missing = next((row["slip_mm_reason"] for row in summaries if row["slip_mm"] is None), None)
+    slips = [row["slip_mm"] for row in summaries]
+    return {"failure": failure} | (absent(["slip_mm"], missing) if missing else {"slip_mm": float(np.mean(slips))})
 
 
 def likeness(trace: Trace, reference: Trace) -> dict[str, object]:

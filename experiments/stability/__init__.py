@@ -7,16 +7,7 @@ import numpy as np
 
 from experiments.facts import metrics
 from experiments.facts.case import Case
-from experiments.facts.classes import (
-    CLASSES,
-    STABLE,
-    classify,
-    creep_mm_s,
-    cycle_increments,
-    excess_speed_m_s,
-    is_exploded,
-    is_finite,
-)
+from experiments.facts.classes import CLASSES, STABLE, classify, creep_mm_s, cycle_increments, is_exploded, is_finite
 from experiments.facts.trace import Trace
 from experiments.simulation.limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
 from experiments.simulation.measurement import Conditions, Measurement, absent
@@ -129,17 +120,11 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
         drift_mm_s=lambda: metrics.drift_mm_s(moved),
         creep_mm_s=lambda: creep_mm_s(case, trace),
         penetration_mm=lambda: 1e3 * float(np.median(trace.column("penetration_m")[HOLD_END])),
-        cone_use=lambda: float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max()),
     )
-    row |= numbers(
-        "" if finite else "the run ended as non-finite",
-        excess_speed_mm_s=lambda: 1e3 * float(excess_speed_m_s(case, trace).max()),
-        hand_sink_mm=lambda: 1e3 * hand_sink_m(trace),
-    )
+    row |= numbers("" if finite else "the run ended as non-finite", hand_sink_mm=lambda: 1e3 * hand_sink_m(trace))
     grip = grip_force_n(trace) if finite and reached and case.cube_in_hand else 0.0
     row |= numbers(
         "" if grip > 0.0 else "no grip force was measured",
-        grip_force_n=lambda: grip,
         load=lambda: friction_load(case, demand_m_s2(case, trace), grip),
     )
     if case.start_overlap_m:

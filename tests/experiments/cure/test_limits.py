@@ -2,7 +2,7 @@
 
 import pytest
 
-from experiments.cure import envelope, limits
+from experiments.cure import SIDES, limits
 from experiments.envelope import MAP_SIZE, map_cells
 from experiments.facts.variants import BEST
 
@@ -18,7 +18,7 @@ def test_limits_try_each_run_in_each_variant_once(profile):
 
 
 def test_the_map_with_the_cure_is_that_of_the_envelope():
-    cells = map_cells(envelope.SIDES, MAP_SIZE["quick"])
+    cells = map_cells(SIDES, MAP_SIZE["quick"])
     places = [(case.shake_amplitude_m, case.shake_frequency_hz) for case in cells]
     half = len(cells) // 2
     assert places[:half] == places[half:] and len(set(places)) == half == MAP_SIZE["quick"] ** 2

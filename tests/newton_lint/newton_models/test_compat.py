@@ -7,20 +7,10 @@ import pytest
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.simulation import simulate
 from experiments.upgrade import REFSAFE_TIMECONST_S, row_columns
-from newton_lint.newton_models.compat import kf_is_read, release
+from newton_lint.newton_models.compat import kf_is_read
 
 GRASPED = 150
 """Frame in which the cube is in the grasp."""
-
-
-def test_releases_are_compared_as_numbers():
-    for version, number in (
-        ("1.4.0", (1, 4, 0)),
-        ("1.10.2", (1, 10, 2)),
-        ("1.5.0.dev3", (1, 5, 0)),
-        ("1.5.0rc1", (1, 5)),
-    ):
-        assert release(version) == number
 
 
 @pytest.fixture(scope="module")

@@ -17,19 +17,9 @@ Newton's contacts a timeconst of their own, 2 / (kf w ((1 - dmax) / impratio + d
 in any release."""
 
 
-def release(version: str = newton.__version__) -> tuple[int, ...]:
-    """Return a release as numbers, up to what is no number: (1, 5, 0) for ``1.5.0`` and for ``1.5.0.dev1``."""
-    numbers = []
-    for part in version.split("."):
-        if not part.isdigit():
-            break
-        numbers.append(int(part))
-    return tuple(numbers)
-
-
 def kf_is_read() -> bool:
     """Tell whether ``SolverMuJoCo`` of the installed release reads ``ShapeConfig.kf``."""
-    return release() >= KF_RELEASE
+    return tuple(map(int, newton.__version__.split(".")[:2])) >= KF_RELEASE
 
 
 def warp_has_noslip() -> bool:
