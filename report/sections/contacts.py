@@ -1,24 +1,19 @@
 """The solver's live contact rows: their residuals, what their velocities add up to, and what makes them slide."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator
 
-from matplotlib.figure import Figure as Drawing
-
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, decided, greater
-from measured_report.parts.figures import FAINT
-from measured_report.parts.section import Figure, Section
+from measured_report.parts.claim import Claim, all_of, at_most, decided, greater
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import departure, difference, noise_floor, size_share, table_of
-from report.shared.drawing import SHIPPED, STIFF, TERM, draw_bars
+from report.shared.arithmetic import Column, departure, difference, noise_floor, size_share, table_of
 
 order = 70
 page = "cause"
 reads = ("noise",)
 label = "contact rows"
 
-CASES = ("as-shipped", "stiff-pads")
+CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 ROWS = {"position residual": "residual_mm", "velocity": "velocity_mm_s", "force": "force_n"}
 
 
@@ -29,34 +24,32 @@ def derive(results: Results) -> Section:
     left_out, restored = (
         [results.row[f"{case}-{kind}"] for case in CASES] for kind in ("missing-term", "term-restored")
     )
-    runs = {case: results.row[case] for case in CASES} | {row.case: row for row in more_runs}
-    missing, back = _missing_term(results, left_out), _term_restored(results, left_out, restored)
-    numbers: dict[str, Any] = {"is_so": all_of(missing.outcome, back.outcome) == HOLDS}
-    numbers |= {name: missing.numbers[name] for name in ("predicted", "slide")} | {"restored": restored[0].slide_mm}
-    bars = [
-        (plain.predicted_slide_mm, plain.slide_mm, back.slide_mm)
-        for plain, back in zip(left_out, restored, strict=True)
-    ]
+    run = next((row for row in more_runs if row.case == "as-shipped"), results.row["as-shipped"])
     shown = [row for row in rows if row.case == "as-shipped"]
+    slides: dict[str, Column] = {
+        "from the left-out term": [row.predicted_slide_mm for row in left_out],
+        "in the rows": [row.slide_mm for row in left_out],
+        "in the rows, term put back": [row.slide_mm for row in restored],
+    }
     return Section(
-        tables={"rows": table_of("row", [row.row for row in shown], ROWS, shown)},
-        figures={"slide": Figure(lambda: draw_slide(bars), [cell for cells in bars for cell in cells], numbers)},
+        tables={
+            "rows": table_of("row", [row.row for row in shown], ROWS, shown),
+            "slide": table_of("slide of the friction rows", CASES.values(), slides),
+        },
         claims=[
-            _far_inside_cone(results, runs),
+            _far_inside_cone(results, run),
             *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
-            _slide_accounts(results, runs["as-shipped"]),
-            missing,
-            back,
+            _slide_accounts(results, run),
+            _missing_term(results, left_out),
+            _term_restored(results, left_out, restored),
         ],
     )
 
 
-def _far_inside_cone(results: Results, runs: Mapping[str, Row]) -> Claim:
-    for pads, case in (("stiff", "stiff-pads"), ("shipped", "as-shipped")):
-        formula = f"most of its friction cone that a contact uses through the shake, with {pads} pads"
-        share = runs[case].cone_use_max
-        used = results.value(f"grip_used_{pads}", formula, lambda use: 100 * use, share, unit="%")
-    outcome = at_most(share, 0.1, why="far from the limit, which is 1").having_read(used)
+def _far_inside_cone(results: Results, run: Row) -> Claim:
+    formula = "most of its friction cone that a contact uses through the shake, with shipped pads"
+    used = results.value("grip_used_shipped", formula, lambda use: 100 * use, run.cone_use_max, unit="%")
+    outcome = at_most(run.cone_use_max, 0.1, why="far from the limit, which is 1").having_read(used)
     return Claim("far_inside_cone", outcome, {"used": used})
 
 
@@ -91,38 +84,22 @@ def _missing_term(results: Results, rows: list[Row]) -> Claim:
         for row in rows
     ]
     largest = results.value("missing_term_departure", "larger of both departures", max, *departures, unit="%")
-    numbers = {"departure": largest}
-    for row, name in zip(rows, ("", "_stiff"), strict=True):
-        numbers |= {f"predicted{name}": row.predicted_slide_mm, f"slide{name}": row.slide_mm}
     bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
+    numbers = {"predicted": rows[0].predicted_slide_mm, "slide": rows[0].slide_mm, "departure": largest}
     return Claim("missing_term", at_most(largest, bound), numbers)
 
 
 def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
     bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, unit="%")
     formula = "size of the slide of the friction rows with the term put back, of that without it"
-    numbers: dict[str, Quantity] = {}
     shares, falls = [], []
-    for case, name, plain, back in zip(CASES, ("", "_stiff"), left_out, restored, strict=True):
+    for case, plain, back in zip(CASES, left_out, restored, strict=True):
         shares.append(size_share(results, f"restored_share_{case}", formula, back.slide_mm, plain.slide_mm))
         less, more = (
             results.value(f"restored_{case}_{which}_size", "its size", abs, row.slide_mm, unit="mm")
             for which, row in (("small", back), ("large", plain))
         )
         falls.append(greater(more, less, noise=noise_floor(results, "slip_floor")))
-        numbers |= {f"slide{name}": plain.slide_mm, f"restored{name}": back.slide_mm}
     largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
+    numbers = {"slide": left_out[0].slide_mm, "restored": restored[0].slide_mm}
     return Claim("term_restored", all_of(at_most(largest, bound), *falls), numbers)
-
-
-PADS = {"shipped pads": SHIPPED, "stiff pads": STIFF}
-
-
-def draw_slide(bars: Sequence[tuple[Quantity, Quantity, Quantity]]) -> Drawing:
-    """Draw for each pads three bars: slide from the left-out term, slide of the rows, and that with the term put
-    back."""
-    kinds = ("from the left-out term", "measured in the rows", "with the term put back")
-    names = [f"{pads}, {kind}" for pads in PADS for kind in kinds]
-    colours = [face for colour in PADS.values() for face in (FAINT, colour, TERM)]
-    cells = [cell for each in bars for cell in each]
-    return draw_bars(names, cells, colours, "slide of the friction rows along the main axis [mm]")[0]

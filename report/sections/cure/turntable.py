@@ -3,16 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from matplotlib.figure import Figure as Drawing
-
 from measured_report.files.root import ROOT
-from measured_report.parts.claim import FAILS, HOLDS, Claim, all_of, at_least, at_most
-from measured_report.parts.figures import INK
-from measured_report.parts.section import Download, Figure, Section
+from measured_report.parts.claim import FAILS, Claim, all_of, at_least, at_most
+from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size
-from report.shared.drawing import CURE, SHIPPED, TERM, draw_bars, mark_cells
+from report.shared.arithmetic import Column, cell_count, departure, difference, extreme, largest_size, table_of
 
 ENGINES = ("warp", "c")
 BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
@@ -35,7 +31,7 @@ VARIANTS = {
     "term-rk4-impratio": "term put back, RK4, impratio raised",
     "term-centred-impratio": "term centred, impratio raised",
 }
-"""Labels by variant, in the order of the figure: without the term and with it."""
+"""Labels by variant, in the order of the table: without the term and with it."""
 
 
 def derive(results: Results) -> Section:
@@ -51,17 +47,17 @@ def derive(results: Results) -> Section:
         {case: _percent(results, row, column) for case, row in rows.items()}
         for column in ("growth_per_s", "predicted_growth_per_s")
     )
-    no_setting, cured = _no_setting_stops_it(results, measured, resolution), _cured(results, measured, resolution)
-    numbers = {"plain": measured["plain-c"], "term": measured["term-c"], "cured": cured.numbers["largest"]}
-    numbers["stands"] = all_of(no_setting.outcome, cured.outcome) == HOLDS
-    sources = [rows[f"{variant}-c"].growth_per_s for variant in VARIANTS]
+    columns: dict[str, Column] = {
+        name: [cells[f"{variant}-{engine}"] for variant in VARIANTS]
+        for name, cells, engine in (("MuJoCo C", measured, "c"), ("by the law", law, "c"), ("Warp", measured, "warp"))
+    }
     return Section(
-        figures={"rates": Figure(lambda: _draw(measured, law), sources, numbers)},
+        tables={"rates": table_of("what is done", VARIANTS.values(), columns)},
         claims=[
             _follows_law(results, measured, law, resolution),
             _by_hand(results, measured["plain-c"]),
-            no_setting,
-            cured,
+            _no_setting_stops_it(results, measured, resolution),
+            _cured(results, measured, resolution),
         ],
         downloads=[Download(BIAS_FILE.name, BIAS_FILE.read_text(encoding="utf-8"))],
     )
@@ -116,11 +112,3 @@ def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -
     growths = (measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES)
     largest = largest_size(results, "cured_growth", formula, growths, unit="%/s")
     return Claim("cured", at_most(largest, resolution), {"largest": largest, "resolution": resolution})
-
-
-def _draw(measured: Mapping[str, Value], law: Mapping[str, Value]) -> Drawing:
-    colours = [CURE if name in CURED else TERM if name.startswith("term") else SHIPPED for name in VARIANTS]
-    cells, xlabel = [measured[f"{name}-c"] for name in VARIANTS], "growth of the distance from the axis [%/s]"
-    drawing, axes = draw_bars(list(VARIANTS.values()), cells, colours, xlabel)
-    mark_cells(axes, [law[f"{name}-c"] for name in VARIANTS], INK, "law", marker="|", markersize=13)
-    return drawing

@@ -13,7 +13,7 @@ from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_fig
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cases_html, other_value, ratio
+from report.shared.arithmetic import other_value, ratio
 from report.shared.drawing import mark_points
 
 SCENES = {
@@ -42,7 +42,6 @@ class Point:
     """One run of a scene."""
 
     scene: str
-    row: Row
     measured: Value
     predicted: Value
     factor: Value
@@ -68,7 +67,7 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
     for row in _rows(results, scene):
         if found := _creep(results, scene, row, resolution):
             name = f"{scene}_{row.case}_factor"
-            yield Point(scene, row, *found, results.value(name, formula, lambda a, b: max(a / b, b / a), *found))
+            yield Point(scene, *found, results.value(name, formula, lambda a, b: max(a / b, b / a), *found))
 
 
 def _rows(results: Results, scene: str) -> Sequence[Row]:
@@ -115,12 +114,11 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
     count = results.value("point_count", formula, lambda *found: len(found), *factors, across=True)
     formula = "scenes that these runs are of"
     scenes = results.value("scene_count", formula, lambda *_: len(names), *factors, across=True)
-    outside = cases_html([point.row for point in points if point.factor.value > bound.value])
     outcome = all_of(at_most(largest, bound), at_least(spanned, 1000.0, why="a range to test it over"))
     if missing := [label for scene, label in SCENES.items() if scene not in names]:
         outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}").having_read(largest, spanned)
     numbers: dict[str, Any] = {"largest": largest, "bound": bound, "count": count, "scenes": scenes}
-    return Claim("predicted", outcome, numbers | {"fast": fast, "slow": slow, "outside": outside})
+    return Claim("predicted", outcome, numbers | {"fast": fast, "slow": slow})
 
 
 def _draw(points: list[Point]) -> Drawing:
