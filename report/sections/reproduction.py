@@ -15,7 +15,7 @@ from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
 from report.shared import arithmetic
-from report.shared.arithmetic import DEVICES, departure, needs_shaking, ratio
+from report.shared.arithmetic import DEVICES, departure, ratio
 from report.shared.drawing import SHIPPED, STIFF
 
 order = 10
@@ -39,7 +39,7 @@ SCENE += (("substeps", 16, "1"), ("impratio", 50, "1"))
 
 
 def derive(results: Results) -> Section:
-    shipped, stiff, hold = results.row["as-shipped"], results.row["stiff-pads"], results.row["hold"]
+    shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
     _scene(results, shipped, stiff)
     traces = {name: results.trace(name) for name in CALIBRATED}
     slips, steady = _slips(results, shipped), _steady(results, shipped, traces["as-shipped"])
@@ -49,13 +49,7 @@ def derive(results: Results) -> Section:
     return Section(
         tables={"cases": arithmetic.by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})},
         figures={"increments": Figure(lambda: _draw_increments(traces, frequency), list(traces.values()), means)},
-        claims=[
-            slips,
-            steady,
-            needs_shaking("needs_shaking", results, hold.drift_mm_s, shipped.drift_mm_s),
-            _same_on_both_engines(results, slips),
-            _stiff_pads_hold(results, shipped, stiff),
-        ],
+        claims=[slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)],
     )
 
 

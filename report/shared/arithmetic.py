@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.parts.claim import FAILS, Bound, Claim, Outcome, at_most
+from measured_report.parts.claim import FAILS, Bound, Outcome, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
@@ -20,9 +20,6 @@ DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
-
-NO_DRIFT = ("no comparable drift", 10.0)
-"""Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
 
 
 def _of_two(function: Callable[[float, float], float], unit: str = "") -> Callable[..., Value]:
@@ -83,20 +80,6 @@ def cell_count(results: Results, name: str, formula: str, cells: Sequence[Quanti
 def noise_floor(results: Results, name: str) -> Quantity:
     """Return ``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
-
-
-def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity) -> Claim:
-    """Claim that there is no drift to speak of with the arm held still, in words with ``held``, ``shaken`` and
-    ``share``.
-
-    What drifts the other way when held is no part of the drift when shaken, but a cause that takes no shake.
-    """
-    formula = "drift with the arm held still, of the drift as shipped, in size"
-    part = size_share(results, "hold_share", formula, held, shaken)
-    is_opposed = None not in (held.value, shaken.value) and held.value * shaken.value < 0
-    numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
-    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
-    return Claim(name, at_most(part, bound), numbers)
 
 
 def settles(before: Quantity, after: Quantity) -> Outcome:

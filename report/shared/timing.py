@@ -1,17 +1,12 @@
 """Shared by the sections on time and memory."""
 
-import math
 from collections.abc import Iterable
 
-from matplotlib.axes import Axes
-
 from measured_report.parts.claim import Outcome
-from measured_report.parts.figures import SERIES, is_narrow
 from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import resolved
-from report.shared.drawing import mark_points
 
 TIMED_WORLDS = (1, 4096, 16384)
 """Numbers of worlds that are timed wherever not all are."""
@@ -52,28 +47,3 @@ def compared(rows: Iterable[Row]) -> list[Row]:
 def fine_enough(unseen: Quantity) -> Outcome:
     """Tell whether times are known well enough to say that nothing is slower, from what share would be seen [%]."""
     return resolved(unseen, 3.0, why="a slowdown that would matter")
-
-
-def world_axis(axes: Axes, counts: list[int]) -> None:
-    """Make the axis of numbers of worlds logarithmic, with a tick at each that was measured; on a narrow screen every
-    second has its label, the last among them."""
-    axes.set_xscale("log")
-    axes.minorticks_off()
-    labelled = counts[::-2] if is_narrow() else counts
-    axes.set_xticks(counts, [format_number(count) if count in labelled else "" for count in counts])
-
-
-def decade_axis(axes: Axes) -> None:
-    """Make the vertical axis logarithmic over whole powers of ten, so that it has labels however little is drawn."""
-    low, high = axes.dataLim.intervaly
-    axes.set_yscale("log")
-    if 0 < low <= high:
-        axes.set_ylim(10 ** math.floor(math.log10(low)), 10 ** (math.floor(math.log10(high)) + 1))
-    axes.minorticks_off()
-
-
-def draw_line(axes: Axes, counts: list[int], cells: list[Quantity], series: int, label: str) -> None:
-    """Draw ``cells`` against the number of worlds, as the series of that number."""
-    line, marker = (("-", "o"), ("--", "s"))[series]
-    points = zip(counts, (cell.value for cell in cells), strict=True)
-    mark_points(axes, points, color=SERIES[series], linestyle=line, marker=marker, label=label)

@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure, write
+from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 from report.sections.error_runtime.runs import ENGINES, ERROR, PADS, TIME, Points, counts
-from report.shared.timing import decade_axis, world_axis
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}
@@ -95,8 +95,9 @@ def draw_worlds(
         colour, start = COLOURS["mujoco-c"], (counts[-1], one_core.value)
         axes.axhline(one_core.value, color=colour, linestyle="--", marker="")
         axes.annotate("MuJoCo C, one core", start, xytext=(0, 5), ha="right", color=colour, **name)
-    decade_axis(axes)
-    world_axis(axes, counts)
+    axes.set(xscale="log", yscale="log")
+    axes.minorticks_off()
+    axes.set_xticks(counts[::-2], [format_number(count) for count in counts[::-2]])
     if crossover.value is not None and one_core.value is not None:
         axes.axvline(crossover.value, color=INK, linewidth=1.0, linestyle=":", marker="")
         place = (crossover.value, axes.get_ylim()[0])
