@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from measured_report.parts.claim import Claim, all_of, within
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity
+from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
 from report.shared.arithmetic import Column, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, compared, fine_enough, resolution, worlds_name
@@ -39,14 +39,14 @@ def derive(results: Results) -> Section:
             )
             if case in TESTED:
                 seen[case, count] = resolution(results, f"{case}_seen_{count}", [row])
-    costs = [_costs_nothing(results, extra, seen, case) for case in TESTED]
-    columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}
     worst = resolution(results, "resolution", compared(results.rows))
+    costs = [_costs_nothing(results, extra, seen, case, worst) for case in TESTED]
+    columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}
     table = table_of("way", CASES.values(), columns, resolution=worst)
     return Section(tables={"ways": table}, claims=costs)
 
 
-def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str) -> Claim:
+def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str, known: Value) -> Claim:
     pairs = [(extra[case, count], seen[case, count]) for count in TIMED_WORLDS]
     seen_more = [more for more, noise in pairs if None in (more.value, noise.value) or more.value > noise.value]
     formula = "by how much a frame takes longer where it is seen, most of all numbers of worlds"
@@ -54,4 +54,5 @@ def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str) -> 
     formula = "largest resolution of these: a frame that takes so much longer would be seen"
     unseen = results.value(f"{case}_unseen", formula, max, *(noise for _, noise in pairs), unit="%", is_noise=True)
     slower = (within(more, noise, why="the resolution of the ratio") for more, noise in pairs)
-    return Claim(f"{case}_costs_nothing", all_of(fine_enough(unseen), *slower), {"worst": worst, "unseen": unseen})
+    outcome = all_of(fine_enough(unseen), *slower).having_read(known)
+    return Claim(f"{case}_costs_nothing", outcome, {"worst": worst, "unseen": unseen})
