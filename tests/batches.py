@@ -80,8 +80,8 @@ def single(batch: Batch) -> Plan:
     return all_of([batch])
 
 
-def section_of(toy, plan: Plan, name: str = "toy", **known: float) -> Section:
-    return Section(toy.project, name, "cpu", plan, identity_of("toy", "full", toy.project.root), known)
+def section_of(toy, plan: Plan, name: str = "toy") -> Section:
+    return Section(toy.project, name, "cpu", plan, identity_of("toy", "full", toy.project.root))
 
 
 def begun(log: Path) -> list[str]:

@@ -74,13 +74,6 @@ def test_batches_need_names_of_their_own(toy, log, names, capsys):
     assert "batches need names of their own" in capsys.readouterr().err
 
 
-def test_the_loop_begins_with_what_takes_longest_or_may_since_it_needs_no_gpu(toy, log):
-    section = section_of(toy, batches.plan(str(log), "ab"), batch_a_s=100.0, batch_b_s=200.0)
-    unknown = section_of(toy, batches.single(Batch("new", batches.work, (str(log), "new"))), "unknown")
-    assert not fails(section, unknown)
-    assert begun(log) == ["new", "b", "a"]
-
-
 DRIVER = """
 import batches
 import signal

@@ -110,15 +110,6 @@ def test_finding_3_only_what_the_build_made_is_published(toy, place, damage):
     assert digests_below(place) == before
 
 
-@pytest.mark.parametrize("inside", ["www", "data/www", ".", "../site"])
-@pytest.mark.parametrize("kind", ["dir", "rsync"])
-def test_nothing_is_published_into_the_site_itself(toy, kind, inside):
-    before = sorted(toy.project.site.rglob("*"))
-    with pytest.raises(UsageError, match="outside of it"):
-        publish(toy.project.site, f"{kind}:{toy.project.site}/{inside}")
-    assert sorted(toy.project.site.rglob("*")) == before
-
-
 @pytest.fixture
 def remote(toy, tmp_path) -> Path:
     """A bare repository, which is the origin of the one that the project is in."""

@@ -43,12 +43,11 @@ class Loop:
         return any(section.has_failed for section in self.sections)
 
     def _submit(self) -> bool:
-        """Submit what can run beside what does, the longest first; tell whether anything runs."""
+        """Submit what can run beside what does; tell whether anything runs."""
         for pool, is_exclusive in ((self.shared, False), (self.exclusive, True)):
             if all(section.is_exclusive(batch) == is_exclusive for section, batch in self.running.values()):
                 waiting = [(section, batch) for section in self.sections for batch in section.waiting]
                 ready = [(section, batch) for section, batch in waiting if section.is_exclusive(batch) == is_exclusive]
-                ready.sort(key=lambda pair: pair[0].expected_s(pair[1]), reverse=True)
                 for section, batch in ready[: max(0, pool.limit - len(self.running))]:
                     section.waiting = [other for other in section.waiting if other is not batch]
                     self.running[pool.submit(measure_batch, batch, section.device)] = section, batch

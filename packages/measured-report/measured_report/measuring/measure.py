@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,12 +20,10 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import end_with_parent
 from measured_report.measuring.machine import gpus, machine_name, machine_of, needs_gpu, share_count
-from measured_report.measuring.section import WHOLE
 from measured_report.records.identity import sections as all_sections
 
 MODULE = "measured_report.measuring.run"
 UNFIT = 2  # exit status of a measurement that could not begin, because of what was asked for
-TIME = re.compile(r"(?:batch|alone)_.+_s")  # under what a record has the time of a batch
 
 
 def measure(
@@ -62,17 +59,6 @@ def measure_headline(project: Project, release: Release, device: str, program: s
         path = Path(folder) / "headline.json"
         _run(project, release, program, device, "--json", str(path))
         return json.loads(path.read_text(encoding="utf-8"))
-
-
-def seconds_each(project: Project, device: str) -> Mapping[str, Mapping[str, float]]:
-    """Return how long each batch of each section took the last time [s] on such a device, as its record names it."""
-    found = {}
-    for release in project.releases:
-        for record in records_of(project.of(release)):
-            if record.machine.get("device") == device or not needs_gpu(record.section, project.root):
-                times = {name: took for name, took in record.measured.items() if TIME.fullmatch(name)}
-                found[record.section] = times or {f"batch_{WHOLE}_s": record.measured["seconds"]}
-    return found
 
 
 def batches_at_once(project: Project, device: str) -> int:

@@ -24,7 +24,7 @@ from measured_report.files.processes import KILLED
 from measured_report.measuring.host import host
 from measured_report.measuring.loop import Loop, Pool
 from measured_report.measuring.machine import gpus, machine
-from measured_report.measuring.measure import UNFIT, batches_at_once, seconds_each
+from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.section import Section, section_of
 from measured_report.records.identity import sections
@@ -65,10 +65,9 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     gc.disable()  # looking for garbage takes half the time of loading a simulator
     host().be_quiet()
     modules = {name: section_module(name) for name in arguments.section}
-    known = seconds_each(project, arguments.device)
     gc.freeze()
     gc.enable()
-    return [section_of(project, name, module, arguments.device, known.get(name)) for name, module in modules.items()]
+    return [section_of(project, name, module, arguments.device) for name, module in modules.items()]
 
 
 @contextmanager

@@ -1,7 +1,6 @@
 """Sections: the way from a section's first batch to its record."""
 
 import inspect
-import math
 import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -34,8 +33,6 @@ class Section:
     """Device that it measures on, ``cuda`` or ``cpu``, whatever else the host has."""
     plan: Plan
     identity: Identity
-    known: Mapping[str, float] = field(default_factory=dict)
-    """Seconds that its batches took the last time, by ``Batch.time_name``."""
     stage: list[Batch] = field(default_factory=list)
     """Batches that were yielded last."""
     waiting: list[Batch] = field(default_factory=list)
@@ -52,11 +49,6 @@ class Section:
     def is_exclusive(self, batch: Batch) -> bool:
         """Tell whether it is measured alone, as is one that may have killed its process and those beside it."""
         return batch.exclusive or batch.name in self.lost
-
-    def expected_s(self, batch: Batch) -> float:
-        """Return how long a batch will take [s]: a new one no longer than its section did, one of no GPU long."""
-        unknown = math.inf if self.device == "cpu" else 0.0
-        return self.known.get(batch.time_name, sum(self.known.values()) or unknown)
 
     def advance(self) -> None:
         """Ask for the next batches once all of a stage are done, and write the record at the end.
@@ -119,16 +111,14 @@ class Section:
         tqdm.write(f"{self.name}: {len(record.rows)} rows in {seconds:.0f} s → {path}")
 
 
-def section_of(
-    project: Project, name: str, module: ModuleType, device: str, known: Mapping[str, float] | None = None
-) -> Section:
+def section_of(project: Project, name: str, module: ModuleType, device: str) -> Section:
     """Return the section that a module measures: where it declares no batches, all of it as one."""
     device = device if needs_gpu(name, project.root) else "cpu"
     alias = "cuda:0" if device == "cuda" else "cpu"  # of the only device of its kind that a process measures on
     conditions = host().Conditions(device=alias, quick=project.profile == "quick")
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return Section(project, name, device, plan, identity_of(name, project.profile, project.root), known or {})
+    return Section(project, name, device, plan, identity_of(name, project.profile, project.root))
 
 
 def _as_one(batch: Batch) -> Plan:

@@ -77,7 +77,6 @@ def _to_folder(copy: Path, place: str, site: Path) -> str:
     path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
     if not path.name or not path.parent.is_dir():
         raise UsageError(f"TARGET=dir:{place}: there is no folder to put it into")
-    _refuse_inside(site, path)
     is_empty = path.is_dir() and not any(path.iterdir())
     if path.is_symlink() or not (is_empty or not path.exists() or (path / MARK).is_file()):
         raise UsageError(f"{path} holds something that was not published here; it was left alone")
@@ -85,13 +84,6 @@ def _to_folder(copy: Path, place: str, site: Path) -> str:
         shutil.copytree(copy, fresh)
         replace(path, fresh)
     return str(path)
-
-
-def _refuse_inside(site: Path, path: Path) -> None:
-    """Refuse a place that the next build removes."""
-    place = path.parent.resolve() / path.name
-    if place.is_relative_to(site.resolve()):
-        raise UsageError(f"{path} lies where {site.name}/ is rebuilt; use a place outside of it")
 
 
 def _to_branch(copy: Path, place: str, site: Path) -> str:
@@ -124,8 +116,6 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
 
 def _to_rsync(copy: Path, place: str, site: Path) -> str:
     """Publish with rsync, to a folder of this or another machine or to a module of a daemon."""
-    if ":" not in place:
-        _refuse_inside(site, Path(os.path.abspath(place)))
     place = f"{place.rstrip('/')}/"
     try:
         listed = _run(["rsync", "--protect-args", "--list-only", place])
