@@ -15,6 +15,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from packaging.version import Version
+
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.records.provenance import SHORT_COMMIT, checkout_source, git, wheel_source
@@ -62,8 +64,6 @@ class Release:
     @property
     def order(self) -> Any:
         """Sort by version, as packages do: a development version and a candidate stand before the release."""
-        from packaging.version import Version  # which a Python that makes the environment lacks
-
         return Version(self.version)
 
     def is_installed_with(self, versions: Mapping[str, str]) -> bool:

@@ -165,7 +165,6 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 def parse_toml(text: str) -> dict[str, Any]:
     """Read a text of TOML; ValueError where it is none."""
-    # A Python that makes the environment has no more than its own library.
     if sys.version_info >= (3, 11):
         import tomllib
     else:
