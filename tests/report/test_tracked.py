@@ -122,8 +122,11 @@ def test_what_is_derived_has_read_no_file_that_it_is_not_kept_by(editions):
             opened.clear()
             derive_section(replace(chapter.results, derived={}), releases).tabled()
             inside = {path.relative_to(ROOT).as_posix() for path in opened if path.is_relative_to(ROOT)}
-            read_for_order = {outline_of(name).file.relative_to(ROOT).as_posix() for name in edition.chapters}
-            known = {*files_of(outline_of(chapter.name).file), *READ_BY_NAME, *read_for_order}
+            outline = outline_of(chapter.name)
+            read_for_order = {
+                outline_of(name).file.relative_to(ROOT).as_posix() for name in {*edition.chapters, *outline.reads}
+            }
+            known = {*files_of(outline.file), *READ_BY_NAME, *read_for_order}
             others = {name for name in inside if not name.startswith((".venv", "results/")) and ".pyc" not in name}
             assert others <= known, f"{chapter.name} reads {sorted(others - known)}"
             read |= others
