@@ -64,7 +64,7 @@ def _patch_rounds_up(results: Results) -> Claim:
 
 
 def _test_tells(shipped: Row, fixed: Row) -> Claim:
-    """Tell whether the test does; a script that breaks down has no slip and fails it for another reason."""
     is_told = test_passed(fixed) and not test_passed(shipped)
+    # A script that breaks down has no slip, and fails the test for another reason.
     numbers = {"before": PASSED[test_passed(shipped)], "after": PASSED[test_passed(fixed)]}
     return Claim("test_tells", decided(is_told, shipped.slip_mm, fixed.slip_mm), numbers)

@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.parts.claim import FAILS, Bound, Outcome, at_most
+from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
@@ -80,16 +80,6 @@ def cell_count(results: Results, name: str, formula: str, cells: Sequence[Quanti
 def noise_floor(results: Results, name: str) -> Quantity:
     """Return ``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
-
-
-def settles(before: Quantity, after: Quantity) -> Outcome:
-    """Tell whether a slip is so many times less that this settles the matter.
-
-    The slips are compared and not their ratio, which noise can make any number where the smaller is hardly above it.
-    """
-    why, times = SETTLES
-    value, noise = (None if number is None else times * number for number in (after.value, after.noise))
-    return at_most(replace(after, value=value, noise=noise), before).having_read(Bound(times, "1", "", why=why))
 
 
 def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:

@@ -16,7 +16,7 @@ TABLE = ("carried", "caught")
 FREE = ("impact", "roll", "slide")
 """Motions on a plane whose contacts have no acceleration along their friction that could be left out."""
 Found = Mapping[str, Row]
-"""Rows by variant: nothing done, the term of material points, that in normal rows too, the exact term; or the limit."""
+"""Rows by variant: nothing done, the term of material points, the exact term."""
 Runs = Mapping[tuple[str, str, str], Found]
 """Runs by motion, body and engine."""
 
@@ -43,12 +43,6 @@ def _of(runs: Runs, motions: Iterable[str], variant: str, engine: str = "") -> l
     ]
 
 
-def _off(results: Results, name: str, formula: str, row: Row, other: Row) -> Value:
-    columns = ("travel_mm", "sideways_mm", "rise_mm")
-    cells = [each[column] for each in (row, other) for column in columns]
-    return results.value(name, formula, lambda *ends: math.dist(ends[:3], ends[3:]), *cells, unit="mm")
-
-
 def _largest(results: Results, names: Sequence[str], formula: str, shares: Sequence[Value]) -> dict[str, Value]:
     largest = extreme(results, names[0], "largest of these", max, shares)
     return {"largest": largest, "count": cell_count(results, names[1], formula, shares)}
@@ -57,9 +51,10 @@ def _largest(results: Results, names: Sequence[str], formula: str, shares: Seque
 def _stays_as_it_is(results: Results, runs: list[tuple[str, Found]]) -> Claim:
     formula, shares = "distance between the places where the body ends with the term and with nothing done", []
     for name, found in runs:
-        off = _off(results, f"off_{name}", "distance between these places", found["term"], found["plain"])
-        way = found["plain"].travel_mm
-        shares.append(share(results, f"moved_{name}", f"{formula}, of the way there", off, way))
+        term, plain = found["term"], found["plain"]
+        ends = [row[column] for row in (term, plain) for column in ("travel_mm", "sideways_mm", "rise_mm")]
+        off = results.value(f"off_{name}", formula, lambda *mm: math.dist(mm[:3], mm[3:]), *ends, unit="mm")
+        shares.append(share(results, f"moved_{name}", f"{formula}, of the way there", off, plain.travel_mm))
     numbers = _largest(results, ("moved_most", "free_count"), "runs on the plane", shares)
     return Claim("free_motion_stays", at_most(numbers["largest"], 1.0, why="the same motion"), numbers)
 
@@ -75,15 +70,14 @@ def _stands_on_any_feet(results: Results, runs: list[tuple[str, Found]]) -> Clai
 
 
 def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
-    exact = _of(runs, ("pivot",), "exact")
-
-    def aside(name: str, words: str, found: Found, variant: str) -> Value:
-        formula = f"how far the ball ends aside with {words} of where it does with nothing done"
-        return size_difference(results, name, formula, found[variant].sideways_mm, found["plain"].sideways_mm)
-
-    asides = [aside(f"aside_{name}", "the exact term", found, "exact") for name, found in exact]
-    of_points = _of(runs, ("pivot",), "term", engine="c")
-    points = [aside(f"points_{name}", "the term", found, "term") for name, found in of_points]
+    formula, exact = "how far the ball ends aside of where it does with nothing done", _of(runs, ("pivot",), "exact")
+    asides, points = (
+        [
+            size_difference(results, f"{key}_{name}", formula, found[variant].sideways_mm, found["plain"].sideways_mm)
+            for name, found in _of(runs, ("pivot",), variant, engine)
+        ]
+        for key, variant, engine in (("aside", "exact", ""), ("points", "term", "c"))
+    )
     most = extreme(results, "aside_most", "largest of these", max, asides)
     drifts = extreme(results, "points_aside", "with the term of material points", max, points)
     travel = extreme(results, "pivot_travel", "way of the ball", max, [found["plain"].travel_mm for _, found in exact])

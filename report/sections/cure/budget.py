@@ -3,8 +3,8 @@
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
-from measured_report.values.results import Results
-from report.sections.cure.variants import BEST, GRASP_MM, SHIPPED, STIFF, TERM, Variant, use_table, what_to_use
+from measured_report.values.results import Results, Row
+from report.sections.cure.variants import BEST, GRASP_MM, SHIPPED, STIFF, TERM, use_table, what_to_use
 from report.shared.arithmetic import cell_count, rows_with, share, table_of
 
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
@@ -50,22 +50,19 @@ def _works_with_others(results: Results) -> Claim:
     return Claim("works_with_others", all_of(*(at_most(slip, 0.1, why=why) for slip in slips.values())), slips)
 
 
-def _parts_of(results: Results, variant: Variant) -> dict[str, Value]:
-    """Derive the parts of a variant at 3 cm along the way of its cube, their sum, and how far it went."""
+def _budget_table(results: Results) -> Table:
+    """Make the table of the parts at 3 cm along the way of the cube, their sum, and how far it went."""
 
     def along(x: float, z: float, slip_x: float, slip_z: float) -> float:
         return (x * slip_x + z * slip_z) / (slip_x**2 + slip_z**2) ** 0.5 + 0.0  # no negative zero
 
-    row, parts = variant.row(results, "3cm"), {}
-    for name, column in {**{name: name for name in PARTS}, "sum": "predicted", "slip": "slip"}.items():
-        key, formula = f"{row.case}_{name}", f"{column} of {row.case} along the pads, in the direction of its slip"
+    def part(row: Row, name: str, column: str) -> Value:
+        formula = f"{column} of {row.case} along the pads, in the direction of its slip"
         cells = row[f"{column}_x_mm"], row[f"{column}_z_mm"], row.slip_x_mm, row.slip_z_mm
-        parts[name] = results.derived.get(key) or results.value(key, formula, along, *cells, unit="mm")
-    return parts
+        return results.value(f"{row.case}_{name}", formula, along, *cells, unit="mm")
 
-
-def _budget_table(results: Results) -> Table:
-    parts = [_parts_of(results, variant) for variant in SHOWN]
-    shown = {label: name for name, label in PARTS.items()} | {"sum": "sum", "measured": "slip"}
-    columns = {label: [found[name] for found in parts] for label, name in shown.items()}
+    shown = {label: (name, name) for name, label in PARTS.items()}
+    shown |= {"sum": ("sum", "predicted"), "measured": ("slip", "slip")}
+    rows = [variant.row(results, "3cm") for variant in SHOWN]
+    columns = {label: [part(row, *names) for row in rows] for label, names in shown.items()}
     return table_of("what is done", [variant.name for variant in SHOWN], columns)

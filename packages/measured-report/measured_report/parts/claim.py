@@ -192,18 +192,6 @@ def _rises(values: Sequence[float], noise: float) -> bool:
     return values[-1] - values[0] > noise >= max(falls)
 
 
-def same_sign(*quantities: Quantity, noise: Number) -> Outcome:
-    """Test whether all are beyond the noise in the same direction; one within the noise can't tell."""
-
-    def judge(*quantities: Quantity) -> Outcome:
-        *values, most = (quantity.number for quantity in quantities)
-        if any(abs(value) <= most for value in values):
-            return Outcome("unknown", "one of them is within the noise")
-        return HOLDS if len({value > 0 for value in values}) == 1 else OPPOSITE
-
-    return _judged(judge, *quantities, noise)
-
-
 def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
     """Test whether the largest and the smallest are no farther apart than noise; little more can't tell."""
 
