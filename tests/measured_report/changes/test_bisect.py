@@ -148,7 +148,7 @@ def test_a_history_has_the_noise_of_each_number_and_says_why_there_is_none(toy):
 
 def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search):
     for asked, near in (
-        ({"value": "nonsense"}, "VALUE=nonsense"),
+        ({"value": "nonsense"}, "no edition has nonsense"),
         ({"value": "toy.gian"}, "near it: toy.gain"),
         ({"value": "toy.sofd.slip_mm"}, "near it: toy.soft.slip_mm"),
         ({"claim": "toy.help"}, "near it: toy.helps"),

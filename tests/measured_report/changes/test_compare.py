@@ -108,13 +108,6 @@ def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, 
     assert [(move.column, move.direction) for move in moves] == [("dropped", "worse")]
 
 
-def test_a_diff_names_what_flipped_in_a_section_that_compares_editions(toy, newer, capsys):
-    toy.write("report/sections/toy.py", MODULE.replace("def derive(results):", "def derive(results, releases):"))
-    arguments = Namespace(a=release_of("1.4.0"), b=release_of("1.8.0"), format="text", values="")
-    assert diff.run(toy.project, arguments) == 1
-    assert "toy.helps: holds → not shown\n  It helps 20 times.\n  It does not." in capsys.readouterr().out
-
-
 def test_what_is_near_the_noise_has_not_flipped(toy):
     (chapter,) = derived(toy.project).chapters.values()
 

@@ -5,7 +5,7 @@ from argparse import Namespace
 import pytest
 from conftest import program
 
-from measured_report.changes.upgrade import base_of, unmeasured
+from measured_report.changes.upgrade import base_of, lacking
 from measured_report.commands import upgrade
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
@@ -52,7 +52,7 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
     for profile in ("full", "quick"):
         pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
         assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"
-    assert [fault.kind for fault in unmeasured(newer.project)] == ["missing"] * len(config().changes.deciding)
+    assert lacking(newer.project) == [*config().changes.deciding]
 
 
 def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monkeypatch):

@@ -31,7 +31,7 @@ def command(monkeypatch) -> Iterator[None]:
         (["rerun", "--section", "nothing"], "reproduction"),
         (["rerun", "--section", ""], "reproduction"),
         (["rerun", "--section", "frction"], "SECTION=frction is no section; near it: friction, "),
-        (["bisect", "--claim", "gup.x", "--a", "1.4.0", "--b", "1.8.0"], "CLAIM=gup.x is in no section; near it: gap"),
+        (["bisect", "--claim", "gup.x", "--a", "1.4.0", "--b", "1.8.0"], "gup.x is in no section; near it: gap"),
         (["rerun", "--section", "reproduction"], "DEVICE=cpu"),
         (["rerun", "--section", "reproduction", "--device", "cuda"], "no CUDA device"),
         (["check", "--section", "nothing"], "--section nothing"),

@@ -51,18 +51,12 @@ def test_a_misspelt_variable_is_refused_and_not_executed(name, near, word, tmp_p
     assert not canary.exists()
 
 
-@pytest.mark.parametrize("name", [*OF_THE_MAKEFILES, *NAMES])
 @pytest.mark.parametrize("word", WORDS)
-def test_no_value_is_executed(name, word, python, tmp_path):
-    canary = tmp_path / "canary"
-    make("status", python, f"{name}={word.format(canary)}")
-    assert not canary.exists()
-
-
-@pytest.mark.parametrize("word", WORDS)
-def test_no_goal_is_executed(word, python, tmp_path):
-    canary = tmp_path / "canary"
-    make(word.format(canary), python)
+def test_no_value_and_no_goal_is_executed(word, python, tmp_path):
+    word = word.format(canary := tmp_path / "canary")
+    for name in [*OF_THE_MAKEFILES, *NAMES]:
+        make("status", python, f"{name}={word}")
+    make(word, python)
     assert not canary.exists()
 
 

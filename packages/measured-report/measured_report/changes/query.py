@@ -44,11 +44,6 @@ class Query:
     def unit(self) -> str:
         return column_of(self.column).unit
 
-    @property
-    def given(self) -> str:
-        """Write it as the command line has it."""
-        return f"{'CLAIM' if self.is_claim else 'VALUE'}={self.text}"
-
     def answer(self, chapters: Chapters) -> Answer | None:
         """Return what the chapters of an edition say; None where they can't tell."""
         if self.is_claim:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from measured_report.changes.alarm import few, largest, power, settings_text
-from measured_report.changes.compare import Comparison, Fault
+from measured_report.changes.compare import Comparison
 from measured_report.changes.query import Query
 from measured_report.editions.project import Project
 from measured_report.files.config import config
@@ -34,11 +34,6 @@ def base_of(project: Project) -> str | None:
 def lacking(project: Project) -> list[str]:
     """Name the deciding sections that an edition has no record of."""
     return [section for section in deciding(project) if not project.record_path(section).exists()]
-
-
-def unmeasured(project: Project) -> list[Fault]:
-    """Return a fault for each deciding section that should have been measured and is not there."""
-    return [Fault(project.release, section, "missing", "it could not be measured") for section in lacking(project)]
 
 
 def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:

@@ -24,7 +24,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     device = measuring_device(arguments.device, "quick") or "cpu"
     query, ends = query_of(arguments), (arguments.a, arguments.b)
     if query.section not in sections() or query.section == query.text:
-        raise UsageError(f"{query.given} is in no section{suggestion(query.section, sections())}")
+        raise UsageError(f"{query.text} is in no section{suggestion(query.section, sections())}")
     quick, full = (
         Bisection(replace(project, profile=profile), query, device, Templates(project.templates))
         for profile in ("quick", "full")

@@ -25,7 +25,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     query = query_of(arguments)
     if not any(query.answer(each) is not None or query.text in query.names(each) for each in releases.values()):
         hint = suggestion(query.text, query.names(releases[project.release]))
-        raise UsageError(f"no edition has {query.given}{hint}")
+        raise UsageError(f"no edition has {query.text}{hint}")
     print(history.history(releases, query))
     return 0
 

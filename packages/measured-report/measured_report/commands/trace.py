@@ -43,7 +43,7 @@ def provenance(project: Project, editions: Mapping[str, Edition], templates: Tem
     records = {each.results.source: each for edition in editions.values() for each in edition.chapters.values()}
     values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
     found = _found(project, chapters, records, values, name)
-    lines = [f"{name}: {_said(found)}{_noise(found)}"]
+    lines = [f"{name}: {_said(found)}"]
     if isinstance(found, Value):
         lines.append(f"  is          {found.formula}")
         for value in (values[pointer] for pointer in found.sources if pointer in values):
@@ -74,7 +74,7 @@ def _found(
     for each in (found, values.get(pointer), _cell(records, Pointer(pointer))):
         if isinstance(each, Quantity) and each.source:
             return each
-    fault = f"{query.given} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
+    fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
     rows = f"numbers of rows named as {config().changes.headline}"
     raise UsageError(f"{fault}; all values are in site/data/{VALUES_FILE}, {rows}")
 
@@ -94,9 +94,8 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
         row = record.rows[index]
         changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
         said = f"{config().baseline}, but for {changed}" if changed else config().baseline
-        number = f"{row[column]} {unit_label(record.units[column])}".rstrip()
         found = _cell({chapter.results.source: chapter}, cell)
-        yield f"  row {index}, case {row['case']} ({said}): {column} = {number}{_noise(found) if found else ''}"
+        yield f"  row {index}, case {row['case']} ({said}): {column} = {_said(found) if found else row[column]}"
     release, commit = record.origin.release, record.measured["commit"]
     measured = f"{record.machine_text}, {record.time_text}, {config().package} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
@@ -106,12 +105,8 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
 
 
 def _said(found: Quantity) -> str:
-    """Write a number as the page prints it, and with all its digits."""
-    return f"not there, for {found.reason}" if found.value is None else f"{found} ({found.value!r})"
-
-
-def _noise(found: Quantity) -> str:
+    """Write a number as the page prints it, with all its digits, and its noise."""
     if found.value is None:
-        return ""
-    known = "not known" if found.noise is None else f"{found.noise:.2g} {unit_label(found.unit)}".rstrip()
-    return f", noise {known}"
+        return f"not there, for {found.reason}"
+    noise = "not known" if found.noise is None else f"{found.noise:.2g} {unit_label(found.unit)}".rstrip()
+    return f"{found} ({found.value!r}), noise {noise}"

@@ -7,8 +7,8 @@ from dataclasses import replace
 from functools import partial
 
 from measured_report.changes.alarm import upgrade_text
-from measured_report.changes.compare import compare
-from measured_report.changes.upgrade import base_of, deciding, lacking, unmeasured, verdict
+from measured_report.changes.compare import Fault, compare
+from measured_report.changes.upgrade import base_of, deciding, lacking, verdict
 from measured_report.commands.options import shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import measure_what_can
@@ -43,7 +43,8 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     editions = editions_of(project, Templates(project.templates), among=names)
     compared = [editions[name] for name in names]
     found = compare(*compared)
-    found = replace(found, faults=[*unmeasured(after), *found.faults])
+    absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
+    found = replace(found, faults=[*absent, *found.faults])
     print(upgrade_text(found, verdict(found, *compared), arguments.format), file=answer, flush=True)
     if arguments.format == "text":
         build_site(after)
