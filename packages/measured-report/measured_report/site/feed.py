@@ -39,29 +39,22 @@ def write_feed(site: Site) -> None:
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
     """Yield the feed's entries: editions and what flips with them; an id is the same for the same news anywhere."""
     before: Edition | None = None
-    older = ""
     for release, edition in editions.items():
         if not edition.chapters:
             continue
-        name, place = config().name_of(release), places[release]
-        dates = {name: _date(chapter.results.record.measured["date"]) for name, chapter in edition.chapters.items()}
+        flips = flips_between(before.chapters, edition.chapters) if before else ()
         claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
-        text = claims[0].text if claims else ""
-        yield _entry(release, name, text, f"{place}index.html", max(dates.values()))
-        for flip in flips_between(before.chapters, edition.chapters) if before else ():
-            title, text = f"{name}: {flip.after.text}", f"{older}: {flip.before.text}"
-            where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
-            yield _entry(f"{release}/{flip.claim}", title, text, where, dates[flip.section])
-        before, older = edition, name
-
-
-def _entry(key: str, title: str, text: str, address: str, updated: str) -> dict[str, str]:
-    return {"id": _id(key), "title": title, "text": text, "address": address, "updated": updated}
+        said = [flip.after.text for flip in flips] or [claim.text for claim in claims[:1]]
+        dates = [chapter.results.record.measured["date"] for chapter in edition.chapters.values()]
+        yield {
+            "id": _id(release),
+            "title": ": ".join([config().name_of(release), *said[: len(flips)][:1]]),
+            "text": " ".join(said),
+            "address": f"{places[release]}index.html",
+            "updated": datetime.fromisoformat(max(dates)).isoformat(timespec="seconds"),
+        }
+        before = edition
 
 
 def _id(key: str) -> str:
     return f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, f'{config().name}/{key}')}"
-
-
-def _date(text: str) -> str:
-    return datetime.fromisoformat(text).isoformat(timespec="seconds")
