@@ -6,7 +6,7 @@ from importlib import import_module
 from measured_report.commands.command_line import OWN, commands
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
-from measured_report.editions.status import states_of, status_matrix, status_table
+from measured_report.editions.status import changes_text, states_of, status_matrix
 from measured_report.files.config import config
 
 OPTIONS = shared("edition", "profile")
@@ -18,9 +18,9 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     A command of the report that makes something says by its ``state(project)`` whether that is fresh.
     """
     refuse_unmeasured(project, arguments.release.asked)
-    print(status_matrix(project))
-    print(f"\n{config().package} {project.release}")
     own = (import_module(place) for place in commands().values() if place.startswith(OWN))
     made = [module.state(project) for module in own if hasattr(module, "state")]
-    print(status_table([*states_of(project), *made], project.profile))
+    print("\n".join([status_matrix(project), *(f"{state.section}: {state.summary}" for state in made)]))
+    if changed := changes_text([*states_of(project), *made]):
+        print(f"\n{config().package} {project.release}\n{changed}")
     return 0

@@ -118,18 +118,13 @@ def status_matrix(project: Project) -> str:
     return aligned(lines)
 
 
-def status_table(states: Sequence[State], profile: str) -> str:
-    """Write the state of every section of one release, and below which sections each change is of."""
-    lines = [("section", "state", "measured on", "date", "profile")]
+def changes_text(states: Sequence[State]) -> str:
+    """Say each change since a measurement once, with the sections that it is of."""
     sections_of: dict[str, list[str]] = {}
     for state in states:
-        record = state.record
-        where, when = (record.processor, record.time_text) if record else ("–", "–")
-        lines.append((state.section, state.summary, where, when, profile))
         for note in state.notes:
             sections_of.setdefault(note, []).append(state.section)
-    said = [f"{note} ({', '.join(names)})" for note, names in sorted(sections_of.items())]
-    return "\n".join([aligned(lines), *(["", *said] if said else [])])
+    return "\n".join(f"{note} ({', '.join(names)})" for note, names in sorted(sections_of.items()))
 
 
 def aligned(lines: Sequence[Sequence[str]]) -> str:
