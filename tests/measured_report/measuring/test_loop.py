@@ -28,8 +28,6 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
     assert begun(log) == ["a", "c", "b"], "what measures times is measured last"
     record = load_record(toy.record_path)
     assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
-    times = {name for name in record.measured if name.endswith("_s")}
-    assert times == {"batch_a_s", "alone_b_s", "batch_c_s", "batch_sum_s"}
     assert record.machine["host"]
 
 

@@ -51,11 +51,6 @@ class Batch:
     exclusive: bool = False
     """Measures times, so that nothing else is measured on its host meanwhile."""
 
-    @property
-    def time_name(self) -> str:
-        """Return the name under which a record keeps how long it took."""
-        return f"{'alone' if self.exclusive else 'batch'}_{self.name}_s"
-
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
 
@@ -65,7 +60,6 @@ class Result:
     """Keep a value that a batch has returned, and what measured it."""
 
     value: Any
-    time_name: str
     machine: Mapping[str, Any]
     started: str
     ended: str
@@ -92,7 +86,7 @@ def measure_batch(batch: Batch, device: str) -> Result:
         with gpu_lock(exclusive=batch.exclusive):
             started, start = now(), time.perf_counter()
             value = batch.function(*batch.arguments)
-            return Result(value, batch.time_name, here, started, now(), round(time.perf_counter() - start, 1))
+            return Result(value, here, started, now(), round(time.perf_counter() - start, 1))
     except Exception as error:
         raise BatchError(reason_of(error), trace_of(error)) from None
 

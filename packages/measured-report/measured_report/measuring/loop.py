@@ -9,7 +9,7 @@ from tqdm import tqdm
 
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import Batch, BatchError, measure_batch, reason_of
-from measured_report.measuring.section import Section
+from measured_report.measuring.section import WHOLE, Section
 
 
 class Pool(Protocol):
@@ -63,7 +63,7 @@ class Loop:
             raise ReportError("the scheduler is gone; what is finished is kept") from None
         except BatchError as error:
             reason, trace = error.args
-            section.fail(reason if section.title(batch) == section.name else f"{batch.name}: {reason}", trace)
+            section.fail(reason if batch.name == WHOLE else f"{batch.name}: {reason}", trace)
         except Exception as error:  # what it returns, or is given, can't travel
             section.fail(f"{batch.name}: {reason_of(error)}")
         else:

@@ -43,9 +43,6 @@ class Section:
     is_over: bool = False
     has_failed: bool = False
 
-    def title(self, batch: Batch) -> str:
-        return self.name if batch.name == WHOLE else f"{self.name}/{batch.name}"
-
     def is_exclusive(self, batch: Batch) -> bool:
         """Tell whether it is measured alone, as is one that may have killed its process and those beside it."""
         return batch.exclusive or batch.name in self.lost
@@ -75,7 +72,7 @@ class Section:
             self.fail(f"{batch.name}: its process was killed, and once more when it was alone")
         elif not self.is_over:
             self.lost.add(batch.name)
-            tqdm.write(f"{self.title(batch)}: its process was killed; it is tried again alone", file=sys.stderr)
+            tqdm.write(f"{self.name}/{batch.name}: its process was killed; it is tried again alone", file=sys.stderr)
             self.waiting = [*self.waiting, batch]
 
     def fail(self, reason: str, trace: str = "") -> None:
@@ -100,7 +97,6 @@ class Section:
                 "commit": commit(),
                 "command": self.project.rerun(self.name, parts[0].machine["device"]),
                 "seconds": seconds,
-                **dict(sorted((part.time_name, part.seconds) for part in parts if WHOLE not in self.results)),
             },
             units=units_of(measurement.rows),
             rows=[believable(row) for row in measurement.rows],
