@@ -336,6 +336,5 @@ def problems_of(scenario: Scenario) -> list[str]:
 UNDRAWN = Markup('<svg class="broad" viewBox="0 0 1 1" role="img"></svg>')
 
 
-def _undrawn(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
-    meanwhile()
+def _undrawn(figures: Sequence[Figure]) -> list[Pictures]:
     return [(UNDRAWN, UNDRAWN)] * len(figures)

@@ -127,13 +127,10 @@ class Site:
         places = self.places
         links = {release: _links(self.editions, places, release) for release in places}
         contents = {release: _contents(self.editions[release], self.templates, links[release]) for release in places}
-
-        def write_data() -> None:
-            for edition in self.editions.values():
-                self._write_data(edition)
-            once()
-
-        pictures = _draw(contents, self.cache, write_data)
+        pictures = _draw(contents, self.cache)
+        for edition in self.editions.values():
+            self._write_data(edition)
+        once()
         origins = {}
         for chapter in chain.from_iterable(edition.chapters.values() for edition in self.editions.values()):
             record = chapter.results.record
@@ -256,10 +253,8 @@ def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -
     }
 
 
-def _draw(
-    contents: Mapping[str, Sequence[Content]], cache: DerivedCache, meanwhile: Callable[[], None]
-) -> dict[tuple[str, str], Pictures]:
-    """Draw each figure once, by release and id, and do something ``meanwhile``."""
+def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dict[tuple[str, str], Pictures]:
+    """Draw each figure once, by release and id."""
     placed = {
         (release, figure.anchor): figure
         for release, found in contents.items()
@@ -271,7 +266,7 @@ def _draw(
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     wanted = cache.figures | placed
     to_draw = {place: figure for place, figure in wanted.items() if figure.is_there and place not in pictures}
-    pictures |= zip(to_draw, draw(list(to_draw.values()), meanwhile), strict=True)
+    pictures |= zip(to_draw, draw(list(to_draw.values())), strict=True)
     cache.keep(pictures)
     return pictures
 
