@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TypeVar
+from typing import Any
 
 from measured_report.changes.query import Answer, Query
 from measured_report.editions.project import Project
@@ -19,7 +19,6 @@ from measured_report.records.provenance import MISSING, git
 from measured_report.records.record import load_record
 from measured_report.values.noise import NOISE
 
-Point = TypeVar("Point")
 ASIDE = "bisect"
 """The folder below ``results`` of what a search measured."""
 
@@ -95,7 +94,7 @@ def said(answer: Answer | None) -> str:
     return "cannot tell" if answer is None else answer if isinstance(answer, str) else f"{answer:.4g}"
 
 
-def first_change(points: Sequence[Point], is_first: Callable[[Point], bool | None]) -> tuple[Point, Point, list[Point]]:
+def first_change(points: Sequence, is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list]:
     """Return the neighbours between which the answer changes, and what lies between them that can't tell.
 
     The first point and the last are known to differ; ``is_first`` is None for one that can't tell.

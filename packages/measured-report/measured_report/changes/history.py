@@ -1,6 +1,6 @@
 """History: a number or a claim over all editions, with the noise, and what each does against the edition before."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from measured_report.changes.flips import flips
 from measured_report.changes.moves import Move
@@ -31,22 +31,18 @@ def points(releases: Releases, query: Query) -> list[Point]:
     widest = noisiest(chapters[NOISE].results.floors for chapters in releases.values() if NOISE in chapters)
     found: list[Point] = []
     for release, chapters in releases.items():
-        answer = query.answer(chapters)
-        if answer is not None:
-            noise = None if isinstance(answer, str) else getattr(query.quantity(chapters), "noise", None)
-            if noise is None and column in widest and not isinstance(answer, str):  # this edition has not measured it
-                noise = max(widest[column].at(answer), column_of(column).resolution)
-            claim = query.claim(chapters)
-            said = claim.outcome.said if claim else f"{answer:.4g}"
-            point = Point(release, answer, noise, f"{said} ± {noise:.2g}" if noise else said)
-            found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
+        answer, claim = query.answer(chapters), query.claim(chapters)
+        if claim and answer is not None:
+            mark = "flipped" if found and found[-1].answer != answer else ""
+            found.append(Point(release, answer, None, claim.outcome.said, mark))
+        elif answer is not None:
+            noise, number = getattr(query.quantity(chapters), "noise", None), float(answer)
+            if noise is None and column in widest:  # this edition has not measured it
+                noise = max(widest[column].at(number), column_of(column).resolution)
+            least = max(noise or 0.0, found[-1].noise or 0.0) if found else 0.0
+            mark = Move(column, found[-1].answer, answer, least).mark if found else ""
+            found.append(Point(release, answer, noise, f"{answer:.4g}" + (f" ± {noise:.2g}" if noise else ""), mark))
     return found
-
-
-def _mark(column: str, before: Point, after: Point) -> str:
-    if isinstance(before.answer, str) or isinstance(after.answer, str):
-        return "flipped" if before.answer != after.answer else ""
-    return Move(column, before.answer, after.answer, max(before.noise or 0.0, after.noise or 0.0)).mark
 
 
 def history(releases: Releases, query: Query) -> str:

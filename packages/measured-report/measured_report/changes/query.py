@@ -24,8 +24,7 @@ class Query:
     is_claim: bool = False
     label: str = ""
     device: str = ""
-    """For a section that has the case on several devices and with several numbers of worlds: of which to take one."""
-    worlds: int = 1
+    """For a section that has the case on several devices, and with one or more worlds: of which to take that of one."""
 
     @property
     def section(self) -> str:
@@ -73,9 +72,8 @@ class Query:
     def _row(self, results: Results) -> Row | None:
         if not self.device:
             return results.row[self.case]
-        wanted = self.case, self.device, self.worlds
-        rows = [row for row in results.rows if "device" in row]
-        return next((row for row in rows if (row.case, row.device, row.worlds.value) == wanted), None)
+        rows = (row for row in results.rows if "device" in row and row.worlds.value == 1)
+        return next((row for row in rows if (row.case, row.device) == (self.case, self.device)), None)
 
     def claim(self, chapters: Chapters) -> Claim | None:
         """Return the claim that is asked for; None where there is none."""
