@@ -1,15 +1,16 @@
-"""Kernels compiled at once, on all cores, before the first run: one after the other they take minutes on a new machine.
+"""Kernels compiled at once, in threads, before the first run: one after the other they take minutes on a new machine.
 
 Which modules a run needs shows only when it launches their kernels, so a first frame is built and queued with nothing
 launched, and what would have been compiled for it is compiled in parallel.
 """
 
+import os
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, suppress
 from dataclasses import replace
-from functools import partial
 from unittest import mock
 
 import newton
@@ -19,33 +20,28 @@ from tqdm import tqdm
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.simulation import recorder
 from experiments.simulation import simulation as simulations
-from experiments.simulation.compiling import load_all
 from experiments.simulation.scene import build_scene
 
 OLDEST = (1, 4, 0)
 """The oldest release that can run the scene."""
 Module = type(wp.get_module(__name__))
-LONGEST_FIRST = (
-    "narrow_phase_gjk",
-    "mujoco_warp._src.smooth",
-    "mujoco_warp._src.sensor",
-    "newton._src.solvers.mujoco.kernels",
-    "_update_gradient_cholesky",
-    "newton._src.sim.articulation",
-    "_tile_cholesky",
-)
-"""How the modules begin that take the longest: large ones, and those with matrices in tiles."""
 
 
 def compile_first(device: wp.Device) -> str:
-    """Compile what all sections need, on all cores; return why the scene can't be run at all, where it can't.
+    """Compile what all sections need; return why the scene can't be run at all, where it can't.
 
     What else goes wrong here is said, and left to the measurement.
     """
     start = time.perf_counter()
     try:
         wanted = modules_of(device, AS_SHIPPED)
-        load_all([partial(module.load, device, block_dim) for module, block_dim in wanted])
+
+        def load(wanted: tuple[Module, int | None]) -> None:
+            with suppress(Exception):  # it fails where it is met, with a message of its own
+                wanted[0].load(device, wanted[1])
+
+        with ThreadPoolExecutor(os.cpu_count()) as threads:
+            list(tqdm(threads.map(load, wanted), "compiling kernels", len(wanted), unit="module", delay=3.0))
     except Exception as error:  # a new release may build its kernels in another way
         try:
             simulations.Simulation([replace(AS_SHIPPED, frame_count=1)], device)
@@ -72,12 +68,7 @@ def modules_of(device: wp.Device, case: Case) -> list[tuple[Module, int | None]]
         with wp.ScopedDevice(device), wp.ScopedStream(simulation.stream):
             simulation.frame()
         wp.synchronize_device(device)
-    return sorted(wanted, key=lambda found: _rank(found[0].name))
-
-
-def _rank(name: str) -> int:
-    ranks = [rank for rank, start in enumerate(LONGEST_FIRST) if name.startswith(start)]
-    return ranks[0] if ranks else len(LONGEST_FIRST)
+    return list(wanted)
 
 
 @contextmanager
