@@ -54,7 +54,7 @@ def _in_c(case: Case) -> Simulation:
 
 
 def _trace(simulation: Simulation) -> Trace:
-    return simulation.recorder.traces(simulation.frame_dt, TWO_PERIODS_FRAME_COUNT, wall_s=0.0)[0]
+    return simulation.recorder.traces()[0]
 
 
 def _motion(trace: Trace) -> dict[str, object]:

@@ -5,8 +5,6 @@ TCP alone: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r, which is −(JᵀJ + λ 1)⁻¹ 
 world, and the kernel compiles in seconds.
 """
 
-from dataclasses import dataclass
-
 import newton
 import numpy as np
 import warp as wp
@@ -103,6 +101,15 @@ def solve_arm(
     columns: wp.array3d[wp.spatial_vector],
     joint_q: wp.array2d[float],
 ):
+    """Step ``joint_q`` in each world.
+
+    Args:
+        parent_pose: Pose of each joint in the body before, shape [joints].
+        child_pose: Pose of the body behind in the joint, shape [joints].
+        coordinate: Which coordinate of the robot a joint has, −1 where it is fixed, shape [joints].
+        angles: Present and proposed coordinates, shape [worlds, 2, coordinates].
+        columns: Columns of the Jacobian at both, shape [worlds, 2, joints].
+    """
     world = wp.tid()
     for joint in range(axis.shape[0]):
         if coordinate[joint] >= 0:
@@ -140,76 +147,46 @@ def solve_arm(
             joint_q[world, coordinate[joint]] = angles[world, side, coordinate[joint]]
 
 
-@dataclass(frozen=True)
 class ArmSolver:
-    """The joints between the world and the TCP, and where the TCP should be in each world."""
+    """Inverse kinematics for the pose ``tip`` in ``body`` of a robot, where that should be in each world.
 
-    tip: wp.transform
-    target_position: wp.array
-    """Shape [worlds], vec3 [m]."""
-    target_rotation: wp.array
-    """Shape [worlds], vec4."""
-    parent_pose: wp.array
-    child_pose: wp.array
-    """Pose of each joint in the body before, and of the body behind in the joint, shape [joints], transform."""
-    axis: wp.array
-    coordinate: wp.array
-    """Which coordinate of the robot a joint has, −1 where it is fixed, shape [joints], int."""
-    angles: wp.array
-    """Present and proposed coordinates, shape [worlds, 2, coordinates]."""
-    columns: wp.array
-    """Columns of the Jacobian at both, shape [worlds, 2, joints]."""
-
-    def step(self, joint_q: wp.array, iterations: int) -> None:
-        """Queue the steps that bring ``joint_q``, shape [worlds, coordinates], to the targets."""
-        wp.launch(
-            solve_arm,
-            dim=joint_q.shape[0],
-            inputs=[iterations, self.tip, self.target_position, self.target_rotation, self.parent_pose]
-            + [self.child_pose, self.axis, self.coordinate, self.angles, self.columns],
-            outputs=[joint_q],
-            device=joint_q.device,
-        )
-
-
-def arm_solver(
-    robot: newton.Model, body: int, tip: wp.transform, target_position: wp.array, target_rotation: wp.array
-) -> ArmSolver:
-    """Return the solver for the pose ``tip`` in ``body`` of ``robot``.
+    Args:
+        target_position: Shape [worlds], vec3 [m].
+        target_rotation: Shape [worlds], vec4.
 
     Raises:
         ValueError: A joint before that body neither turns nor is fixed.
     """
-    kinds = robot.joint_type.numpy()
-    parents, children = robot.joint_parent.numpy().tolist(), robot.joint_child.numpy().tolist()
-    joints: list[int] = []
-    while body >= 0:
-        joints.insert(0, children.index(body))
-        body = parents[joints[0]]
-    for joint in joints:
-        if kinds[joint] not in (newton.JointType.REVOLUTE, newton.JointType.FIXED):
-            raise ValueError(f"joint {joint} neither turns nor is fixed")
-    turns = [kinds[joint] == newton.JointType.REVOLUTE for joint in joints]
-    first, axes = robot.joint_qd_start.numpy(), robot.joint_axis.numpy()
-    behind = [wp.transform_inverse(wp.transform(*robot.joint_X_c.numpy()[joint])) for joint in joints]
-    device, worlds = robot.device, target_position.shape[0]
-    coordinates = robot.joint_q_start.numpy()
-    return ArmSolver(
-        tip,
-        target_position,
-        target_rotation,
-        wp.array(robot.joint_X_p.numpy()[joints], dtype=wp.transform, device=device),
-        wp.array(np.array(behind, dtype=np.float32), dtype=wp.transform, device=device),
-        wp.array(
-            [axes[first[joint]] if turn else np.zeros(3) for joint, turn in zip(joints, turns, strict=True)],
-            dtype=wp.vec3,
-            device=device,
-        ),
-        wp.array(
-            [int(coordinates[joint]) if turn else -1 for joint, turn in zip(joints, turns, strict=True)],
-            dtype=int,
-            device=device,
-        ),
-        wp.zeros((worlds, 2, robot.joint_coord_count), dtype=float, device=device),
-        wp.zeros((worlds, 2, len(joints)), dtype=wp.spatial_vector, device=device),
-    )
+
+    def __init__(
+        self, robot: newton.Model, body: int, tip: wp.transform, target_position: wp.array, target_rotation: wp.array
+    ):
+        kinds = robot.joint_type.numpy()
+        parents, children = robot.joint_parent.numpy().tolist(), robot.joint_child.numpy().tolist()
+        joints: list[int] = []
+        while body >= 0:
+            joints.insert(0, children.index(body))
+            body = parents[joints[0]]
+        if not np.isin(kinds[joints], (newton.JointType.REVOLUTE, newton.JointType.FIXED)).all():
+            raise ValueError(f"one of joints {joints} neither turns nor is fixed")
+        turns = kinds[joints] == newton.JointType.REVOLUTE
+        first, axes, coordinates = robot.joint_qd_start.numpy(), robot.joint_axis.numpy(), robot.joint_q_start.numpy()
+        axis = [axes[first[joint]] if turn else np.zeros(3) for joint, turn in zip(joints, turns, strict=True)]
+        behind = [wp.transform_inverse(wp.transform(*pose)) for pose in robot.joint_X_c.numpy()[joints]]
+        device, worlds = robot.device, target_position.shape[0]
+        self.inputs = [
+            tip,
+            target_position,
+            target_rotation,
+            wp.array(robot.joint_X_p.numpy()[joints], dtype=wp.transform, device=device),
+            wp.array(np.array(behind, dtype=np.float32), dtype=wp.transform, device=device),
+            wp.array(axis, dtype=wp.vec3, device=device),
+            wp.array(np.where(turns, coordinates[joints], -1), dtype=int, device=device),
+            wp.zeros((worlds, 2, robot.joint_coord_count), dtype=float, device=device),
+            wp.zeros((worlds, 2, len(joints)), dtype=wp.spatial_vector, device=device),
+        ]
+
+    def step(self, joint_q: wp.array, iterations: int) -> None:
+        """Queue the steps that bring ``joint_q``, shape [worlds, coordinates], to the targets."""
+        inputs = [iterations, *self.inputs]
+        wp.launch(solve_arm, dim=joint_q.shape[0], inputs=inputs, outputs=[joint_q], device=joint_q.device)

@@ -87,7 +87,7 @@ def watched(case: Case) -> Watched:
         watch.sums[:] = 0.0
         simulation.step()
         frames[frame] = watch.sums
-    [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
+    [trace] = simulation.recorder.traces()
     return Watched(trace, frames, watch.depth_m, watch.inverse_mass_1_kg)
 
 

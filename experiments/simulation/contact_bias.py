@@ -66,18 +66,48 @@ def install(solver, *, centred: bool = False, normal: bool = False, worlds: Sequ
     model.callback.control = control
 
 
+@wp.struct
+class Rows:
+    """The contacts of all worlds with their constraint rows, and what these are given."""
+
+    elliptic: bool
+    centred: bool
+    normal: bool
+    refsafe: bool
+    timestep: wp.array(dtype=float)
+    nacon: wp.array(dtype=int)
+    worldid: wp.array(dtype=int)
+    geom: wp.array(dtype=wp.vec2i)
+    dim: wp.array(dtype=int)
+    pos: wp.array(dtype=wp.vec3)
+    dist: wp.array(dtype=float)
+    frame: wp.array(dtype=wp.mat33)
+    friction: wp.array(dtype=vec5)
+    solref: wp.array(dtype=wp.vec2)
+    solreffriction: wp.array(dtype=wp.vec2)
+    solimp: wp.array(dtype=vec5)
+    efc_address: wp.array2d(dtype=int)
+    aref: wp.array2d(dtype=float)
+
+
+def rows_of(m: mujoco_warp.Model, d: mujoco_warp.Data, *, centred: bool, normal: bool) -> Rows:
+    """Return the contacts and rows of the engine's data."""
+    rows = Rows()
+    rows.elliptic, rows.centred, rows.normal = int(m.opt.cone) == ELLIPTIC, centred, normal
+    rows.refsafe, rows.timestep = not m.opt.disableflags & NO_REFSAFE, m.opt.timestep
+    rows.nacon, rows.aref = d.nacon, d.efc.aref
+    for name in "worldid geom dim pos dist frame friction solref solreffriction solimp efc_address".split():
+        setattr(rows, name, getattr(d.contact, name))
+    return rows
+
+
 def apply(m: mujoco_warp.Model, d: mujoco_warp.Data, worlds: wp.array, *, centred: bool, normal: bool) -> None:
     """Subtract J̇ q̇ from what the rows ask for, as in ``install``; where ``Model.callback.control`` is called."""
-    contact = d.contact
     wp.launch(
         subtract_bias,
         dim=d.naconmax,
-        inputs=[worlds, m.opt.timestep, m.opt.disableflags, int(m.opt.cone) == ELLIPTIC, centred, normal]
-        + [m.geom_bodyid, m.body_rootid]
-        + [d.subtree_com, d.cvel, d.cacc, d.nacon, contact.worldid, contact.geom, contact.dim, contact.pos]
-        + [contact.frame, contact.friction, contact.solref, contact.solreffriction, contact.solimp]
-        + [contact.efc_address],
-        outputs=[d.efc.aref],
+        inputs=[worlds, m.geom_bodyid, m.body_rootid, d.subtree_com, d.cvel, d.cacc]
+        + [rows_of(m, d, centred=centred, normal=normal)],
         device=d.qpos.device,
     )
 
@@ -102,73 +132,65 @@ def damping(solref: wp.vec2, solimp: vec5, timestep: float, refsafe: bool) -> fl
     return result
 
 
+@wp.func
+def is_solved(rows: Rows, worlds: wp.array[bool], contact: int) -> bool:
+    """Tell whether a contact is between bodies, in a world that is chosen, and in the solver."""
+    if contact >= rows.nacon[0] or rows.efc_address[contact, 0] < 0:
+        return False
+    geoms = rows.geom[contact]  # negative for a flex
+    return geoms[0] >= 0 and geoms[1] >= 0 and worlds[rows.worldid[contact]]
+
+
+@wp.func
+def subtract(rows: Rows, contact: int, linear: wp.vec3, angular: wp.vec3):
+    """Subtract from what the rows of a contact ask for what they lack along and about the axes of its frame."""
+    world, dim, frame = rows.worldid[contact], rows.dim[contact], rows.frame[contact]
+    h = rows.timestep[world % rows.timestep.shape[0]]
+    part = float(1.0)
+    if rows.centred:
+        part -= 0.5 * h * damping(rows.solref[contact], rows.solimp[contact], h, rows.refsafe)
+    upright = wp.where(rows.normal, wp.dot(frame[0], linear) * part, 0.0)
+    if rows.elliptic or dim == 1:
+        rows.aref[world, rows.efc_address[contact, 0]] -= upright
+    own = rows.solreffriction[contact]
+    if rows.centred and rows.elliptic and (own[0] != 0.0 or own[1] != 0.0):
+        part = 1.0 - 0.5 * h * damping(own, rows.solimp[contact], h, rows.refsafe)
+    for direction in range(1, dim):  # two of sliding, one of spin, two of rolling
+        value = wp.dot(frame[direction % 3], wp.where(direction < 3, linear, angular)) * part
+        if rows.elliptic:
+            row = rows.efc_address[contact, direction]
+            if row >= 0:
+                rows.aref[world, row] -= value
+        else:
+            # Two edges of the pyramid, which lean to either side of the normal by the friction.
+            value *= rows.friction[contact][direction - 1]
+            row = rows.efc_address[contact, 2 * direction - 2]
+            opposite = rows.efc_address[contact, 2 * direction - 1]
+            if row >= 0:
+                rows.aref[world, row] -= upright + value
+            if opposite >= 0:
+                rows.aref[world, opposite] -= upright - value
+
+
 @wp.kernel(enable_backward=False)
 def subtract_bias(
     worlds: wp.array[bool],
-    timestep: wp.array[float],
-    disableflags: int,
-    elliptic: bool,
-    centred: bool,
-    normal: bool,
     geom_body: wp.array[int],
     body_root: wp.array[int],
     centre: wp.array2d[wp.vec3],
     velocity: wp.array2d[wp.spatial_vector],
     acceleration: wp.array2d[wp.spatial_vector],
-    contact_count: wp.array[int],
-    contact_world: wp.array[int],
-    geom: wp.array[wp.vec2i],
-    dim: wp.array[int],
-    position: wp.array[wp.vec3],
-    frame: wp.array[wp.mat33],
-    friction: wp.array[vec5],
-    solref: wp.array[wp.vec2],
-    solref_friction: wp.array[wp.vec2],
-    solimp: wp.array[vec5],
-    address: wp.array2d[int],
-    reference: wp.array2d[float],
+    rows: Rows,
 ):
     contact = wp.tid()
-    if contact >= contact_count[0] or address[contact, 0] < 0:  # the second is not in the solver
+    if not is_solved(rows, worlds, contact):
         return
-    first, second = geom[contact][0], geom[contact][1]
-    if first < 0 or second < 0:  # a flex
-        return
-    world = contact_world[contact]
-    if not worlds[world]:
-        return
-    one, other = geom_body[first], geom_body[second]
+    world, place = rows.worldid[contact], rows.pos[contact]
+    one, other = geom_body[rows.geom[contact][0]], geom_body[rows.geom[contact][1]]
     # Velocities and accelerations of a body refer to the centre of mass of its tree. Gravity is in all accelerations,
     # those of what does not move included, and drops out of the difference.
     linear = material_acceleration(
-        velocity[world, other], acceleration[world, other], position[contact] - centre[world, body_root[other]]
-    ) - material_acceleration(
-        velocity[world, one], acceleration[world, one], position[contact] - centre[world, body_root[one]]
-    )
+        velocity[world, other], acceleration[world, other], place - centre[world, body_root[other]]
+    ) - material_acceleration(velocity[world, one], acceleration[world, one], place - centre[world, body_root[one]])
     angular = wp.spatial_top(acceleration[world, other]) - wp.spatial_top(acceleration[world, one])
-    h = timestep[world % timestep.shape[0]]
-    refsafe = (disableflags & NO_REFSAFE) == 0
-    part = float(1.0)
-    if centred:
-        part -= 0.5 * h * damping(solref[contact], solimp[contact], h, refsafe)
-    upright = wp.where(normal, wp.dot(frame[contact][0], linear) * part, 0.0)
-    if elliptic or dim[contact] == 1:
-        reference[world, address[contact, 0]] -= upright
-    own = solref_friction[contact]
-    if centred and elliptic and (own[0] != 0.0 or own[1] != 0.0):
-        part = 1.0 - 0.5 * h * damping(own, solimp[contact], h, refsafe)
-    for direction in range(1, dim[contact]):  # two of sliding, one of spin, two of rolling
-        value = wp.dot(frame[contact][direction % 3], wp.where(direction < 3, linear, angular)) * part
-        if elliptic:
-            row = address[contact, direction]
-            if row >= 0:
-                reference[world, row] -= value
-        else:
-            # Two edges of the pyramid, which lean to either side of the normal by the friction.
-            value *= friction[contact][direction - 1]
-            row = address[contact, 2 * direction - 2]
-            opposite = address[contact, 2 * direction - 1]
-            if row >= 0:
-                reference[world, row] -= upright + value
-            if opposite >= 0:
-                reference[world, opposite] -= upright - value
+    subtract(rows, contact, linear, angular)

@@ -24,7 +24,6 @@ from collections.abc import Sequence
 import mujoco
 import mujoco_warp
 import warp as wp
-from mujoco_warp._src.types import vec5
 
 try:
     import contact_bias
@@ -70,16 +69,11 @@ def install(solver, *, centred: bool = False, normal: bool = False, worlds: Sequ
 
 def apply(m: mujoco_warp.Model, d: mujoco_warp.Data, worlds: wp.array, *, centred: bool, normal: bool) -> None:
     """Subtract from what the rows ask for what ``contact_bias.apply`` lacks; where that is called."""
-    contact = d.contact
     wp.launch(
         subtract_place,
         dim=d.naconmax,
-        inputs=[worlds, m.opt.timestep, m.opt.disableflags, int(m.opt.cone) == contact_bias.ELLIPTIC, centred, normal]
-        + [m.geom_type, m.geom_size, m.geom_bodyid, m.body_rootid]
-        + [d.subtree_com, d.cvel, d.geom_xpos, d.geom_xmat, d.nacon, contact.worldid, contact.geom, contact.dim]
-        + [contact.pos, contact.dist, contact.frame, contact.friction, contact.solref, contact.solreffriction]
-        + [contact.solimp, contact.efc_address],
-        outputs=[d.efc.aref],
+        inputs=[worlds, m.geom_type, m.geom_size, m.geom_bodyid, m.body_rootid, d.subtree_com, d.cvel]
+        + [d.geom_xpos, d.geom_xmat, contact_bias.rows_of(m, d, centred=centred, normal=normal)],
         device=d.qpos.device,
     )
 
@@ -251,11 +245,6 @@ def is_made_of(way: wp.vec3, normal: wp.vec3, tangent: wp.vec3) -> bool:
 @wp.kernel(enable_backward=False)
 def subtract_place(
     worlds: wp.array[bool],
-    timestep: wp.array[float],
-    disableflags: int,
-    elliptic: bool,
-    centred: bool,
-    normal: bool,
     geom_type: wp.array[int],
     geom_size: wp.array2d[wp.vec3],
     geom_body: wp.array[int],
@@ -264,43 +253,27 @@ def subtract_place(
     velocity: wp.array2d[wp.spatial_vector],
     geom_position: wp.array2d[wp.vec3],
     geom_frame: wp.array2d[wp.mat33],
-    contact_count: wp.array[int],
-    contact_world: wp.array[int],
-    geom: wp.array[wp.vec2i],
-    dim: wp.array[int],
-    position: wp.array[wp.vec3],
-    distance: wp.array[float],
-    frame: wp.array[wp.mat33],
-    friction: wp.array[vec5],
-    solref: wp.array[wp.vec2],
-    solref_friction: wp.array[wp.vec2],
-    solimp: wp.array[vec5],
-    address: wp.array2d[int],
-    reference: wp.array2d[float],
+    rows: contact_bias.Rows,
 ):
     contact = wp.tid()
-    if contact >= contact_count[0] or address[contact, 0] < 0:  # the second is not in the solver
+    if not contact_bias.is_solved(rows, worlds, contact):
         return
-    one, two = geom[contact][0], geom[contact][1]
-    if one < 0 or two < 0:  # a flex
-        return
-    world = contact_world[contact]
-    if not worlds[world]:
-        return
-    n, x = frame[contact][0], frame[contact][1]
+    world, position = rows.worldid[contact], rows.pos[contact]
+    one, two = rows.geom[contact][0], rows.geom[contact][1]
+    n, x = rows.frame[contact][0], rows.frame[contact][1]
     y = wp.cross(n, x)
     twist_1, twist_2 = velocity[world, geom_body[one]], velocity[world, geom_body[two]]
     # Velocities of a body refer to the centre of mass of its tree.
-    v_1 = velocity_at(twist_1, position[contact] - centre[world, body_root[geom_body[one]]])
-    v_2 = velocity_at(twist_2, position[contact] - centre[world, body_root[geom_body[two]]])
+    v_1 = velocity_at(twist_1, position - centre[world, body_root[geom_body[one]]])
+    v_2 = velocity_at(twist_2, position - centre[world, body_root[geom_body[two]]])
     w_1, w_2 = wp.spatial_top(twist_1), wp.spatial_top(twist_2)
     v, w = v_2 - v_1, w_2 - w_1
     # Where the two surfaces are: half of their distance to either side.
-    gap = distance[contact]
+    gap = rows.dist[contact]
     half = 0.5 * gap * n
     mat_1, mat_2 = wp.transpose(geom_frame[world, one]), wp.transpose(geom_frame[world, two])
-    at_1 = mat_1 * (position[contact] - half - geom_position[world, one])
-    at_2 = mat_2 * (position[contact] + half - geom_position[world, two])
+    at_1 = mat_1 * (position - half - geom_position[world, one])
+    at_2 = mat_2 * (position + half - geom_position[world, two])
     size_1, size_2 = geom_size[world % geom_size.shape[0], one], geom_size[world % geom_size.shape[0], two]
     first = surface_of(geom_type[one], size_1, at_1, mat_1 * n, mat_1 * x, mat_1 * y)
     second = surface_of(geom_type[two], size_2, at_2, -(mat_2 * n), mat_2 * x, mat_2 * y)
@@ -354,28 +327,4 @@ def subtract_place(
         place += ahead - 0.5 * wp.dot(ahead, n) * n
     linear = wp.cross(w, place) + wp.cross(v, turning_frame + 0.5 * (w_1 + w_2))
     angular = wp.cross(w, turning_frame)
-    h = timestep[world % timestep.shape[0]]
-    refsafe = (disableflags & contact_bias.NO_REFSAFE) == 0
-    part = float(1.0)
-    if centred:
-        part -= 0.5 * h * contact_bias.damping(solref[contact], solimp[contact], h, refsafe)
-    upright = wp.where(normal, wp.dot(n, linear) * part, 0.0)
-    if elliptic or dim[contact] == 1:
-        reference[world, address[contact, 0]] -= upright
-    own = solref_friction[contact]
-    if centred and elliptic and (own[0] != 0.0 or own[1] != 0.0):
-        part = 1.0 - 0.5 * h * contact_bias.damping(own, solimp[contact], h, refsafe)
-    for direction in range(1, dim[contact]):  # rows as in contact_bias
-        value = wp.dot(frame[contact][direction % 3], wp.where(direction < 3, linear, angular)) * part
-        if elliptic:
-            row = address[contact, direction]
-            if row >= 0:
-                reference[world, row] -= value
-        else:
-            value *= friction[contact][direction - 1]
-            row = address[contact, 2 * direction - 2]
-            opposite = address[contact, 2 * direction - 1]
-            if row >= 0:
-                reference[world, row] -= upright + value
-            if opposite >= 0:
-                reference[world, opposite] -= upright - value
+    contact_bias.subtract(rows, contact, linear, angular)

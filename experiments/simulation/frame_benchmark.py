@@ -13,9 +13,7 @@ import warp as wp
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, build_key
 from experiments.simulation.measurement import absent
 from experiments.simulation.paired_timing import BATCH_COUNT, CAP_S, PairedTimes, pool_builds, time_in_turn
-from experiments.simulation.recorder import Recorder
 from experiments.simulation.simulation import Simulation, captured
-from experiments.simulation.task import build_task
 from experiments.simulation.timing import (
     ENGINE_ARRAYS,
     STATE_ARRAYS,
@@ -102,11 +100,8 @@ class Clone(Simulation):
         vars(self).update(vars(of))
         self.stream, self.stream_beside = (wp.Stream(self.device) if self.device.is_cuda else None for _ in range(2))
         with wp.ScopedDevice(self.device):
-            self.task = build_task(self.scene, self.cases)
-            self._start_at_approach_pose()
             self.contacts = self.pipeline and self.pipeline.contacts()
-            self.solver = self._build_solver()
-            self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, self.case.frame_count)
+            self._build_state()
         wp.synchronize_device(self.device)
         self._start_uncaptured()
 

@@ -2,14 +2,18 @@
 
 import numpy as np
 import warp as wp
+from mujoco_warp._src.types import vec5
 from newton import Contacts
 from newton.solvers import SolverMuJoCo
 
 from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_failure
 from experiments.simulation.c_warnings import failure_of
 from experiments.simulation.scene import TRACKED_BODIES, Scene
+from experiments.simulation.task import FRAME_RATE
 
 NO_FRAME = np.iinfo(np.int32).max
+FIELDS = "dist friction frame solref solreffriction solimp dim geom".split()
+"""Arrays of the engines' contacts that are copied to the host."""
 COUNT, LOADED, NORMAL, TANGENTIAL, CONE, PENETRATION, SLIDE = (wp.constant(i) for i in range(7))
 
 
@@ -82,7 +86,7 @@ def record_contacts(
     distance: wp.array[float],
     world_id: wp.array[int],
     dim: wp.array[int],
-    friction: wp.array2d[float],
+    friction: wp.array[vec5],
     axes: wp.array[wp.mat33],
     geom: wp.array[wp.vec2i],
     cube: int,
@@ -102,17 +106,17 @@ def record_contacts(
     wp.atomic_add(contacts, frame, world, COUNT, 1.0)
     row = address[contact, 0]
     if row >= 0 and row < constraint_capacity - 3:
-        forces = row_force(force, world, row, dim[contact], elliptic, friction[contact, 0])
+        forces = row_force(force, world, row, dim[contact], elliptic, friction[contact][0])
         normal = forces[0]
         if normal > 0.0:
             tangential = wp.length(wp.vec2(forces[1], forces[2]))
             wp.atomic_add(contacts, frame, world, LOADED, 1.0)
             wp.atomic_add(contacts, frame, world, NORMAL, normal)
             wp.atomic_add(contacts, frame, world, TANGENTIAL, tangential)
-            wp.atomic_max(contacts, frame, world, CONE, tangential / (friction[contact, 0] * normal))
+            wp.atomic_max(contacts, frame, world, CONE, tangential / (friction[contact][0] * normal))
             wp.atomic_max(contacts, frame, world, PENETRATION, -distance[contact])
             if dim[contact] >= 3:
-                slide = row_slide(velocity, world, row, elliptic, friction[contact, 0])
+                slide = row_slide(velocity, world, row, elliptic, friction[contact][0])
                 along = axes[contact][1, 0] * slide[0] + axes[contact][2, 0] * slide[1]
                 # The rows hold the velocity of the second geom against the first.
                 wp.atomic_add(contacts, frame, world, SLIDE, wp.where(geom[contact][1] == cube, along, -along))
@@ -165,7 +169,7 @@ class Recorder:
         self.peak_iteration = wp.zeros(world_count, dtype=int, device=device)
         self.contact_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
         self.constraint_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
-        self.contact_rows: dict[int, list[ContactRows]] = {world: [] for world in range(world_count)}
+        self.contact_rows: list[list[ContactRows]] = []
         self.failure_in_c: Failure | None = None
 
     def begin_frame(self) -> None:
@@ -192,8 +196,8 @@ class Recorder:
                 record_contacts,
                 dim=data.naconmax,
                 inputs=[self.cursor, data.nacon, data.contact.dist, data.contact.worldid, data.contact.dim]
-                + [_as_floats(data.contact.friction), data.contact.frame, data.contact.geom, self.cube_geom]
-                + [data.contact.efc_address, data.efc.force, data.efc.vel, data.njmax, self._elliptic],
+                + [data.contact.friction, data.contact.frame, data.contact.geom, self.cube_geom]
+                + [data.contact.efc_address, data.efc.force, data.efc.vel, data.njmax, is_elliptic(self.solver)],
                 outputs=[self.contacts],
             )
         wp.launch(
@@ -205,27 +209,24 @@ class Recorder:
 
     def keep_contact_rows(self, frame: int) -> None:
         """Copy every live contact of every world to the host; between frames only."""
-        data = _HostContacts(self.solver)
-        for world in self.contact_rows:
-            self.contact_rows[world].append(data.rows(world, frame, self.names, self._elliptic))
+        self.contact_rows.append(contact_rows(self.solver, len(self.cursor), frame, self.names))
 
-    def traces(self, frame_dt: float, frame_count: int, wall_s: float) -> list[Trace]:
-        """Fetch the first ``frame_count`` frames and cut them into one trace per world."""
+    def traces(self, wall_s: float = 0.0, frame_count: int | None = None) -> list[Trace]:
+        """Fetch the first ``frame_count`` frames, all for None, and cut them into one trace per world."""
         poses, phases, contacts = (array.numpy()[:frame_count] for array in (self.poses, self.phases, self.contacts))
-        contact_overflow, constraint_overflow = self.contact_overflow.numpy(), self.constraint_overflow.numpy()
+        overflows = {"contact": self.contact_overflow.numpy(), "constraint": self.constraint_overflow.numpy()}
         peak_constraint, peak_iteration = self.peak_constraint.numpy(), self.peak_iteration.numpy()
         result = []
         for world in range(poses.shape[1]):
-            overflows = [
-                Failure("overflow", int(frame), f"the {name} buffer overflowed")
-                for name, frame in (("contact", contact_overflow[world]), ("constraint", constraint_overflow[world]))
-                if frame != NO_FRAME
+            seen = [
+                Failure("overflow", int(frames[world]), f"the {name} buffer overflowed")
+                for name, frames in overflows.items()
+                if frames[world] != NO_FRAME
             ]
-            seen = [*overflows, *([self.failure_in_c] if self.failure_in_c else [])]
-            first = min(seen, key=lambda failure: failure.frame, default=None)
+            first = min([*seen, *filter(None, [self.failure_in_c])], key=lambda failure: failure.frame, default=None)
             result.append(
                 Trace(
-                    frame_dt=frame_dt,
+                    frame_dt=1.0 / FRAME_RATE,
                     phase=phases[:, world],
                     poses=poses[:, world],
                     contacts=contacts[:, world],
@@ -233,7 +234,7 @@ class Recorder:
                     peak_contact_count=int(contacts[:, world, 0].max()),
                     peak_constraint_count=int(peak_constraint[world]),
                     peak_iteration_count=int(peak_iteration[world]),
-                    contact_rows=tuple(self.contact_rows[world]),
+                    contact_rows=tuple(rows[world] for rows in self.contact_rows),
                     world_count=poses.shape[1],
                     wall_s=wall_s,
                 )
@@ -251,10 +252,6 @@ class Recorder:
             return data.nacon, data.naconmax
         return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max - 1, data.naconmax)
 
-    @property
-    def _elliptic(self) -> bool:
-        return int(self.solver.mj_model.opt.cone) == 1
-
     def _watch_c_substep(self) -> None:
         data = self.solver.mj_data
         for peak, value in ((self.peak_constraint, data.nefc), (self.peak_iteration, data.solver_niter.max())):
@@ -263,7 +260,7 @@ class Recorder:
 
     def _record_c_contacts(self) -> None:
         frame = int(self.cursor.numpy()[0])
-        rows = _HostContacts(self.solver).rows(0, frame, self.names, self._elliptic)
+        [rows] = contact_rows(self.solver, 1, frame, self.names)
         self.contacts.numpy()[frame, 0] = summarize_contacts(rows)
 
 
@@ -285,69 +282,60 @@ def summarize_contacts(rows: ContactRows) -> np.ndarray:
     )
 
 
-class _HostContacts:
-    """The live contact and constraint arrays of either engine, copied to the host."""
+def contact_rows(solver: SolverMuJoCo, world_count: int, frame: int, names: list[str]) -> list[ContactRows]:
+    """Copy the live contacts of either engine to the host, by world."""
+    if solver.use_mujoco_cpu:
+        data, count = solver.mj_data, solver.mj_data.ncon
+        host = {name: np.array(getattr(data.contact, name)) for name in FIELDS}
+        address, world_id = np.asarray(data.contact.efc_address).reshape(count), np.zeros(count, dtype=int)
+        efc = [np.array(rows)[None] for rows in (data.efc_force, data.efc_pos, data.efc_vel, data.efc_aref)]
+    else:
+        data = solver.mjw_data
+        count = min(int(data.nacon.numpy()[0]), data.naconmax)
+        host = {name: np.array(getattr(data.contact, name).numpy()[:count]) for name in FIELDS}
+        address, world_id = data.contact.efc_address.numpy()[:count, 0], data.contact.worldid.numpy()[:count]
+        efc = [rows.numpy() for rows in (data.efc.force, data.efc.pos, data.efc.vel, data.efc.aref)]
+    found = []
+    for world in range(world_count):
+        mine = world_id == world
+        fields, rows = {name: values[mine] for name, values in host.items()}, [each[world] for each in efc]
+        found.append(_rows_of_world(fields, address[mine], rows, frame, names, is_elliptic(solver)))
+    return found
 
-    def __init__(self, solver: SolverMuJoCo):
-        if solver.use_mujoco_cpu:
-            data = solver.mj_data
-            count, contact, efc = data.ncon, data.contact, data
-            self.world_id = np.zeros(count, dtype=int)
-            self.force, self.residual, self.velocity, self.reference = (
-                np.array(rows)[None] for rows in (data.efc_force, data.efc_pos, data.efc_vel, data.efc_aref)
-            )
-            address = np.asarray(contact.efc_address).reshape(count)
+
+def _rows_of_world(field, address, efc, frame: int, names: list[str], elliptic: bool) -> ContactRows:
+    """Take apart the constraint rows of one world's contacts."""
+    all_force, all_residual, all_velocity, all_reference = efc
+    axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
+    force, residual, velocity, reference = np.zeros((len(address), 3)), *np.full((3, len(address), 3), np.nan)
+    for i, row in enumerate(address):
+        if row < 0:
+            continue
+        residual[i], velocity[i] = all_residual[row : row + 3], all_velocity[row : row + 3]
+        if elliptic:
+            force[i], reference[i] = all_force[row : row + 3], all_reference[row : row + 3]
         else:
-            data = solver.mjw_data
-            contact, efc = data.contact, data.efc
-            count = min(int(data.nacon.numpy()[0]), data.naconmax)
-            self.world_id = contact.worldid.numpy()[:count]
-            self.force, self.residual, self.velocity, self.reference = (
-                rows.numpy() for rows in (efc.force, efc.pos, efc.vel, efc.aref)
-            )
-            address = contact.efc_address.numpy()[:count, 0]
-        self.address = address
-        host = {
-            name: getattr(contact, name)[:count] if solver.use_mujoco_cpu else getattr(contact, name).numpy()[:count]
-            for name in ("dist", "friction", "frame", "solref", "solreffriction", "solimp", "dim", "geom")
-        }
-        self.fields = {name: np.array(values) for name, values in host.items()}
+            a, b, c, d = all_force[row : row + 4]
+            force[i] = a + b + c + d, friction[i] * (a - b), friction[i] * (c - d)
+            a, b, c, d = all_velocity[row : row + 4]
+            velocity[i, 1:] = (a - b) / (2.0 * friction[i]), (c - d) / (2.0 * friction[i])
+    sign = np.where([names[second] == "cube" for _, second in field["geom"]], 1.0, -1.0)
+    return ContactRows(
+        frame=frame,
+        geom=np.array([[names[g] for g in pair] for pair in field["geom"]]).reshape(-1, 2),
+        distance_m=field["dist"],
+        friction=friction,
+        **{name: field[name] for name in ("solref", "solreffriction", "solimp", "dim")},
+        force_n=force,
+        residual_m=residual,
+        velocity_m_s=velocity,
+        reference_m_s2=reference,
+        slide_m_s=sign * (axes[:, 1:, 0] * velocity[:, 1:]).sum(axis=1),
+    )
 
-    def rows(self, world: int, frame: int, names: list[str], elliptic: bool) -> ContactRows:
-        mine = np.flatnonzero(self.world_id == world)
-        field = {name: values[mine] for name, values in self.fields.items()}
-        address = self.address[mine]
-        axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
-        force, residual, velocity, reference = np.zeros((len(mine), 3)), *np.full((3, len(mine), 3), np.nan)
-        for i, row in enumerate(address):
-            if row < 0:
-                continue
-            residual[i] = self.residual[world, row : row + 3]
-            velocity[i] = self.velocity[world, row : row + 3]
-            if elliptic:
-                force[i] = self.force[world, row : row + 3]
-                reference[i] = self.reference[world, row : row + 3]
-            else:
-                a, b, c, d = self.force[world, row : row + 4]
-                force[i] = a + b + c + d, friction[i] * (a - b), friction[i] * (c - d)
-                a, b, c, d = self.velocity[world, row : row + 4]
-                velocity[i, 1:] = (a - b) / (2.0 * friction[i]), (c - d) / (2.0 * friction[i])
-        sign = np.where([names[second] == "cube" for _, second in field["geom"]], 1.0, -1.0)
-        return ContactRows(
-            frame=frame,
-            geom=np.array([[names[g] for g in pair] for pair in field["geom"]]).reshape(-1, 2),
-            distance_m=field["dist"],
-            friction=friction,
-            solref=field["solref"],
-            solreffriction=field["solreffriction"],
-            solimp=field["solimp"],
-            dim=field["dim"],
-            force_n=force,
-            residual_m=residual,
-            velocity_m_s=velocity,
-            reference_m_s2=reference,
-            slide_m_s=sign * (axes[:, 1:, 0] * velocity[:, 1:]).sum(axis=1),
-        )
+
+def is_elliptic(solver: SolverMuJoCo) -> bool:
+    return int(solver.mj_model.opt.cone) == 1
 
 
 def _geom_names(scene: Scene, solver: SolverMuJoCo) -> list[str]:
@@ -360,10 +348,3 @@ def _geom_names(scene: Scene, solver: SolverMuJoCo) -> list[str]:
         seen[name] = seen.get(name, 0) + 1
         names.append(f"{name} {seen[name]}" if "finger" in name else name)
     return names
-
-
-def _as_floats(array: wp.array) -> wp.array:
-    """View an array of float vectors, shape [n], as floats, shape [n, length]."""
-    return wp.array(
-        ptr=array.ptr, shape=(array.shape[0], array.dtype._length_), dtype=float, device=array.device, copy=False
-    )

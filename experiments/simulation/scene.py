@@ -1,5 +1,6 @@
 """The scene: an FR3 arm and a cube on the ground, once for each case of a batch."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
@@ -14,6 +15,7 @@ from experiments.simulation.worlds import model_of
 from measured_report.files.root import ROOT
 
 ROBOT = ROOT / "assets/fr3.urdf"
+BASELINE = Case(name="")
 ROBOT_POSITION = (-0.5, -0.5, 0.0)
 READY_POSE = (0.0, 0.5, 0.0, -1.5, 0.0, 2.0, np.pi / 4.0, 0.035, 0.035)
 """Joint coordinates [rad, rad, …, m, m] from which the approach pose is solved."""
@@ -80,7 +82,7 @@ def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
     links."""
     builder = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
-    builder.rigid_gap = Case(name="").robot_gap_m
+    builder.rigid_gap = BASELINE.robot_gap_m
     builder.add_urdf(
         _robot_source(case),
         xform=wp.transform(ROBOT_POSITION, wp.quat_identity()),
@@ -92,7 +94,7 @@ def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
         for shape in range(builder.shape_count):
             if builder.shape_body[shape] == hand:
                 builder.shape_flags[shape] &= ~ShapeFlags.COLLIDE_SHAPES
-    links = _find_links(builder, merge=not case.fixed_joints)
+    links = _find_links(builder, case)
     dofs = slice(ROBOT_DOF_COUNT)
     builder.joint_q[dofs] = READY_POSE
     builder.joint_target_q[dofs] = READY_POSE
@@ -119,11 +121,10 @@ def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
     return builder, links
 
 
-def _find_links(builder: ModelBuilder, *, merge: bool) -> dict[str, Link]:
-    """Return the tracked links of the robot; with ``merge`` links that are fixed to one another become one body."""
-    names = TRACKED_BODIES[1:]
-    bodies = {name: body_index(builder, name) for name in names}
-    if not merge:
+def _find_links(builder: ModelBuilder, case: Case) -> dict[str, Link]:
+    """Return the tracked links of the robot; without ``fixed_joints`` links that do not move apart become one body."""
+    bodies = {name: body_index(builder, name) for name in TRACKED_BODIES[1:]}
+    if case.fixed_joints:
         return {name: Link(body, wp.transform_identity()) for name, body in bodies.items()}
     merged = builder.collapse_fixed_joints()
     parent, pose = merged["body_merged_parent"], merged["body_merged_transform"]
@@ -146,139 +147,103 @@ def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
 def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     """Build one world per case; the cases must have the same ``batch_key``."""
     case = cases[0]
-    built: list[_World] = []
+    built: list[tuple[ModelBuilder, dict[str, Link]]] = []
 
     def build(world_count: int) -> newton.Model:
         # Each from builders of its own: finalizing a mesh a second time frees what the first model points to.
         built.append(_world_builder(case))
         scene = ModelBuilder()
-        scene.replicate(built[-1].builder, world_count)
-        scene.add_ground_plane(cfg=ModelBuilder.ShapeConfig(mu=GROUND_MU, gap=Case(name="").ground_gap_m))
+        scene.replicate(built[-1][0], world_count)
+        scene.add_ground_plane(cfg=ModelBuilder.ShapeConfig(mu=GROUND_MU, gap=BASELINE.ground_gap_m))
         return scene.finalize(device=device)
 
     model = model_of(len(cases), build)
-    world = built[-1]
-    result = Scene(
-        model=model,
-        robot=robot_builder(case)[0].finalize(device=device),
-        links={"cube": Link(world.cube_body, wp.transform_identity()), **world.links},
-        pads=world.pads,
-        cube=world.cube_shape,
-    )
-    _apply_world_parameters(result, cases, world.cube_body)
+    world, links = built[-1]
+    robot = robot_builder(case)[0].finalize(device=device)
+    result = Scene(model, robot, links, pads=pad_shapes(world), cube=world.shape_count - 1)
+    _apply_world_parameters(result, cases)
     return result
 
 
-@dataclass(frozen=True)
-class _World:
-    """One world to be built, and where to find things in it."""
-
-    builder: ModelBuilder
-    links: dict[str, Link]
-    pads: tuple[int, ...]
-    cube_body: int
-    cube_shape: int
-
-
-def _world_builder(case: Case) -> _World:
+def _world_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
+    """Return the robot and, as its last body and shape, the cube; and where the tracked bodies are."""
     robot, links = robot_builder(case)
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
     world.add_builder(robot)
-    cube_body = world.add_body(xform=wp.transform(CUBE_POSITION, wp.quat_identity()), label="cube")
+    cube = world.add_body(xform=wp.transform(CUBE_POSITION, wp.quat_identity()), label="cube")
     half = 0.5 * CUBE_EDGE
-    baseline = Case(name="")
-    cube_cfg = ModelBuilder.ShapeConfig(
-        density=baseline.cube_density_kg_m3, ke=baseline.cube_ke, kd=baseline.cube_kd, mu=baseline.cube_mu
+    material = ModelBuilder.ShapeConfig(
+        density=BASELINE.cube_density_kg_m3, ke=BASELINE.cube_ke, kd=BASELINE.cube_kd, mu=BASELINE.cube_mu
     )
     assert world.rigid_gap == CUBE_GAP_DEFAULT, "newton changed ModelBuilder.rigid_gap: as shipped is no longer 0.1"
-    cube_shape = world.add_shape_box(cube_body, hx=half, hy=half, hz=half, cfg=cube_cfg, label="cube")
-    return _World(world, links, pad_shapes(robot), cube_body, cube_shape)
+    world.add_shape_box(cube, hx=half, hy=half, hz=half, cfg=material, label="cube")
+    return world, {"cube": Link(cube, wp.transform_identity()), **links}
 
 
-@dataclass(frozen=True)
-class _Worlds:
-    """The cases as columns, to be written into each world's part of the model's arrays."""
-
-    cases: list[Case]
-
-    def column(self, name: str) -> np.ndarray:
-        return np.array([getattr(case, name) for case in self.cases], dtype=np.float32)
-
-    def rows(self, array: wp.array) -> np.ndarray:
-        """Return a copy of ``array`` on the host, shape [worlds, …]; what belongs to no world, as the ground, is left
-        out."""
-        host, count = array.numpy(), len(self.cases)
-        return host[: host.shape[0] // count * count].reshape(count, -1, *host.shape[1:])
-
-    def write(self, array: wp.array, indices, values: np.ndarray) -> None:
-        """Write one value for each world at each of ``indices`` within the world."""
-        host = array.numpy()
-        rows = self.rows(array)
-        for index in indices:
-            rows[:, index] = values
-        host[: rows.shape[0] * rows.shape[1]] = rows.reshape(-1, *host.shape[1:])
-        array.assign(host)
+def _rows(host: np.ndarray, world_count: int) -> np.ndarray:
+    """View an array by world, shape [worlds, …]; what belongs to no world, as the ground, is left out."""
+    return host[: host.shape[0] // world_count * world_count].reshape(world_count, -1, *host.shape[1:])
 
 
-def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> None:
-    model, worlds = scene.model, _Worlds(cases)
-    column, write = worlds.column, worlds.write
-    pads, cube = scene.pads, (scene.cube,)
+def _write(array: wp.array, indices: Sequence[int], values: np.ndarray) -> None:
+    """Write one value for each world at each of ``indices`` within the world."""
+    host = array.numpy()
+    rows = _rows(host, len(values))
+    for index in indices:
+        rows[:, index] = values
+    array.assign(host)
+
+
+def _apply_world_parameters(scene: Scene, cases: list[Case]) -> None:
+    """Write what each case has for itself into its world's part of the model's arrays."""
+    model, pads, cube, body = scene.model, scene.pads, (scene.cube,), (scene.links["cube"].body,)
+
+    def column(name: str) -> np.ndarray:
+        return np.array([getattr(case, name) for case in cases], dtype=np.float32)
+
+    for name in ("ke", "kd", "mu"):
+        _write(getattr(model, f"shape_material_{name}"), pads, column(f"pad_{name}"))
+        _write(getattr(model, f"shape_material_{name}"), cube, column(f"cube_{name}"))
+    _write(model.shape_material_kf, pads, column("pad_kf"))
     robot_shapes = [shape for shape in range(model.shape_count // len(cases)) if shape != scene.cube]
-    write(model.shape_material_ke, pads, column("pad_ke"))
-    write(model.shape_material_kd, pads, column("pad_kd"))
-    write(model.shape_material_mu, pads, column("pad_mu"))
-    write(model.shape_material_kf, pads, column("pad_kf"))
-    write(model.shape_material_ke, cube, column("cube_ke"))
-    write(model.shape_material_kd, cube, column("cube_kd"))
-    write(model.shape_material_mu, cube, column("cube_mu"))
-    write(model.shape_gap, robot_shapes, column("robot_gap_m"))
-    write(model.shape_gap, cube, column("cube_gap_m"))
+    _write(model.shape_gap, robot_shapes, column("robot_gap_m"))
+    _write(model.shape_gap, cube, column("cube_gap_m"))
     gap = model.shape_gap.numpy()
     gap[-1] = cases[0].ground_gap_m
     model.shape_gap.assign(gap)
 
     solimp = np.tile(np.array(PAD_SOLIMP, dtype=np.float32), (len(cases), 1))
     solimp[:, 1] = column("pad_dmax")
-    write(model.mujoco.geom_solimp, pads, solimp)
+    _write(model.mujoco.geom_solimp, pads, solimp)
     if any(case.pad_direct for case in cases):
-        mode = worlds.rows(model.mujoco.solref_mode)[:, pads[0]]
-        write(model.mujoco.solref, pads, -np.stack([column("pad_ke"), column("pad_kd")], axis=1))
-        write(model.mujoco.solref_mode, pads, np.where(column("pad_direct"), SOLREF_MODE_RAW, mode))
-
+        mode = _rows(model.mujoco.solref_mode.numpy(), len(cases))[:, pads[0]]
+        _write(model.mujoco.solref, pads, -np.stack([column("pad_ke"), column("pad_kd")], axis=1))
+        _write(model.mujoco.solref_mode, pads, np.where(column("pad_direct"), SOLREF_MODE_RAW, mode))
     model.set_gravity(np.outer(-column("gravity_m_s2"), (0.0, 0.0, 1.0)))
-    _scale_cube(scene, worlds, cube_body)
-    _place_cube(scene, worlds, cube_body)
 
-
-def _scale_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
-    model, shape = scene.model, (scene.cube,)
-    size = worlds.column("cube_edge_m") / np.float32(CUBE_EDGE)
-    mass = worlds.column("cube_density_kg_m3") / Case(name="").cube_density_kg_m3 * size**3
+    size = column("cube_edge_m") / np.float32(CUBE_EDGE)
+    mass = column("cube_density_kg_m3") / BASELINE.cube_density_kg_m3 * size**3
     for array, indices, scale in (
-        (model.shape_scale, shape, size),
-        (model.shape_collision_radius, shape, size),
-        (model.body_mass, (cube_body,), mass),
-        (model.body_inv_mass, (cube_body,), mass**-1),
-        (model.body_inertia, (cube_body,), mass * size**2),
-        (model.body_inv_inertia, (cube_body,), (mass * size**2) ** -1),
+        (model.shape_scale, cube, size),
+        (model.shape_collision_radius, cube, size),
+        (model.body_mass, body, mass),
+        (model.body_inv_mass, body, mass**-1),
+        (model.body_inertia, body, mass * size**2),
+        (model.body_inv_inertia, body, (mass * size**2) ** -1),
     ):
-        values = worlds.rows(array)[:, indices[0]]
-        worlds.write(array, indices, values * scale.reshape(-1, *[1] * (values.ndim - 1)))
+        values = _rows(array.numpy(), len(cases))[:, indices[0]]
+        _write(array, indices, values * scale.reshape(-1, *[1] * (values.ndim - 1)))
 
-
-def _place_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
-    model = scene.model
-    place = np.array([cube_start(case) for case in worlds.cases])
-    poses = worlds.rows(model.body_q)[:, cube_body]
+    place = np.array([cube_start(case) for case in cases])
+    poses = _rows(model.body_q.numpy(), len(cases))[:, body[0]].copy()
     poses[:, :3] = place
-    worlds.write(model.body_q, (cube_body,), poses)
+    _write(model.body_q, body, poses)
     for axis in range(3):
-        worlds.write(model.joint_q, (ROBOT_DOF_COUNT + axis,), place[:, axis])
-    touching = 0.5 * worlds.column("cube_edge_m") + PAD_FACE - worlds.column("start_overlap_m")
-    opening = np.where(worlds.column("cube_in_hand"), touching, READY_POSE[-1])
-    worlds.write(model.joint_q, range(ARM_DOF_COUNT, ROBOT_DOF_COUNT), opening)
+        _write(model.joint_q, (ROBOT_DOF_COUNT + axis,), place[:, axis])
+    touching = 0.5 * column("cube_edge_m") + PAD_FACE - column("start_overlap_m")
+    opening = np.where(column("cube_in_hand"), touching, READY_POSE[-1])
+    _write(model.joint_q, range(ARM_DOF_COUNT, ROBOT_DOF_COUNT), opening)
 
 
 def cube_start(case: Case) -> tuple[float, float, float]:

@@ -15,10 +15,10 @@ from tqdm import tqdm
 
 from experiments.facts.case import RUN_TIME_FIELDS, Case, CaseError, batch_key, build_key
 from experiments.facts.trace import Trace
+from experiments.simulation import compensated_positions, contact_bias, contact_bias_c
 from experiments.simulation.recorder import Recorder
-from experiments.simulation.remedies import install_remedies
 from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
-from experiments.simulation.task import FRAME_RATE, build_task
+from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.newton_models.compat import make_solver, warp_has_noslip
 
@@ -35,11 +35,8 @@ class Simulation:
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         newton.use_coord_layout_targets = True
-        case = cases[0]
-        cases = list(cases)
-        self.case, self.cases = case, cases
-        self.device = device
-        self.world_count = len(cases)
+        case, cases = cases[0], list(cases)
+        self.case, self.cases, self.world_count, self.device = case, cases, len(cases), device
         self.frame_dt = 1.0 / FRAME_RATE
         self.substep_dt = self.frame_dt / case.substeps
         self.stream = wp.Stream(device) if device.is_cuda else None
@@ -47,16 +44,20 @@ class Simulation:
         with wp.ScopedDevice(device):
             self.scene = build_scene(cases, device)
             self.model = self.scene.model
-            self.task = build_task(self.scene, cases)
-            self._start_at_approach_pose()
             self.pipeline, self.contacts = self._build_collision()
-            self.solver = self._build_solver()
-            self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, case.frame_count)
+            self._build_state()
             if case.ik_beside:
                 self.task.plan(self.body_q)
                 self.task.solve()
         wp.synchronize_device(device)  # what was built on the device's own stream is used on another
         self._start_uncaptured()
+
+    def _build_state(self) -> None:
+        """Build all that frames change but the contacts."""
+        self.task = Task(self.scene, self.cases)
+        self._start_at_approach_pose()
+        self.solver = self._build_solver()
+        self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, self.case.frame_count)
 
     def _start_uncaptured(self) -> None:
         self.parts = [self.queue_targets, self.queue_physics]
@@ -72,7 +73,7 @@ class Simulation:
         if build_key(case) != build_key(self.case):
             raise CaseError(f"{case.name} takes a simulation of its own: it differs in more than {RUN_TIME_FIELDS}")
         self.case = case
-        self.task = replace(self.task, ik_iterations=case.ik_iterations)
+        self.task.ik_iterations = case.ik_iterations
         self.solver.update_data_interval = _update_data_interval(case)
         self._set_flags(self.solver)
         self._start_uncaptured()
@@ -130,10 +131,24 @@ class Simulation:
         if case.noslip_iterations:
             for option in _options(solver):
                 option.noslip_iterations = case.noslip_iterations
-        install_remedies(solver, self.cases)
+        self._install_remedies(solver)
         if not solver.update_data_interval:
             solver.reset(self.state)  # the engine starts all worlds as the first
         return solver
+
+    def _install_remedies(self, solver: SolverMuJoCo) -> None:
+        """Give each world of a solver what its case asks for; nothing is installed that no case asks for."""
+        if any(case.compensated for case in self.cases):
+            if solver.use_mujoco_cpu:
+                raise CaseError("compensated must be off with backend mujoco, which sums positions in double precision")
+            compensated_positions.install(solver, worlds=[case.compensated for case in self.cases])
+        kinds = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]
+        for kind in sorted(set(kinds) - {False}):
+            options = dict(zip(("centred", "normal"), kind, strict=True))
+            if solver.use_mujoco_cpu:
+                contact_bias_c.install(solver, **options)
+            else:
+                contact_bias.install(solver, worlds=[each == kind for each in kinds], **options)
 
     def _set_flags(self, solver: SolverMuJoCo) -> None:
         bits = mujoco.mjtDisableBit
@@ -171,12 +186,13 @@ class Simulation:
         command, physics = self.parts
         command()
         if self.part_beside is not None:
-            self._wait(self.stream_beside, self.stream)
+            if self.stream_beside:  # the CPU has no streams
+                self.stream_beside.wait_stream(self.stream)
             with wp.ScopedStream(self.stream_beside):
                 self.part_beside()  # first: a device that has the long graph queued starts no other beside it
         physics()
-        if self.part_beside is not None:
-            self._wait(self.stream, self.stream_beside)
+        if self.part_beside is not None and self.stream_beside:
+            self.stream.wait_stream(self.stream_beside)
 
     def step(self) -> None:
         """Run one frame, as graphs from the second on: a first step must not happen inside a capture.
@@ -191,12 +207,6 @@ class Simulation:
                 self.parts = [captured(part) for part in self.parts]
                 self.part_beside = self.part_beside and captured(self.part_beside)
                 self.captured = True
-
-    @staticmethod
-    def _wait(stream: wp.Stream | None, other: wp.Stream | None) -> None:
-        """Let what is queued next on ``stream`` wait for what is queued on ``other``; the CPU has no streams."""
-        if stream is not None:
-            stream.wait_stream(other)
 
 
 def _options(solver: SolverMuJoCo) -> tuple:
@@ -235,10 +245,7 @@ def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequ
             _synchronize(simulations)
     _synchronize(simulations)
     wall_s = time.perf_counter() - start
-    return [
-        simulation.recorder.traces(simulation.frame_dt, simulation.case.frame_count, wall_s)
-        for simulation in simulations
-    ]
+    return [simulation.recorder.traces(wall_s) for simulation in simulations]
 
 
 def is_due(frame: int, count: int, longest: int) -> bool:
@@ -263,20 +270,21 @@ def simulate(
         contact_frames: Frames after which all live contacts are kept in the traces.
         title: What the progress bar says.
     """
-    here: list[list[int]] = []
-    away: list[list[int]] = []
-    main = wp.get_device(device)
-    for members in batches(cases):
-        # The CPU's runs have processes of their own, beside the GPU and one another.
-        is_away = main.is_cuda and not contact_frames and _device_of(cases[members[0]], device) == "cpu"
-        (away if is_away else here).append(members)
+    has_away = wp.get_device(device).is_cuda and not contact_frames
+    every = batches(cases)
+    # The CPU's runs have processes of their own, beside the GPU and one another.
+    away = [members for members in every if has_away and _device_of(cases[members[0]], device) == "cpu"]
+    here = [members for members in every if members not in away]
+    near, far = ([[cases[index] for index in members] for members in part] for part in (here, away))
     with processes(len(away)) if away else nullcontext() as pool:
-        waiting = start(pool, run_batch, [([cases[index] for index in members], "cpu") for members in away])
-        groups = [[cases[index] for index in members] for members in here]
-        found = run_groups(groups, device, title, contact_frames) + gather(waiting, f"{title}, on the CPU")
-    traces: dict[int, Trace] = {}
-    for members, worlds in zip(here + away, found, strict=True):
-        traces.update(zip(members, worlds, strict=True))
+        waiting = start(pool, run_groups, [([group], "cpu") for group in far])
+        found = run_groups(near, device, title, contact_frames)
+        found += [worlds for [worlds] in gather(waiting, f"{title}, on the CPU")]
+    traces = {
+        index: trace
+        for members, worlds in zip(here + away, found, strict=True)
+        for index, trace in zip(members, worlds, strict=True)
+    }
     return [traces[index] for index in range(len(cases))]
 
 
@@ -299,12 +307,6 @@ def run_groups(
     """Run groups of cases, those of a group with the same ``batch_key``, side by side."""
     simulations = [Simulation(group, wp.get_device(_device_of(group[0], device))) for group in groups]
     return run(simulations, title, contact_frames)
-
-
-def run_batch(cases: Sequence[Case], device: str) -> list[Trace]:
-    """Run cases with the same ``batch_key`` and return their traces; for a process of its own."""
-    [traces] = run_groups([cases], device)
-    return traces
 
 
 def captured(queue: Callable[[], None]) -> Callable[[], None]:

@@ -1,13 +1,11 @@
 """The task: approach, descend, grasp, lift, shake; its state lives on the device, one entry per world."""
 
-from dataclasses import dataclass
-
 import numpy as np
 import warp as wp
 
 from experiments.facts.case import Case
-from experiments.simulation.arm_ik import ArmSolver, arm_solver
-from experiments.simulation.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Link, Scene
+from experiments.simulation.arm_ik import ArmSolver
+from experiments.simulation.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Scene
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
@@ -132,38 +130,41 @@ def apply_targets(
         phase_start[world] = pose
 
 
-@dataclass(frozen=True)
 class Task:
-    """State of the task, one entry per world, and the inverse kinematics that serves it."""
+    """State of the task, one entry per world, and the inverse kinematics that serves it.
 
-    phase: wp.array
-    """Current phase, shape [worlds], int."""
-    elapsed: wp.array
-    """Time since the phase began [s], shape [worlds]."""
-    phase_start: wp.array
-    """Pose of the TCP when the phase began, shape [worlds], transform."""
-    phase_seconds: wp.array
-    amplitude: wp.array
-    """Shake amplitude [m], shape [worlds]."""
-    frequency: wp.array
-    """Shake frequency [Hz], shape [worlds]."""
-    in_hand: wp.array
-    """Whether the run starts with the cube in the hand, shape [worlds]."""
-    finger_closed: wp.array
-    finger_shake: wp.array
-    """Finger joint targets [m] that hold the cube and in the shake, shape [worlds]."""
-    goal: wp.array
-    """Where the phase ends, shape [worlds], transform."""
-    target_position: wp.array
-    target_rotation: wp.array
-    target_finger: wp.array
-    """Finger joint target [m], shape [worlds]."""
-    solver: ArmSolver
-    solution: wp.array
-    """Last IK solution, shape [worlds, 9]; the next solve starts from it."""
-    ik_iterations: int
-    tcp: Link
-    cube: Link
+    The arm is solved to the approach pose. ``solution``, shape [worlds, 9], is what the next solve starts from.
+    """
+
+    def __init__(self, scene: Scene, cases: list[Case]):
+        self.device, world_count = scene.model.device, len(cases)
+        self.cube, self.tcp = scene.links["cube"], scene.links["fr3_hand_tcp"]
+        self.ik_iterations = cases[0].ik_iterations
+
+        def floats(values) -> wp.array:
+            return wp.array(list(values), dtype=float, device=self.device)
+
+        in_hand = np.array([case.cube_in_hand for case in cases])
+        self.in_hand = wp.array(in_hand, dtype=bool, device=self.device)
+        self.phase = wp.array(np.where(in_hand, LIFT, APPROACH), dtype=int, device=self.device)
+        self.phase_seconds = floats(PHASE_SECONDS)
+        self.elapsed, self.target_finger = (wp.zeros(world_count, dtype=float, device=self.device) for _ in range(2))
+        self.phase_start, self.goal = (wp.zeros(world_count, dtype=wp.transform, device=self.device) for _ in range(2))
+        self.amplitude = floats(case.shake_amplitude_m for case in cases)
+        self.frequency = floats(case.shake_frequency_hz for case in cases)
+        self.finger_closed = floats(case.finger_closed_m for case in cases)
+        self.finger_shake = floats(
+            case.finger_closed_m if case.finger_shake_m is None else case.finger_shake_m for case in cases
+        )
+        cube_position = scene.model.body_q.numpy().reshape(world_count, -1, 7)[:, self.cube.body, :3]
+        above = cube_position + np.array((0.0, 0.0, APPROACH_HEIGHT), dtype=np.float32)
+        starts = np.where(in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above)
+        self.target_position = wp.array(starts, dtype=wp.vec3, device=self.device)
+        self.target_rotation = wp.full(world_count, wp.vec4(1.0, 0.0, 0.0, 0.0), dtype=wp.vec4, device=self.device)
+        self.solver = ArmSolver(scene.robot, self.tcp.body, self.tcp.pose, self.target_position, self.target_rotation)
+        self.solution = wp.array(np.tile(np.float32(READY_POSE), (world_count, 1)), dtype=float, device=self.device)
+        for _ in range(APPROACH_SOLVE_COUNT):
+            self.solve()
 
     def command(self, body_q: wp.array, joint_target: wp.array) -> None:
         """Queue the joint targets that were solved for this frame, and the end of the phase when it has come.
@@ -178,7 +179,7 @@ class Task:
             inputs=[body_q, self.tcp.body, self.tcp.pose, self.phase_seconds, self.in_hand, self.goal, self.solution]
             + [self.target_finger],
             outputs=[joint_target, self.phase, self.elapsed, self.phase_start],
-            device=body_q.device,
+            device=self.device,
         )
 
     def plan(self, body_q: wp.array) -> None:
@@ -189,52 +190,9 @@ class Task:
             inputs=[body_q, self.cube.body, self.phase_start, self.phase, self.phase_seconds]
             + [self.amplitude, self.frequency, self.in_hand, self.finger_closed, self.finger_shake],
             outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
-            device=body_q.device,
+            device=self.device,
         )
 
     def solve(self) -> None:
         """Queue the inverse kinematics of what was planned, from the last solution."""
         self.solver.step(self.solution, self.ik_iterations)
-
-
-def build_task(scene: Scene, cases: list[Case]) -> Task:
-    """Set up the task with the arm solved to the approach pose (in ``solution``)."""
-    device = scene.model.device
-    world_count = len(cases)
-    cube, tcp = scene.links["cube"], scene.links["fr3_hand_tcp"]
-
-    def floats(values) -> wp.array:
-        return wp.array(list(values), dtype=wp.float32, device=device)
-
-    in_hand = np.array([case.cube_in_hand for case in cases])
-    cube_position = scene.model.body_q.numpy().reshape(world_count, -1, 7)[:, cube.body, :3]
-    above = cube_position + np.array((0.0, 0.0, APPROACH_HEIGHT), dtype=np.float32)
-    starts = np.where(in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above)
-    target_position = wp.array(starts, dtype=wp.vec3, device=device)
-    target_rotation = wp.full(world_count, wp.vec4(1.0, 0.0, 0.0, 0.0), dtype=wp.vec4, device=device)
-    solver = arm_solver(scene.robot, tcp.body, tcp.pose, target_position, target_rotation)
-    solution = wp.array(np.tile(np.float32(READY_POSE), (world_count, 1)), dtype=wp.float32, device=device)
-    for _ in range(APPROACH_SOLVE_COUNT):
-        solver.step(solution, cases[0].ik_iterations)
-    return Task(
-        phase=wp.array(np.where(in_hand, LIFT, APPROACH), dtype=int, device=device),
-        elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),
-        phase_start=wp.zeros(world_count, dtype=wp.transform, device=device),
-        phase_seconds=floats(PHASE_SECONDS),
-        amplitude=floats(case.shake_amplitude_m for case in cases),
-        frequency=floats(case.shake_frequency_hz for case in cases),
-        in_hand=wp.array(in_hand, dtype=bool, device=device),
-        finger_closed=floats(case.finger_closed_m for case in cases),
-        finger_shake=floats(
-            case.finger_closed_m if case.finger_shake_m is None else case.finger_shake_m for case in cases
-        ),
-        goal=wp.zeros(world_count, dtype=wp.transform, device=device),
-        target_position=target_position,
-        target_rotation=target_rotation,
-        target_finger=wp.zeros(world_count, dtype=wp.float32, device=device),
-        solver=solver,
-        solution=solution,
-        ik_iterations=cases[0].ik_iterations,
-        tcp=tcp,
-        cube=cube,
-    )

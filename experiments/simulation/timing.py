@@ -95,8 +95,8 @@ def invalid_reason(case: Case, trace: Trace) -> str | None:
 
 def batch_invalid_reason(simulation: Simulation) -> str | None:
     """Return the same of the frames that a simulation has run, in any of its worlds."""
-    traces = simulation.recorder.traces(simulation.frame_dt, simulation.case.frame_count, wall_s=0.0)
-    return next(filter(None, (invalid_reason(simulation.case, trace) for trace in traces)), None)
+    reasons = (invalid_reason(simulation.case, trace) for trace in simulation.recorder.traces())
+    return next(filter(None, reasons), None)
 
 
 def wall_time(traces: Sequence[Trace]) -> dict[str, object]:

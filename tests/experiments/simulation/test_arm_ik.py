@@ -9,7 +9,7 @@ import pytest
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED
-from experiments.simulation.arm_ik import arm_solver
+from experiments.simulation.arm_ik import ArmSolver
 from experiments.simulation.scene import READY_POSE, build_scene
 from experiments.simulation.task import APPROACH_HEIGHT
 
@@ -37,7 +37,7 @@ def test_joints_are_those_of_newton_s_solver(scene):
     ]
     options = {"lambda_initial": 0.1, "jacobian_mode": ik.IKJacobianType.ANALYTIC}
     theirs = ik.IKSolver(scene.robot, WORLD_COUNT, objectives, **options)
-    ours = arm_solver(scene.robot, tcp.body, tcp.pose, place, turn)
+    ours = ArmSolver(scene.robot, tcp.body, tcp.pose, place, turn)
     found, expected = (
         wp.array(np.tile(np.float32(READY_POSE), (WORLD_COUNT, 1)), dtype=float, device="cpu") for _ in range(2)
     )
@@ -55,4 +55,4 @@ def test_a_joint_that_slides_is_refused(scene):
         [kind == newton.JointType.PRISMATIC for kind in scene.robot.joint_type.numpy()]
     ][0]
     with pytest.raises(ValueError, match="neither turns nor is fixed"):
-        arm_solver(scene.robot, int(finger), wp.transform(), wp.zeros(1, dtype=wp.vec3), wp.zeros(1, dtype=wp.vec4))
+        ArmSolver(scene.robot, int(finger), wp.transform(), wp.zeros(1, dtype=wp.vec3), wp.zeros(1, dtype=wp.vec4))

@@ -10,7 +10,7 @@ from conftest import SLIP_MM
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError
 from experiments.facts.trace import Failure
-from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
+from experiments.simulation.simulation import Simulation, batches, run_groups, simulate
 from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
 from measured_report.measuring.pool import gather, processes, start
@@ -87,7 +87,7 @@ def test_a_state_that_is_not_finite_is_marked_in_its_world_alone_and_so_is_one_t
         if frame == 4:
             simulation.solver.mjw_data.qvel.numpy()[1, -1] = np.nan
         simulation.step()
-    good, bad = simulation.recorder.traces(simulation.frame_dt, 6, wall_s=0.0)
+    good, bad = simulation.recorder.traces()
     assert good.failure is None
     assert (bad.failure.kind, bad.failure.frame) == ("non-finite", 4)
     simulation = Simulation([replace(AS_SHIPPED, backend="mujoco", frame_count=3)], wp.get_device("cpu"))
@@ -96,7 +96,7 @@ def test_a_state_that_is_not_finite_is_marked_in_its_world_alone_and_so_is_one_t
     speeds[0] = 1e20
     simulation.state.joint_qd.assign(speeds)
     simulation.step()
-    [trace] = simulation.recorder.traces(simulation.frame_dt, 2, wall_s=0.0)
+    [trace] = simulation.recorder.traces(frame_count=2)
     assert np.isfinite(trace.poses).all()
     assert trace.failure.kind == "non-finite" and trace.failure.frame == 1 and "reset" in str(trace.failure)
 
@@ -127,6 +127,6 @@ def test_a_run_in_a_process_of_its_own_is_the_run_here():
     cases = [replace(AS_SHIPPED, backend=backend, frame_count=30) for backend in ("mujoco", "warp")]
     groups = [[cases[index] for index in members] for members in batches(cases)]
     with processes(1) as pool:
-        away = gather(start(pool, run_batch, [(group, "cpu") for group in groups]), "")
-    for [one], other in zip(away, simulate(cases, device="cpu"), strict=True):
+        away = gather(start(pool, run_groups, [([group], "cpu") for group in groups]), "")
+    for [[one]], other in zip(away, simulate(cases, device="cpu"), strict=True):
         assert np.array_equal(one.poses, other.poses)

@@ -1,1 +1,0 @@
-"""The shake test as an example: ``python -m experiments.shake``."""
