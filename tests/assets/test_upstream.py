@@ -1,0 +1,64 @@
+"""The patches for upstream apply to the released packages, and docs/upstream.md says what came of it."""
+
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from measured_report.editions.environment import python_with
+from measured_report.files.errors import UsageError
+from measured_report.files.root import ROOT
+
+FOLDER = ROOT / "assets/upstream"
+CHECKED = json.loads((FOLDER / "checked.json").read_text(encoding="utf-8"))
+DOCUMENT = (ROOT / "docs/upstream.md").read_text(encoding="utf-8")
+NEW = ("mujoco_warp/_src/contact_jdotv_test.py", "newton/tests/test_mujoco_contact_jdotv.py")
+SHORT = "not test_step0 and not test_step2 and not test_step3 and not stays"
+"""All new tests but for other integrators and Newton's turntable, which take a minute to compile."""
+
+
+@pytest.mark.slow
+def test_the_patches_apply_to_the_released_packages_and_their_tests_pass(tmp_path):
+    try:
+        python = python_with("upstream", (*CHECKED["packages"], "pytest==9.2.0", "absl-py==2.5.1"))
+    except UsageError as error:
+        if re.search(r"(?i)dns|network|connect|failed to fetch|timed out", str(error)):
+            pytest.skip("there is no index to install the released packages from")
+        raise
+    site = subprocess.check_output([python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"], text=True)
+    for package in ("mujoco_warp", "newton"):
+        shutil.copytree(Path(site.strip(), package), tmp_path / package)
+    for patch in CHECKED["patches"]:
+        subprocess.run(["patch", "-p1", "--fuzz=0", f"--input={FOLDER / patch}"], cwd=tmp_path, check=True)
+    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *NEW, "-k", SHORT]
+    settings = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    done = subprocess.run(command, cwd=tmp_path, env=settings, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-2000:]
+
+
+def test_what_was_checked_are_these_patches():
+    digests = {patch.name: hashlib.sha256(patch.read_bytes()).hexdigest() for patch in FOLDER.glob("*.patch")}
+    assert CHECKED["patches"] == digests
+    assert CHECKED["own_after"] == CHECKED["own_before"] and CHECKED["same_when_off"]
+    assert all("failed" not in found for found in CHECKED["new"].values())
+
+
+def test_the_document_has_the_numbers_that_were_measured():
+    rows = json.loads((ROOT / "results/newton-1.4.0/cure.json").read_text(encoding="utf-8"))["rows"]
+    slips = {row["case"]: row.get("slip_mm") for row in rows}
+    shake = "newton-implicitfast-50-shipped-3cm"
+    walks, new = CHECKED["walk_mm"], [found["passed"] for found in CHECKED["new"].values()]
+    said = [
+        f"slides {slips[f'{shake}-plain-rounded']:.1f} mm",
+        f"{slips[f'{shake}-term-rounded']:.2f} mm with the term",
+        f"{CHECKED['own_before']['passed']} pass and {CHECKED['own_before']['skipped']} are skipped",
+        f"all {new[0]} and {new[1]} pass",
+        f"walks by {walks['false']:.2f} mm in a second without the term and by {walks['true']:.2f} mm with it",
+    ]
+    words = " ".join(DOCUMENT.split())
+    assert [sentence for sentence in said if sentence not in words] == []
