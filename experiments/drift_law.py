@@ -13,7 +13,7 @@ from experiments import stiffness
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.variants import POSITIONS
-from experiments.simulation.budget import friction_timeconst_s, softness, watched
+from experiments.simulation.budget import Watched, friction_timeconst_s, softness
 from experiments.simulation.limits import step_s
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
 from measured_report.measuring.pool import gather, processes, start
@@ -49,7 +49,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 def measure_slopes(case: Case) -> Slopes:
     """Measure the slopes in one run of a case through MuJoCo's C engine."""
-    run = watched(case)
+    run = Watched(case)
     if run.failure:
         return Slopes(*[np.nan] * 5, failure=run.failure)
     frames = run.frames.copy()

@@ -21,8 +21,7 @@ import numpy as np
 import warp as wp
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, Case, CaseError
-from experiments.facts.trace import Trace
+from experiments.facts.case import AS_SHIPPED, Case
 from experiments.simulation.limits import reference_stiffness, solref, step_s
 from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation
@@ -52,48 +51,9 @@ class Motion:
     """Reason why the sums say nothing, when they don't."""
 
 
-@dataclass(frozen=True)
-class Watched:
-    """A run through MuJoCo's C engine with the term put back, and the sums of each of its frames."""
-
-    trace: Trace
-    frames: np.ndarray
-    """Shape [frames, Watch.COLUMNS, 3]."""
-    depth_m: float
-    inverse_mass_1_kg: float
-
-    @property
-    def failure(self) -> str | None:
-        """Tell why nothing can be told from it, when that is so."""
-        if self.trace.failure:
-            return f"in MuJoCo C {self.trace.failure}"
-        return "in MuJoCo C the shake was never reached" if self.trace.phase[-1] != metrics.SHAKE else None
-
-    @property
-    def shaking(self) -> np.ndarray:
-        """Return the indices of the frames of the shake, from the end of whose first the displacement counts."""
-        return np.flatnonzero(self.trace.phase == metrics.SHAKE)
-
-
-def watched(case: Case) -> Watched:
-    """Run a case through MuJoCo's C engine with the term put back, so that no slide of the cube is in the sums."""
-    case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
-    simulation = Simulation([case], wp.get_device("cpu"))
-    watch = Watch(simulation)
-    step = simulation.solver._mujoco.mj_step
-    simulation.solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: watch.step(step, engine, data))
-    frames = np.zeros((case.frame_count, len(Watch.COLUMNS), 3))
-    for frame in range(case.frame_count):
-        watch.sums[:] = 0.0
-        simulation.step()
-        frames[frame] = watch.sums
-    [trace] = simulation.recorder.traces()
-    return Watched(trace, frames, watch.depth_m, watch.inverse_mass_1_kg)
-
-
 def measure_motion(case: Case) -> Motion:
     """Add up what moves the cube of a case, in a run through MuJoCo's C engine."""
-    run = watched(case)
+    run = Watched(case)
     if run.failure:
         return Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, run.failure)
     bias, damping, load, velocity = run.frames[run.shaking[1:]].sum(axis=0)
@@ -102,12 +62,30 @@ def measure_motion(case: Case) -> Motion:
     return Motion(bias, damping, load, run.depth_m, rounding, run.inverse_mass_1_kg)
 
 
-class Watch:
-    """A sum over substeps of what moves the cube against the hand."""
+class Watched:
+    """A run through MuJoCo's C engine with the term put back, so that no slide of the cube is in what is summed up.
 
-    COLUMNS = ("bias", "damping", "load", "velocity")
+    ``frames``, shape [frames, 4, 3], has the sums over each frame's substeps of bias, damping, load and velocity, and
+    ``shaking`` the indices of those of the shake, from the end of whose first the displacement counts. ``failure`` is
+    why nothing can be told from it, when that is so.
+    """
 
-    def __init__(self, simulation: Simulation):
+    def __init__(self, case: Case):
+        case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
+        simulation = Simulation([case], wp.get_device("cpu"))
+        self._look_at(simulation)
+        step = simulation.solver._mujoco.mj_step
+        simulation.solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: self._step(step, engine, data))
+        self.frames = np.zeros((case.frame_count, 4, 3))
+        for sums in self.frames:
+            self.sums = sums
+            simulation.step()
+        [self.trace] = simulation.recorder.traces()
+        self.shaking = np.flatnonzero(self.trace.phase == metrics.SHAKE)
+        reason = self.trace.failure or (None if len(self.shaking) else "the shake was never reached")
+        self.failure = f"in MuJoCo C {reason}" if reason else None
+
+    def _look_at(self, simulation: Simulation) -> None:
         engine = simulation.solver.mj_model
         of_newton = simulation.solver.mjc_body_to_newton.numpy()[0].tolist()
         link = simulation.scene.links["fr3_hand_tcp"]
@@ -119,12 +97,11 @@ class Watch:
         self.axes = self.axes.reshape(3, 3)
         finger = of_newton.index(simulation.scene.links["fr3_leftfinger"].body)
         self.inverse_mass_1_kg = float(engine.body_invweight0[[finger, self.cube], 0].sum())
-        self.sums = np.zeros((len(self.COLUMNS), 3))
         self.depth_m = 0.0
         self.rate = np.zeros((3, engine.nv))
         self.jacobian = np.zeros((2, 3, engine.nv))
 
-    def step(self, step, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
+    def _step(self, step, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
         before = data.qvel.copy()
         step(engine, data)
         # The kinematics are still those of the step's beginning.
@@ -219,13 +196,7 @@ def yielding(impedance: float) -> float:
 
 
 def contact_timeconst_s(case: Case) -> float:
-    """Return the timeconst of the pads' contacts, which the engine takes no shorter than two substeps [s].
-
-    Raises:
-        CaseError: The case sets it otherwise than by ``pad_kd``.
-    """
-    if case.pad_direct or not case.refsafe or case.friction_timeconst_override_s is not None:
-        raise CaseError(f"{case.name} has a timeconst that is not predicted: pad_direct, refsafe or an override")
+    """Return the timeconst of the pads' contacts by ``pad_kd``; the engine takes none shorter than two substeps [s]."""
     return max(solref(case.pad_ke, case.pad_kd)[0], 2.0 * step_s(case))
 
 

@@ -29,9 +29,9 @@ class Conditions(conditions.Conditions):
         """Return ``full``, or fewer frames when quick."""
         return min(full, QUICK_FRAME_COUNT) if self.quick else full
 
-    def contact_frames(self, full: int = AS_SHIPPED.frame_count) -> tuple[int, ...]:
-        """Return three frames in the middle of the shake of a run of ``full`` frames."""
-        middle = (SETUP_FRAME_COUNT + self.frame_count(full)) // 2
+    def contact_frames(self) -> tuple[int, ...]:
+        """Return three frames in the middle of the shake."""
+        middle = (SETUP_FRAME_COUNT + self.frame_count(AS_SHIPPED.frame_count)) // 2
         return middle - CONTACT_FRAME_STEP, middle, middle + CONTACT_FRAME_STEP
 
     def simulate(self, cases: Sequence[Case], **options) -> list[Trace]:
