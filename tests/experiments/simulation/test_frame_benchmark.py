@@ -6,16 +6,13 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import reproduction, scaling
 from experiments.facts.case import AS_SHIPPED, FIXED, Case
-from experiments.simulation import frame_benchmark, simulation
+from experiments.simulation import frame_benchmark
 from experiments.simulation.frame_benchmark import TIMED, Clone, WarmState, time_cases, warm_state
-from experiments.simulation.measurement import Conditions
 from experiments.simulation.paired_timing import BATCH_COUNT
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import batch_invalid_reason
 
-QUICK = Conditions("cpu", quick=True)
 SMALL = replace(AS_SHIPPED, name="small", constraint_max=12)
 OVERFLOW = "not timed: the constraint buffer overflowed"
 NO_MEMORY = RuntimeError("Failed to allocate 1024 bytes on device 'cpu'")
@@ -80,26 +77,6 @@ def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, warm
         assert np.array_equal(again.body_q.numpy(), first.body_q.numpy()) and not np.array_equal(
             before, again.body_q.numpy()
         )
-
-
-@pytest.mark.slow
-def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch, warm):
-    assert scaling.Worlds(warm, 1).row()["frame_ms"] > 0.0
-    monkeypatch.setattr(scaling, "FIXED", replace(FIXED, constraint_max=12))
-    row = scaling.Worlds(warm, 1).row()
-    assert all(row[name] is None for name in (*scaling.ABSENT, *scaling.STEPS))
-    assert row["world_substeps_per_s_reason"] == OVERFLOW
-
-
-@pytest.mark.slow
-def test_halves_of_a_batch_are_not_timed_as_the_batch(monkeypatch):
-    """Whatever more than one world is asked for, the device says what Warp says when it has no more memory."""
-    monkeypatch.setattr(simulation, "Simulation", refusing(NO_MEMORY, most=1))
-    monkeypatch.setattr(reproduction, "QUICK_FRAME_COUNT", 2)
-    monkeypatch.setitem(reproduction.BATCH_SIZE, "cpu", 2)
-    rows = reproduction.batch_rows(QUICK)
-    assert [row["wall_s"] is None for row in rows] == [False, True, False, True]
-    assert rows[1]["wall_s_reason"] == "not timed: the memory is too small for all worlds at once"
 
 
 def refusing(error: Exception, most: int = 0) -> type[Simulation]:

@@ -198,7 +198,7 @@ def test_no_record_is_stale_when_the_simulation_moves_locals_are_renamed_and_mes
         edited = reworded(re.sub(r"\bexperiments\.simulation\b", "experiments.elsewhere.deeper", text))
         path.write_text(edited, encoding="utf-8")
     run = (moved / "simulation.py").read_text(encoding="utf-8")
-    assert "wall_s_renamed" in run and "one half after the other perhaps" in run
+    assert "wall_s_renamed" in run and "sums positions in double precision perhaps" in run
     assert identities(copied) == before
 
 
