@@ -45,10 +45,6 @@ def _switch(flag) -> str:
     return "true" if flag else "false"
 
 
-def _name(model: mujoco.MjModel, kind: mujoco.mjtObj, index: int) -> str:
-    return mujoco.mj_id2name(model, kind, index)
-
-
 def _add_option(root: Element, model: mujoco.MjModel) -> None:
     opt = model.opt
     numbers = ("timestep", "gravity", "impratio", "tolerance", "ls_tolerance", "ccd_tolerance")
@@ -63,7 +59,7 @@ def _add_option(root: Element, model: mujoco.MjModel) -> None:
 
 def _add_body(parent: Element, model: mujoco.MjModel, body: int) -> Element:
     pose = {"pos": _text(model.body_pos[body]), "quat": _text(model.body_quat[body])}
-    name = _name(model, mujoco.mjtObj.mjOBJ_BODY, body)
+    name = model.body(body).name
     element = SubElement(parent, "body", pose, name=name, gravcomp=_text(model.body_gravcomp[body]))
     inertia = {"pos": _text(model.body_ipos[body]), "quat": _text(model.body_iquat[body])}
     mass = {"mass": _text(model.body_mass[body]), "diaginertia": _text(model.body_inertia[body])}
@@ -75,7 +71,7 @@ def _add_body(parent: Element, model: mujoco.MjModel, body: int) -> Element:
 
 
 def _add_joint(body: Element, model: mujoco.MjModel, joint: int) -> None:
-    name, kind = _name(model, mujoco.mjtObj.mjOBJ_JOINT, joint), JOINTS[model.jnt_type[joint]]
+    name, kind = model.joint(joint).name, JOINTS[model.jnt_type[joint]]
     if kind == "free":
         SubElement(body, "freejoint", name=name)
         return
@@ -110,21 +106,21 @@ def _add_geom(body: Element, model: mujoco.MjModel, geom: int) -> None:
     element = SubElement(body, "geom", {name: _text(getattr(model, f"geom_{name}")[geom]) for name in numbers})
     for name in counts:
         element.set(name, str(getattr(model, f"geom_{name}")[geom]))
-    element.set("name", _name(model, mujoco.mjtObj.mjOBJ_GEOM, geom))
+    element.set("name", model.geom(geom).name)
     element.set("type", GEOMS[model.geom_type[geom]])
     element.set("mass", "0")
 
 
 def _add_excluded(contact: Element, model: mujoco.MjModel) -> None:
     for signature in model.exclude_signature.tolist():
-        pair = (_name(model, mujoco.mjtObj.mjOBJ_BODY, body) for body in (signature >> 16, signature & 0xFFFF))
+        pair = (model.body(body).name for body in (signature >> 16, signature & 0xFFFF))
         SubElement(contact, "exclude", dict(zip(("body1", "body2"), pair, strict=True)))
 
 
 def _add_equalities(equality: Element, model: mujoco.MjModel) -> None:
     for index in np.flatnonzero(model.eq_active0):  # Newton 1.8 adds welds to the world that are off
         joints = (model.eq_obj1id[index], model.eq_obj2id[index])
-        names = (_name(model, mujoco.mjtObj.mjOBJ_JOINT, joint) for joint in joints)
+        names = (model.joint(joint).name for joint in joints)
         element = SubElement(equality, "joint", dict(zip(("joint1", "joint2"), names, strict=True)))
         element.set("polycoef", _text(model.eq_data[index][:5]))
         element.set("solref", _text(model.eq_solref[index]))
@@ -136,7 +132,7 @@ def _add_actuators(actuators: Element, model: mujoco.MjModel) -> None:
         SubElement(
             actuators,
             "general",
-            joint=_name(model, mujoco.mjtObj.mjOBJ_JOINT, model.actuator_trnid[index, 0]),
+            joint=model.joint(model.actuator_trnid[index, 0]).name,
             gainprm=_text(model.actuator_gainprm[index]),
             biastype="affine",
             biasprm=_text(model.actuator_biasprm[index]),
