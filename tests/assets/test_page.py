@@ -1,7 +1,6 @@
 """The site of the tracked results in a real browser: on a screen and on a phone, in both colour schemes."""
 
 import csv
-import gzip
 import json
 import re
 from collections.abc import Iterator
@@ -20,16 +19,11 @@ pytestmark = pytest.mark.words
 SCREENS = {"desk": (1280, 900), "phone": (390, 844)}
 LEAST_TEXT_PX = 9.0
 MOST_STOPS = 60
-MOST_ZIPPED_BYTES = 80_000
-"""Of a page without its data."""
 MOST_BYTES_PER_EDITION = 7_000_000
 MOST_WORDS = 20_000
 WORDLESS = re.compile(r"<(svg|script|math)\b.*?</\1>|<[^>]*>", re.DOTALL)
 OWN_PAGES = ("replay.html", "lab.html")
 """Pages that have a program in them."""
-MOST_ELEMENTS = 4000
-"""On a front page."""
-
 TOO_WIDE = """[...document.querySelectorAll("body *")].filter((element) =>
   !element.closest(".wide, pre, svg, .skip") && element.checkVisibility()
   && element.getBoundingClientRect().right > innerWidth + 1).map((element) => element.outerHTML.slice(0, 99))"""
@@ -42,20 +36,6 @@ OUTSIDE = """[...document.querySelectorAll("svg text")].filter((text) => {
   return text.checkVisibility() && (box.left < drawing.left - 2 || box.right > drawing.right + 2
     || box.top < drawing.top - 2 || box.bottom > drawing.bottom + 2);
 }).map((text) => text.textContent)"""
-SQUEEZED = """[...document.querySelectorAll("svg.narrow")].filter((drawing) =>
-  [...drawing.querySelectorAll("clipPath rect")].some((axes) =>
-    axes.width.baseVal.value < drawing.viewBox.baseVal.width / 2)).map((drawing) => drawing.closest("figure").id)"""
-"""Drawings for a phone whose axes, to which lines are clipped, have less than half of the width."""
-WRAPPED = (
-    """[...document.querySelectorAll("pre")].filter((code) => getComputedStyle(code).whiteSpace !== "pre").length"""
-)
-"""Blocks of code whose statements break where the screen ends."""
-COVERS_TEXT = """(() => {
-  const top = document.querySelector(".top"), text = document.querySelector("main p");
-  return top && getComputedStyle(top).position === "fixed"
-    && top.getBoundingClientRect().left < text.getBoundingClientRect().right;
-})()"""
-"""Whether the button to the top lies over the ends of lines."""
 PROSE = """(() => {
   const main = document.querySelector("main").cloneNode(true);
   const others = "figure, details, nav, pre, .left-out, .sources, .anchor, button";
@@ -119,20 +99,12 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
         assert tab.evaluate("document.documentElement.scrollWidth") <= tab.viewport_size["width"], path.name
         assert tab.evaluate(TOO_WIDE) == [], path.name
         assert tab.evaluate(OUTSIDE) == [], path.name
-        assert tab.evaluate(SQUEEZED) == [], path.name
         assert min(tab.evaluate(TEXT_SIZES), default=LEAST_TEXT_PX) >= LEAST_TEXT_PX, path.name
         assert tab.evaluate(STOPS) < MOST_STOPS, path.name
-        assert not tab.evaluate(COVERS_TEXT), path.name
-        assert tab.evaluate(WRAPPED) == 0, path.name
         tab.evaluate(axe)
         found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")["violations"]
         for rule in found:
             assert rule["impact"] not in ("serious", "critical"), (path.name, rule["id"], rule["nodes"][0]["html"][:99])
-
-
-def test_the_front_page_is_small(site, tab):
-    open_page(tab, site / "index.html")
-    assert tab.evaluate("document.querySelectorAll('*').length") <= MOST_ELEMENTS
 
 
 @pytest.mark.parametrize(("tab", "screens"), [(("desk", "light"), 1), (("phone", "light"), 3)], indirect=["tab"])
@@ -189,11 +161,6 @@ def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
     sync_api.expect(tab.locator("#play")).to_have_text("Play")
 
 
-def test_finding_7_half_a_link_stops_nothing(site, tab):
-    open_page(tab, site / "index.html", "#%")
-    assert tab.locator(".scheme").is_visible()
-
-
 def assert_drawn(tab) -> None:
     """Each drawing that is a file is there once one comes to it."""
     images = tab.locator("main picture img")
@@ -230,12 +197,6 @@ def test_the_site_has_its_data_once(site):
     editions = len(list((site / "data").glob("newton-*")))
     whole = sum(path.stat().st_size for path in site.rglob("*") if path.is_file())
     assert whole <= MOST_BYTES_PER_EDITION * editions
-
-
-def test_every_page_is_light_without_its_data(site):
-    for path in site.rglob("*.html"):
-        if path.name not in OWN_PAGES:
-            assert len(gzip.compress(path.read_bytes())) <= MOST_ZIPPED_BYTES, path
 
 
 def test_all_pages_of_a_release_are_read_in_an_hour_or_two(site):
@@ -312,8 +273,6 @@ def test_tables_are_sorted_by_a_click(site, tab):
     for expected in (sorted(before), sorted(before, reverse=True), before):
         head.locator("button").click()
         assert numbers(table, column) == expected
-    head.locator("button").press("Enter")
-    assert head.get_attribute("aria-sort") == "ascending"
 
 
 def test_tables_are_copied_as_csv(site, tab):
@@ -324,25 +283,6 @@ def test_tables_are_copied_as_csv(site, tab):
     assert len(lines) == 1 + table.locator("tbody tr").count()
     slips = [row[slip_column(table)] for row in csv.reader(lines)]
     assert slips[0].endswith("[mm]") and float(slips[1]) == numbers(table, slip_column(table))[0]
-
-
-def test_code_is_copied_as_it_stands(site, tab):
-    tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    open_page(tab, site / "index.html")
-    block = tab.locator(".code").first
-    block.locator(".copy").click()
-    sync_api.expect(block.locator(".copy")).to_have_text("Copied")
-    copied = tab.evaluate("navigator.clipboard.readText()")
-    assert copied == block.locator("pre").text_content().rstrip() + "\n"
-
-
-def test_a_number_is_underlined_where_its_box_works_and_a_derived_one_leads_to_its_place(site, tab):
-    open_page(tab, site / "index.html")
-    number = tab.locator('main p data[data-src^="values.json"]:visible').first
-    number.hover()
-    assert tab.locator("#origin").is_visible()
-    assert "dotted" in number.evaluate("number => getComputedStyle(number).textDecoration")
-    assert tab.locator("#origin a").get_attribute("href") == f"data/{number.get_attribute('data-src')}"
 
 
 @pytest.mark.parametrize("tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join)

@@ -1,10 +1,8 @@
 """The clips: what they read out is what was kept, and what they show is where it was."""
 
-import json
 import re
 import shutil
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,7 +17,6 @@ from measured_report.editions.project import Project, own_release
 from measured_report.records.record import load_record, trace_path
 from measured_report.records.traces import load_trace
 from report.media.clips import Clips
-from report.plugins import Plugins
 
 OWN = Project(own_release())
 
@@ -107,7 +104,6 @@ def _poster_elsewhere(results: Path) -> None:
 
 CLIP_DAMAGES = {
     "replaced": lambda results: next(results.glob("clips.*.mp4")).write_text("<script>alert(1)</script>"),
-    "gone": lambda results: next(results.glob("clips.*.mp4")).unlink(),
     "elsewhere": _poster_elsewhere,
 }
 
@@ -131,14 +127,3 @@ def test_finding_4_a_clip_that_is_not_the_one_that_was_made_is_named(project, da
     damage(project.results)
     state = clips_state(project)
     assert state.kind == "damaged" and "clips" in state.words and "\n" not in state.words
-
-
-@pytest.mark.parametrize("lost", ["poster", "width_px", "as_shipped_mm"])
-def test_clips_that_lack_what_a_page_shows_are_named_and_not_shown(project, lost):
-    data = json.loads(project.record_path(CLIPS).read_text())
-    data["rows"] = [{name: cell for name, cell in row.items() if name != lost} for row in data["rows"]]
-    data["units"].pop(lost, None)
-    project.record_path(CLIPS).write_text(json.dumps(data))
-    plugins = Plugins(SimpleNamespace(project=project))
-    [state] = plugins.left_out
-    assert state.kind == "damaged" and lost in state.words and plugins.clips is None

@@ -104,12 +104,6 @@ def test_the_timeconst_of_friction_rows_is_the_pads_or_kf_s():
     assert own == pytest.approx(2.0 / (200.0 * (0.05 / 50.0 + 0.95)) if kf_is_read() else 0.02)
 
 
-def test_a_run_that_cannot_be_watched_gives_reasons_and_no_numbers():
-    failed = Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, "in MuJoCo C it broke down")
-    row = combinations.motion_row(("shipped", "3cm"), failed)
-    assert row["left_out_x_m_s"] is None and row["depth_mm_reason"] == failed.failure
-
-
 def test_every_combination_is_a_case_of_its_own_in_few_batches():
     cases = combinations.cases(quick=False)
     assert len({case.name for case in cases}) == len({replace(case, name="") for case in cases}) == len(cases)

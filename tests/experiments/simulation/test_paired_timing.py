@@ -73,16 +73,6 @@ def test_the_cap_leaves_the_resolution_that_was_reached():
     assert len(found.times) == BATCH_COUNT and found.resolution > 0.01
 
 
-def test_the_order_turns_round_from_round_to_round():
-    order: list[str] = []
-
-    def block(name: str) -> Callable[[int], float]:
-        return lambda number: order.append(name) or 1.0
-
-    time_in_turn([block("a"), block("b")])
-    assert "".join(order) == "abba" * (BATCH_COUNT // 2)
-
-
 @pytest.mark.parametrize("build_count", [1, 2, 3])
 def test_what_builds_differ_by_is_in_the_interval(build_count):
     """The reference has two builds, each of three cases so many, and a build takes 1 % more or less than another."""
@@ -103,8 +93,3 @@ def test_what_builds_differ_by_is_in_the_interval(build_count):
             covered.append(abs(np.log(each.ratio / RATIO)) <= np.log1p(each.resolution))
             narrow.append(abs(np.log(case[0].ratio / RATIO)) <= np.log1p(case[0].resolution))
     assert np.mean(covered) >= 0.93 and np.mean(narrow) < 0.5
-
-
-def test_without_a_second_build_a_result_is_as_it_was():
-    found = time_in_turn([lambda _: 1.0, lambda _: RATIO])
-    assert pool_builds([[each] for each in found]) == found

@@ -9,7 +9,6 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, LEAN
 from experiments.simulation import scene, worlds
-from experiments.simulation.simulation import simulate
 from experiments.simulation.worlds import NOT_EXTENDED, UnequalWorlds, model_of
 
 CASES = {"as-shipped": AS_SHIPPED, "lean": LEAN, "mesh": replace(AS_SHIPPED, pad_shape="convex-mesh")}
@@ -46,19 +45,6 @@ def test_a_model_that_is_worked_out_is_the_one_that_is_built(name, monkeypatch):
     assert np.count_nonzero(extended.shape_source_ptr.numpy()) == np.count_nonzero(built.shape_source_ptr.numpy())
     pairs = [model.shape_collision_filter_pairs for model in (extended, built)]
     assert set(pairs[0]) == set(pairs[1])
-
-
-@pytest.mark.slow
-def test_worlds_that_are_worked_out_run_as_those_that_are_built(monkeypatch):
-    short = replace(LEAN, frame_count=40)
-    cases = [replace(short, name=str(i), pad_ke=2e3 * (i + 1), cube_in_hand=i % 2 == 0) for i in range(5)]
-    extended = simulate(cases, device="cpu")
-    monkeypatch.setattr(worlds, "WORLDS_BUILT", len(cases))
-    built = simulate(cases, device="cpu")
-    for one, other in zip(extended, built, strict=True):
-        assert np.array_equal(one.poses, other.poses)
-        assert np.array_equal(one.contacts, other.contacts, equal_nan=True)
-    assert not np.array_equal(extended[0].poses, extended[4].poses)
 
 
 def test_worlds_that_differ_are_refused():
