@@ -12,7 +12,7 @@ import pytest
 
 from experiments.facts.case import LEAN
 from experiments.facts.classes import CLASSES, STABLE
-from experiments.lab.double import DoubleShake
+from experiments.simulation.reference import DoubleShake
 from measured_report.files.root import ROOT
 from report import lab_check
 from report.lab_check import QUERIES, SHAKE_FRAME_COUNT, rows_in_node
