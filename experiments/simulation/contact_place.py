@@ -174,55 +174,6 @@ def place_on(first: Surface, second: Surface, gap: float, turning: wp.vec2, slid
     )
 
 
-@wp.struct
-class Crossing:
-    """The motion of a contact where two edges cross, in its two tangents."""
-
-    is_there: bool
-    over: wp.vec2
-    """Velocity of the place over both surfaces together [m/s]."""
-    turning: wp.vec2
-    """Turn of its normal."""
-
-
-@wp.func
-def crossing_of(
-    first: Surface, second: Surface, gap: float, turning_1: wp.vec2, turning_2: wp.vec2, apart: wp.vec2
-) -> Crossing:
-    """Find how two edges move that cross: the normal stays upright on both, and the places on them one above the other.
-
-    Args:
-        first, second: Surfaces.
-        gap: Between them [m].
-        turning_1, turning_2: ω × n of either body.
-        apart: Velocity of the second body's place against the first one's [m/s].
-    """
-    found = Crossing()
-    edge_1, edge_2 = edge_of(first.sharp), edge_of(second.sharp)
-    crossing = edge_1[0] * edge_2[1] - edge_1[1] * edge_2[0]
-    single = wp.max(wp.trace(first.sharp), wp.trace(second.sharp)) < 1.5
-    if single and wp.min(wp.trace(first.sharp), wp.trace(second.sharp)) > 0.5 and wp.abs(crossing) > UPRIGHT:
-        # What turns the normal along one edge and leaves it upright on the other.
-        dual_1 = wp.vec2(edge_2[1], -edge_2[0]) / crossing
-        dual_2 = wp.vec2(-edge_1[1], edge_1[0]) / crossing
-        bend_1 = wp.dot(edge_1, first.bend * edge_1) * dual_1
-        bend_2 = wp.dot(edge_2, second.bend * edge_2) * dual_2
-        carried = wp.dot(edge_1, turning_1) * dual_1 + wp.dot(edge_2, turning_2) * dual_2
-        ways = wp.matrix_from_cols(edge_1 + gap * bend_1, -edge_2 - gap * bend_2)
-        speed = wp.inverse(ways) * (apart - gap * carried)
-        found.is_there = True
-        found.over = speed[0] * edge_1 + speed[1] * edge_2
-        found.turning = carried + speed[0] * bend_1 - speed[1] * bend_2
-    return found
-
-
-@wp.func
-def edge_of(sharp: wp.mat22) -> wp.vec2:
-    """Return the direction of an edge, of the projection across it."""
-    along_x, along_y = wp.vec2(1.0 - sharp[0, 0], -sharp[1, 0]), wp.vec2(-sharp[0, 1], 1.0 - sharp[1, 1])
-    return wp.normalize(wp.where(sharp[0, 0] < sharp[1, 1], along_x, along_y))
-
-
 @wp.func
 def round_the_rim(radius: float, at: wp.vec3, out: wp.vec3, over: wp.vec3) -> wp.vec3:
     """Find by how much more than the lowest place of a rim, which moves at ``over``, a contact at ``at`` moves [m/s].
@@ -279,15 +230,6 @@ def subtract_place(
     second = surface_of(geom_type[two], size_2, at_2, -(mat_2 * n), mat_2 * x, mat_2 * y)
     turn, slide = wp.cross(w, n), wp.cross(w, half)
     turning = wp.vec2(wp.dot(turn, x), wp.dot(turn, y))
-    turn_1, turn_2, both = wp.cross(w_1, n), wp.cross(w_2, n), v + wp.cross(w_1 + w_2, half)
-    crossing = crossing_of(
-        first,
-        second,
-        gap,
-        wp.vec2(wp.dot(turn_1, x), wp.dot(turn_1, y)),
-        wp.vec2(wp.dot(turn_2, x), wp.dot(turn_2, y)),
-        wp.vec2(wp.dot(both, x), wp.dot(both, y)),
-    )
     if wp.trace(first.sharp) > 0.5 and wp.trace(second.sharp) > 0.5:  # side by side, a corner of the second one
         first.bend = 0.0 * UNIT
         first.sharp = 0.0 * UNIT
@@ -307,9 +249,6 @@ def subtract_place(
         over = over + over - gap * bent - sliding
         carrying = w_2
     rate = wp.cross(carrying, n) + bent[0] * x + bent[1] * y
-    if crossing.is_there:
-        over = crossing.over
-        rate = crossing.turning[0] * x + crossing.turning[1] * y
     way, way_rate = wp.vec3(0.0, 1.0, 0.0), wp.vec3()
     if n[1] <= -0.5 or n[1] >= 0.5:
         way = wp.vec3(0.0, 0.0, 1.0)

@@ -69,9 +69,6 @@ def missing_rates(engine: mujoco.MjModel, data: mujoco.MjData, contacts: list[mu
     bent = np.einsum("cij,cj->ci", first, way)
     over = np.einsum("ci,cir->cr", 2.0 * way + gap * bent - sliding, tangents)
     rate = np.cross(np.where(other, two.turning, one.turning), n) + sign * np.einsum("ci,cir->cr", bent, tangents)
-    apart = v + 0.5 * gap * np.cross(one.turning + two.turning, n)
-    cross, of_edges, turned = crossing_edges(one, two, gap, n, tangents, apart)
-    over, rate = np.where(cross, of_edges, over), np.where(cross, turned, rate)
     of_frame = np.cross(n, rate) + frame_spin(engine, data, geoms, two.turning, n, tangents, rate)[:, None] * n
     place = 0.5 * (slide + over) + rims_ahead(
         engine, data, geoms, position + 0.5 * gap * n, n, 0.5 * (over - v - slide)
@@ -152,31 +149,6 @@ def place_on(first, second, sharp, gap, turning, sliding) -> np.ndarray:
     smooth = UNIT - sharp
     wanted = smooth @ (turning[..., None] + second @ sliding[..., None]) / scale + sharp @ sliding[..., None]
     return np.linalg.solve(smooth @ (first + second @ carried) / scale + sharp @ carried, wanted)[..., 0]
-
-
-def crossing_edges(one: Side, two: Side, gap, n, tangents, apart) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Find where two edges cross, how fast the places move over both together and how fast the normal turns."""
-    (along_1, across_1), (along_2, across_2) = (edge_of(side.sharp) for side in (one, two))
-    crossing = (across_1 * along_2).sum(axis=1, keepdims=True)
-    single = [np.abs(np.trace(side.sharp, axis1=1, axis2=2) - 1.0) < 0.5 for side in (one, two)]
-    cross = np.all(single, axis=0)[:, None] & (np.abs(crossing) > UPRIGHT)
-    crossing = np.where(cross, crossing, 1.0)
-    turned, bends = 0.0 * across_1, []
-    for side, along, dual in ((one, along_1, -across_2 / crossing), (two, along_2, across_1 / crossing)):
-        turned += (along * in_plane(tangents, np.cross(side.turning, n))).sum(axis=1, keepdims=True) * dual
-        bends.append(np.einsum("ci,cij,cj->c", along, side.bend, along)[:, None] * dual)
-    ways = np.stack([along_1 + gap * bends[0], -along_2 - gap * bends[1]], axis=2)
-    wanted = in_plane(tangents, apart) - gap * turned
-    speeds = np.linalg.solve(np.where(cross[..., None], ways, UNIT), wanted[..., None])
-    turned += speeds[:, 0] * bends[0] - speeds[:, 1] * bends[1]
-    over = speeds[:, 0] * along_1 + speeds[:, 1] * along_2
-    return cross, *(np.einsum("ci,cir->cr", flat, tangents) for flat in (over, turned))
-
-
-def edge_of(sharp: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the directions along edges and across them, of projections across, shape [contacts, 2, 2]."""
-    across = np.linalg.eigh(sharp)[1][:, :, 1]
-    return np.stack([-across[:, 1], across[:, 0]], axis=1), across
 
 
 def rims_ahead(engine: mujoco.MjModel, data: mujoco.MjData, geoms, position, n, on_rim) -> np.ndarray:

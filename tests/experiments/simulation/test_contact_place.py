@@ -119,24 +119,15 @@ def is_corner(kind: int, out: np.ndarray) -> bool:
     return kind in (contact_place_c.BOX, mujoco.mjtGeom.mjGEOM_MESH) and np.abs(out).max() < 1.0 - 1e-6
 
 
-def is_edge(kind: int, out: np.ndarray) -> bool:
-    """Tell whether it is touched at an edge whose direction is known."""
-    if kind == contact_place_c.CYLINDER:
-        return np.hypot(out[0], out[1]) > contact_place_c.UPRIGHT
-    return kind == contact_place_c.BOX and (np.abs(out) < 1e-6).sum() == 1
-
-
 def is_smooth(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
-    """Tell whether the nearest contact is at two edges or at most one corner, of no mesh but by a plane."""
+    """Tell whether the nearest contact is at most at one edge or corner, of no mesh but by a plane."""
     contact = data.contact[0]
     normals = [data.geom_xmat[geom].reshape(3, 3).T @ contact.frame[:3] for geom in contact.geom]
     kinds = model.geom_type[contact.geom]
-    corners, edges = ([of(*each) for each in zip(kinds, normals, strict=True)] for of in (is_corner, is_edge))
+    corners = [is_corner(*each) for each in zip(kinds, normals, strict=True)]
     if (kinds[0] == mujoco.mjtGeom.mjGEOM_HFIELD and corners[0]) or contact.dist > data.contact.dist.min():
         return False
-    if all(corners):
-        return all(edges)
-    return not (kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1])
+    return not all(corners) and not (kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1])
 
 
 def smooth_states(model: mujoco.MjModel, seed: int) -> Iterator[tuple[mujoco.MjData, np.ndarray]]:
