@@ -1,6 +1,6 @@
 """The clips and the long exposure: two kept runs side by side, in step, with their displacement read out."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -103,16 +103,44 @@ def _smooth(share: float) -> float:
 
 
 def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
-    """Return the frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits."""
+    """Return the frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits: the panels, below names, numbers and a growing
+    plot."""
     stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
-    overlay = Overlay(clip)
+    readout, sheet = clip.readout(), Sheet(WIDTH, HEIGHT, HEIGHT - PANEL_HEIGHT)
+    axes = plot_axes(sheet, readout)
+    style = {"linewidth": 4, "marker": "o", "markersize": 11, "markevery": [-1], "clip_on": False}
+    labels = [sheet.name_panel(*item) for item in zip(range(2), clip.names, COLOURS, strict=True)]
+    curves = [axes.plot([], [], color=colour, **style)[0] for colour in COLOURS]
     picture = None
     for number, frame in enumerate(clip.frames):
         if number == 0 or frame != clip.frames[number - 1]:
             stage.place([bodies(run, frame) for run in clip.runs])
             panels = display(stage.picture(clip.camera(frame), WIDTH // 2, PANEL_HEIGHT))
-            picture = overlay.on(panels, number)
+            time_s = readout["time_s"][: number + 1]
+            for name, label, curve in zip(clip.names, labels, curves, strict=True):
+                values = readout[f"{name}_mm"][: number + 1]
+                label.set_text(reading(values[-1]) if time_s[-1] >= 0.0 else "")
+                curve.set_data(time_s, values)
+            picture = sheet.on(panels)
         yield picture
+
+
+def plot_axes(sheet: "Sheet", readout: Mapping[str, np.ndarray]) -> Axes:
+    """Return the axes above the panels, with room for all that is read out."""
+    bottom, height = (PANEL_HEIGHT + 46) / HEIGHT, (HEIGHT - PANEL_HEIGHT - HEAD - 46) / HEIGHT
+    axes = sheet.figure.add_axes((0.1, bottom, 0.875, height), facecolor="none")
+    axes.set_xlim(0.0, readout["time_s"][-1] * 1.015)
+    axes.set_ylim(0.0, 1.2 * max(np.nanmax(values) for name, values in readout.items() if name != "time_s"))
+    axes.yaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
+    axes.xaxis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
+    axes.xaxis.set_major_formatter(lambda value, _: f"{value:g} s" if value else "")
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g} mm" if value else "0")
+    axes.text(0.01, 0.94, "displacement in the grasp", transform=axes.transAxes, color=SOFT, fontsize=19, va="top")
+    axes.tick_params(colors=SOFT, labelsize=19, length=0, pad=6)
+    axes.grid(color=GRID, linewidth=1)
+    for side, spine in axes.spines.items():
+        spine.set(visible=side == "bottom", color=SOFT)
+    return axes
 
 
 def write_video(path: Path, frames: Iterable[np.ndarray]) -> np.ndarray:
@@ -137,47 +165,6 @@ def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
     """Say where everything is; the edges that mark the cube's start are there once the shake has begun."""
     found = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
     return found | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
-
-
-class Overlay:
-    """Names and numbers of a clip, the plot that grows, and below them the panels."""
-
-    def __init__(self, clip: Clip):
-        self.readout = clip.readout()
-        self.names = clip.names
-        self.sheet = Sheet(WIDTH, HEIGHT, HEIGHT - PANEL_HEIGHT)
-        axes = self._axes()
-        self.labels, self.curves = [], []
-        for number, (name, colour) in enumerate(zip(clip.names, COLOURS, strict=True)):
-            self.labels.append(self.sheet.name_panel(number, name, colour))
-            style = {"color": colour, "linewidth": 4, "marker": "o", "markersize": 11, "markevery": [-1]}
-            self.curves.append(axes.plot([], [], clip_on=False, **style)[0])
-
-    def on(self, panels: np.ndarray, number: int) -> np.ndarray:
-        """Return the picture of a frame, shape [HEIGHT, WIDTH, 3], 8 bits; ``panels`` as in ``Sheet.on``."""
-        time_s = self.readout["time_s"][: number + 1]
-        for name, label, curve in zip(self.names, self.labels, self.curves, strict=True):
-            values = self.readout[f"{name}_mm"][: number + 1]
-            label.set_text(reading(values[-1]) if time_s[-1] >= 0.0 else "")
-            curve.set_data(time_s, values)
-        return self.sheet.on(panels)
-
-    def _axes(self) -> Axes:
-        bottom, height = (PANEL_HEIGHT + 46) / HEIGHT, (HEIGHT - PANEL_HEIGHT - HEAD - 46) / HEIGHT
-        axes = self.sheet.figure.add_axes((0.1, bottom, 0.875, height), facecolor="none")
-        top = max(np.nanmax(self.readout[f"{name}_mm"]) for name in self.names)
-        axes.set_xlim(0.0, self.readout["time_s"][-1] * 1.015)
-        axes.set_ylim(0.0, 1.2 * top)
-        axes.yaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
-        axes.xaxis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
-        axes.xaxis.set_major_formatter(lambda value, _: f"{value:g} s" if value else "")
-        axes.yaxis.set_major_formatter(lambda value, _: f"{value:g} mm" if value else "0")
-        axes.text(0.01, 0.94, "displacement in the grasp", transform=axes.transAxes, color=SOFT, fontsize=19, va="top")
-        axes.tick_params(colors=SOFT, labelsize=19, length=0, pad=6)
-        axes.grid(color=GRID, linewidth=1)
-        for side, spine in axes.spines.items():
-            spine.set(visible=side == "bottom", color=SOFT)
-        return axes
 
 
 class Sheet:
