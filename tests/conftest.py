@@ -266,7 +266,7 @@ def kernels(tmp_path_factory) -> None:
     wp.config.enable_backward = False
 
     def make(_: Path) -> None:
-        from experiments.simulation.kernels import compile_first
+        from experiments.simulation.host import compile_first
 
         compile_first(wp.get_device("cpu"))
 

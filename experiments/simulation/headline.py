@@ -8,8 +8,7 @@ import time
 from pathlib import Path
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from experiments.simulation.host import warp_device
-from experiments.simulation.kernels import compile_first
+from experiments.simulation.host import compile_first, warp_device
 from experiments.simulation.measurement import Conditions
 from measured_report.measuring.batch import reason_of
 from measured_report.measuring.machine import machine

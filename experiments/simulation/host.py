@@ -1,16 +1,22 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
+import time
+from dataclasses import replace
 from importlib.metadata import version
 
 import warp as wp
 from tqdm import tqdm
 
+from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions
+from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import NOT_COMPILED
 from measured_report.measuring.machine import NO_CUDA
 from measured_report.records.provenance import package_versions
 
+OLDEST = (1, 4, 0)
+"""The oldest release that can run the scene."""
 __all__ = ["Conditions", "be_quiet", "explained", "gpu", "prepare"]
 
 
@@ -37,13 +43,28 @@ def gpu(kind: str) -> tuple[str | None, str | None]:
 
 def prepare(kind: str) -> None:
     """Compile what the sections need; ReportError where this release can't run the scene."""
-    from experiments.simulation import kernels  # which brings much that only this needs
-
-    tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
-    found = warp_device(kind)
-    if reason := kernels.compile_first(found):
-        newton, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
+    tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or three.")
+    if reason := compile_first(warp_device(kind)):
+        newton, oldest = package_versions()["newton"], ".".join(map(str, OLDEST))
         raise ReportError(f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can")
+
+
+def compile_first(device: wp.Device) -> str:
+    """Compile what all sections need, by a frame of the scene; return why that can't be run at all, where it can't.
+
+    What else goes wrong here is left to the measurement.
+    """
+    start = time.perf_counter()
+    try:
+        Simulation([replace(AS_SHIPPED, frame_count=1)], device).step()
+        wp.synchronize_device(device)
+    except (AttributeError, ImportError, TypeError) as missing:
+        return " ".join(str(missing).split())[:200]
+    except Exception as error:
+        tqdm.write(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}")
+    else:
+        tqdm.write(f"kernels are ready after {time.perf_counter() - start:.0f} s")
+    return ""
 
 
 def be_quiet() -> None:
