@@ -1,12 +1,11 @@
 """Bisect and history: on records that are there already, and on a small repository."""
 
-import re
 import shutil
 from argparse import Namespace
 from dataclasses import replace
 
 import pytest
-from conftest import MODULE, ROWS, TEMPLATE, Toy, git
+from conftest import MODULE, ROWS, Toy, git
 
 from measured_report.changes import bisect as module
 from measured_report.changes.bisect import Bisection, first_change, points_between
@@ -149,23 +148,12 @@ def test_a_history_has_the_noise_of_each_number_and_says_why_there_is_none(toy):
 def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search):
     for asked, near in (
         ({"value": "nonsense"}, "no edition has nonsense"),
-        ({"value": "toy.gian"}, "near it: toy.gain"),
         ({"value": "toy.sofd.slip_mm"}, "near it: toy.soft.slip_mm"),
         ({"claim": "toy.help"}, "near it: toy.helps"),
     ):
         with pytest.raises(UsageError, match=near) as refused:
             history_command.run(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
         assert "\n" not in str(refused.value)
-
-
-def test_the_answer_of_a_claim_that_asks_the_contrary_is_what_its_sentence_says(toy, search):
-    """It holds where the answer is no, so that neither yes nor true may stand for that."""
-    words = TEMPLATE.replace("It helps {{ gain }} times.", "Soft pads do not do.").replace("It does not.", "They do.")
-    words = words.replace("whether it helps", "whether soft pads do")
-    toy.write("templates/sections/toy.md.j2", words)
-    toy.build()
-    feed = (toy.project.site / "feed.xml").read_text(encoding="utf-8")
-    assert re.search(r"<title>[^<]*: They do\.</title>", feed), "people read sentences"
 
 
 def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hours(toy, search, monkeypatch, capsys):

@@ -173,8 +173,6 @@ def settings_text(settings: Sequence[Move]) -> str:
     for word, index in (("new", 0), ("gone", 1)):
         if lone := [move.place["case"] for move in settings if move.values[index] is None]:
             told.append(f"{word}: {', '.join(lone)}")
-    notes = config().changes.setting_notes
-    told += dict.fromkeys(notes[kind] for kind in (move.place["kind"] for move in changed) if kind in notes)
     return "; ".join(told) or "all as they were"
 
 

@@ -113,8 +113,7 @@ class Move:
 
     @property
     def text(self) -> str:
-        untold = config().changes.untold_keys
-        name = " ".join(str(part) for column, part in self.place.items() if column not in untold)
+        name = " ".join(map(str, self.place.values()))
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
         words = ["near the noise"] if self.is_inconclusive else [self.direction] if self.direction else []
         return "  ".join([f"{name}  {self.column}: {self.ends}{noise}", *words])
@@ -158,7 +157,7 @@ def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
 def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> bool:
     """Tell whether a column of two rows is compared; ``has_same_terms`` says whether costs in them are."""
     rules, about, lost = config().changes, column_of(column), list(map(is_lost, cells))
-    if column in (*rules.keys, *rules.untold_keys) or "chance" in about.kinds or column.endswith((REASON, *EDGES)):
+    if column in rules.keys or "chance" in about.kinds or column.endswith((REASON, *EDGES)):
         return False
     if any(isinstance(cell[column], str | bool) for cell in cells):
         return not (all(lost) and "loss" in about.kinds)
@@ -195,7 +194,7 @@ def _noise(
 
 def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     """Return rows by what tells them apart; those that nothing does are left out, and repeats, which are the noise."""
-    names = (*config().changes.keys, *config().changes.untold_keys)
+    names = config().changes.keys
     rows = [row for row in chapter.results.rows if not (chapter.name == NOISE and "of" in row)]
     plain = [[(name, _plain(row[name])) for name in names if name in row] for row in rows]
     keys = [tuple((name, part) for name, part in parts if part is not None) for parts in plain]

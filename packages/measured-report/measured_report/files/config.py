@@ -59,8 +59,6 @@ class Changes:
     """The same for any setting."""
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
-    setting_notes: Mapping[str, str] = field(default_factory=dict)
-    """By kind, what to know of one that changed."""
     cause: str = ""
     """The claim that says why editions differ, where it holds."""
     same_runs: Sequence[str] = ()
@@ -70,8 +68,6 @@ class Changes:
     are changed together in a search. What is not among them stays as pyproject.toml asks for it."""
     keys: Sequence[str] = ("case",)
     """Columns that tell the rows of one section apart, where they are there."""
-    untold_keys: Sequence[str] = ()
-    """More of them, which text leaves out."""
     classes: str = ""
     """The column that lists how the repeats of a run ended; where they differ, the row is not compared."""
 
