@@ -18,7 +18,7 @@ from measured_report.files.errors import ReportError
 from measured_report.measuring import cluster, host
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.cluster import cluster_pools, connected
-from measured_report.measuring.loop import Loop
+from measured_report.measuring.section import Loop
 
 SCHEDULER = """
 import sys

@@ -22,11 +22,10 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.processes import KILLED
 from measured_report.measuring.host import host
-from measured_report.measuring.loop import Loop, Pool
 from measured_report.measuring.machine import gpus, machine
 from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import host_pools
-from measured_report.measuring.section import Section, section_of
+from measured_report.measuring.section import Loop, Pool, Section, section_of
 from measured_report.records.identity import sections
 from measured_report.records.provenance import EDITED, package_versions
 

@@ -12,8 +12,8 @@ import pytest
 from batches import begun, rows_of, running, section_of
 
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.loop import Loop
 from measured_report.measuring.pool import host_pools
+from measured_report.measuring.section import Loop
 from measured_report.records.record import load_record
 
 
@@ -80,7 +80,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from measured_report.editions.project import Project
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.loop import Loop
+from measured_report.measuring.section import Loop
 from measured_report.measuring.pool import host_pools
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)
