@@ -43,7 +43,7 @@ def command(monkeypatch) -> Iterator[None]:
         (["report", "--newton", "99.0"], "NEWTON=99.0"),
         (["check", "--newton", "99.0"], "NEWTON=99.0"),
         (["diff"], "required: --a, --b"),
-        (["trace"], "VALUE is missing: make trace VALUE=stiffness.improvement"),
+        (["trace"], "required: --value"),
         (["diff", "--a", "1.4.0", "--b", "new"], "B=new"),
         (["diff", "--a", "1.4.0", "--b", "99.0"], "99.0 has no results"),
         (["verify", "--device", "cuda"], "no CUDA device"),

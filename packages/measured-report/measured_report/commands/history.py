@@ -33,6 +33,5 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 def query_of(arguments: argparse.Namespace) -> Query:
     """Return what CLAIM or VALUE asks."""
     if bool(arguments.claim) == bool(arguments.value):
-        rules = config().changes
-        raise UsageError(f"one of CLAIM={rules.example_claim} and VALUE={rules.headline} is needed")
+        raise UsageError("one of CLAIM=SECTION.NAME and VALUE=SECTION.NAME is needed")
     return Query(arguments.claim or arguments.value, bool(arguments.claim))

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
 from measured_report.changes.query import Query
-from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.options import SHARED, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
@@ -19,15 +19,11 @@ from measured_report.values.format import unit_label
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
 
 ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
-OPTIONS = shared("value", "edition", "profile")
+OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "profile")}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print the way of one value, from the page back to rows, cases and command."""
-    if not arguments.value:
-        rules = config().changes
-        forms = f"{rules.example_value}, or a number of a row, VALUE={rules.headline}"
-        raise UsageError(f"VALUE is missing: make trace VALUE={forms}")
     refuse_unmeasured(project, arguments.release.asked)
     templates = Templates(project.templates)
     print(provenance(project, editions_of(project, templates), templates, arguments.value))
@@ -75,8 +71,7 @@ def _found(
         if isinstance(each, Quantity) and each.source:
             return each
     fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
-    rows = f"numbers of rows named as {config().changes.headline}"
-    raise UsageError(f"{fault}; all values are in site/data/{VALUES_FILE}, {rows}")
+    raise UsageError(f"{fault}; all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN")
 
 
 def _cell(records: Mapping[str, Chapter], place: Pointer) -> Quantity | None:

@@ -46,13 +46,8 @@ class Changes:
 
     deciding: Sequence[str] = ()
     """Sections that tell most in least time, the longest first, which ends soonest with several at once; none: all."""
-    headline: str = ""
-    """The value that says most, as ``section.case.column``; messages give it as an example."""
     headlines: Mapping[str, str] = field(default_factory=dict)
     """Values that the history shows, by what they are called."""
-    example_claim: str = ""
-    example_value: str = ""
-    """A claim and a derived value that messages give as examples."""
     thresholds: Mapping[str, float] = field(default_factory=dict)
     """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
     setting_threshold: float = 0.05
