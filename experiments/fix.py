@@ -19,14 +19,9 @@ NUMBERS = ("slip_mm", "drift_mm_s", "cube_height_m")
 
 def measure(conditions: Conditions) -> Measurement:
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
-    engines = (("", "warp", conditions.device), ("-mujoco-c", "mujoco", "cpu"))
-    runs = [
-        ({"case": case + ending, "backend": backend, "script": script}, device)
-        for ending, backend, device in engines
-        for case, script in SCRIPTS.items()
-    ]
+    runs = [{"case": case, "backend": "warp", "script": script} for case, script in SCRIPTS.items()]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        return Measurement(list(pool.map(lambda run: try_script(*run, frame_count), runs)))
+        return Measurement(list(pool.map(lambda row: try_script(row, conditions.device, frame_count), runs)))
 
 
 def try_script(row: dict[str, object], device: str, frame_count: int) -> dict[str, object]:

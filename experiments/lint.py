@@ -1,72 +1,45 @@
 """The lint on the shake test: contact parameters that say one thing and do another in MuJoCo's engines."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import newton
 import warp as wp
 
-from experiments.facts.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case
+from experiments.facts.case import AS_SHIPPED, UNTRIMMED
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement
 from experiments.simulation.scene import build_scene
-from experiments.simulation.simulation import CONSTRAINT_MAX, CONTACT_MAX
 from experiments.simulation.task import FRAME_RATE
-from newton_lint.findings import Buffer, Finding, Group, grouped
+from newton_lint.findings import Buffer, Group, grouped
 from newton_lint.newton_models.rules import Engine, lint
 
 NEEDS_GPU = False
 """Read by ``measured_report.measuring.machine``: what it finds is the same on any machine."""
 
 
-@dataclass(frozen=True)
-class LintedScene:
-    """A scene to be linted, and the case whose run says what its buffers need."""
-
-    case: Case
-    peaks: Case
-
-    @property
-    def engine(self) -> Engine:
-        case = self.case
-        step = 1.0 / FRAME_RATE / case.substeps
-        return Engine(step, contacts=case.contacts, cone=case.cone, impratio=case.impratio)
-
-    def model(self) -> newton.Model:
-        return build_scene([self.case], wp.get_device("cpu")).model
-
-
-SCENES = {
-    # The buffers of the untrimmed scene make a run on the CPU slow; what it needs of them the trimmed one needs too.
-    "as-shipped": LintedScene(UNTRIMMED, AS_SHIPPED),
-    "fixed": LintedScene(*[replace(STIFF_PADS, cube_gap_m=STIFF_PADS.robot_gap_m)] * 2),
-}
 PEAK_FRAME_COUNT = SETUP_FRAME_COUNT + FRAME_RATE
 """Frames of the run for the peaks: the set-up and one cycle of the shake."""
+ENGINE = Engine(
+    1.0 / FRAME_RATE / UNTRIMMED.substeps, contacts=UNTRIMMED.contacts, cone=UNTRIMMED.cone, impratio=UNTRIMMED.impratio
+)
 
 
-def lint_scenes(conditions: Conditions, names: Sequence[str]) -> dict[str, list[Finding]]:
-    """Build each scene, run it as far as its peaks, and lint it."""
-    runs = [replace(SCENES[name].peaks, frame_count=PEAK_FRAME_COUNT) for name in names]
-    traces = conditions.simulate(runs, title="lint")
-    found = {}
-    for name, trace in zip(names, traces, strict=True):
-        scene = SCENES[name]
-        buffers = (
-            Buffer("contacts", scene.case.contact_max or CONTACT_MAX, trace.peak_contact_count),
-            Buffer("constraints", scene.case.constraint_max or CONSTRAINT_MAX, trace.peak_constraint_count),
-        )
-        found[name] = lint(scene.model(), scene.engine, buffers)
-    return found
+def as_shipped() -> newton.Model:
+    """Build the scene exactly as shipped."""
+    return build_scene([UNTRIMMED], wp.get_device("cpu")).model
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """A row for each scene, and one for each group of its findings."""
-    rows = []
-    for name, findings in lint_scenes(conditions, list(SCENES)).items():
-        groups = grouped(findings)
-        rows.append({"case": name, "finding_count": len(groups)})
-        rows += [{"case": f"{name}-{index}", "scene": name, **columns(group)} for index, group in enumerate(groups, 1)]
-    return Measurement(rows)
+    """Run the scene as far as its peaks and lint it: a row for each group of findings."""
+    # The buffers of the untrimmed scene make a run on the CPU slow; what it needs of them the trimmed one needs too.
+    [trace] = conditions.simulate([replace(AS_SHIPPED, frame_count=PEAK_FRAME_COUNT)], title="lint")
+    buffers = (
+        Buffer("contacts", UNTRIMMED.contact_max, trace.peak_contact_count),
+        Buffer("constraints", UNTRIMMED.constraint_max, trace.peak_constraint_count),
+    )
+    groups = enumerate(grouped(lint(as_shipped(), ENGINE, buffers)), 1)
+    return Measurement(
+        [{"case": f"as-shipped-{index}", "scene": "as-shipped", **columns(group)} for index, group in groups]
+    )
 
 
 def columns(group: Group) -> dict[str, object]:

@@ -1,9 +1,8 @@
 """Other bodies and other contacts than a grasp: do they move as they should with the term put back?
 
-On a plane a body is dropped, slides, rolls or tumbles. A ball that rolls and spins at once has the material point
-accelerate sideways while its contact does not. The limit of stiff contacts, where what is left out moves nothing, says
-where bodies should end. On a table that turns, as in section turntable, a body stands on feet of different shapes, from
-the start or after it has slid into step.
+On a plane a body is dropped, slides or rolls. A ball that rolls and spins at once has the material point accelerate
+sideways while its contact does not. On a table that turns, as in section turntable, a body stands on feet of different
+shapes, from the start or after it has slid into step.
 """
 
 from collections.abc import Callable, Sequence
@@ -24,13 +23,11 @@ from experiments.simulation import contact_bias, contact_bias_c, contact_place, 
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.measurement import Conditions, absent
 
-VARIANTS = {"plain": None, "term": {}, "full": {"centred": True, "normal": True}, "exact": {"normal": True}}
-"""Options of the term; ``full`` and ``exact`` give it to the normal rows as well, and ``exact`` counts with
-``contact_place`` how the contact moves. On the table it is centred, since the step's error would hide what is left."""
-LIMIT = {"timestep": 5e-5, "timeconst_s": 5e-4}
-"""Contacts so stiff that what is left out moves nothing; in C alone."""
-WITHOUT_TERM, COMPARED = ("plain", "limit"), ("plain", "exact")
-IN_WARP = [("roll", "sphere"), ("pivot", "sphere"), ("tumble", "ellipsoid")]
+VARIANTS = {"plain": None, "term": {}, "exact": {"normal": True}}
+"""Options of the term; ``exact`` gives it to the normal rows as well, and counts with ``contact_place`` how the contact
+moves. On the table it is centred, since the step's error would hide what is left."""
+COMPARED = ("plain", "exact")
+IN_WARP = [("pivot", "sphere")]
 IN_WARP += [("carried", "sphere"), ("carried", "cylinder"), ("carried", "mesh")]
 """Motions that MuJoCo Warp runs too, in the variants that are COMPARED; MuJoCo C runs all."""
 SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 20.0, 0.03, 0.5, 9.81
@@ -50,9 +47,6 @@ GEOMS = {
     "cylinder": f'type="cylinder" size="{RADIUS_M} {RADIUS_M}" euler="90 0 0"',
     "mesh": 'type="mesh" mesh="cube"',
     "capsule": f'type="capsule" size="{RADIUS_M} {RADIUS_M}" euler="90 0 0"',
-    "ellipsoid": 'type="ellipsoid" size="0.03 0.04 0.05"',
-    "leaning cylinder": 'type="cylinder" size="0.03 0.06" euler="30 0 0"',
-    "leaning box": 'type="box" size="0.03 0.04 0.05" euler="20 10 0"',
 }
 FEET = {
     "sphere": 'type="sphere" size="0.01"',
@@ -101,16 +95,6 @@ def thrown(data: mujoco.MjData, *, height_m: float = 0.0, roll: bool = False, sp
     data.qvel[:] = SPEED_M_S, 0.0, 0.0, 0.0, SPEED_M_S / RADIUS_M if roll else 0.0, spin
 
 
-def tumbling(data: mujoco.MjData, *, speed: float, turning: Sequence[float]) -> None:
-    """Throw from where it just touches the plane, along x [m/s] and turning as it likes [rad/s]."""
-    model, (low, high) = data.model, (0.0, 1.0)
-    for _ in range(40):
-        data.qpos[2] = 0.5 * (low + high)
-        mujoco.mj_fwdPosition(model, data)
-        low, high = (data.qpos[2], high) if any(c.dist < 0.0 for c in data.contact) else (low, data.qpos[2])
-    data.qvel[:] = speed, 0.0, 0.0, *turning
-
-
 def carried(data: mujoco.MjData, *, at_rest: bool = False) -> None:
     """Put on the turning table, at rest on it or against the ground."""
     data.qvel[0] = TURN_RAD_S
@@ -126,14 +110,6 @@ MOTIONS = [
     *(
         Motion("roll", body, "plane", on_plane(body), partial(thrown, roll=True))
         for body in ("sphere", "cylinder", "capsule")
-    ),
-    *(
-        Motion("tumble", body, "plane", on_plane(body), partial(tumbling, speed=speed, turning=turning))
-        for body, speed, turning in (
-            ("ellipsoid", 0.25, (0.0, 5.0, 8.0)),
-            ("leaning cylinder", 0.2, (0.0, 3.0, 3.0)),
-            ("leaning box", 0.3, (1.0, 3.0, 3.0)),
-        )
     ),
     Motion("pivot", "sphere", "plane", on_plane("sphere"), partial(thrown, roll=True, spin=SPIN_RAD_S)),
     Motion("slide", "mesh", "plane", on_plane("mesh"), thrown),
@@ -154,15 +130,12 @@ def measure(conditions: Conditions) -> list[dict]:
         if path is not None:
             rows.append(row_of(motion, variant, "warp", lambda path=path: path))
         rows.append(row_of(motion, variant, "c", partial(run_in_c, motion, variant, seconds_of(motion, conditions))))
-    for motion in (motion for motion in MOTIONS if motion.place == "plane"):
-        run = partial(run_in_c, motion, "plain", seconds_of(motion, conditions), **LIMIT)
-        rows.append(row_of(motion, "limit", "c", run))
     return rows
 
 
 def row_of(motion: Motion, variant: str, engine: str, run: Callable[[], np.ndarray]) -> dict[str, object]:
     row = {"case": f"{motion.name}-{motion.body}-{variant}-{engine}".replace(" ", "-"), "motion": motion.name}
-    row |= {"body": motion.body, "variant": variant, "backend": engine, "contact_bias": variant not in WITHOUT_TERM}
+    row |= {"body": motion.body, "variant": variant, "backend": engine, "contact_bias": variant != "plain"}
     try:
         return row | columns_of(motion, run())
     except RunFailed as failed:
@@ -218,13 +191,9 @@ def started(motion: Motion) -> tuple[mujoco.MjModel, mujoco.MjData]:
     return model, data
 
 
-def run_in_c(
-    motion: Motion, variant: str, seconds: float, timestep: float | None = None, timeconst_s: float | None = None
-) -> np.ndarray:
+def run_in_c(motion: Motion, variant: str, seconds: float) -> np.ndarray:
     """Return the places of the body every SAMPLE_S [m], shape [samples, 3]; RunFailed as from the engine."""
     model, data = started(motion)
-    model.opt.timestep = timestep or model.opt.timestep
-    model.geom_solref[:, 0] = timeconst_s or model.geom_solref[:, 0]
     term, options = contact_place_c if variant == "exact" else contact_bias_c, options_of(motion, variant)
     control = None if options is None else partial(term.subtract_bias, **options)
     return path_in_c(model, data, control, seconds)

@@ -2,12 +2,11 @@
 
 from dataclasses import replace
 
-from experiments.facts import metrics
 from experiments.facts.case import Case
-from experiments.facts.classes import STABLE, classify, creep_mm_s
+from experiments.facts.classes import STABLE, classify
 from experiments.facts.trace import Trace
 from experiments.facts.variants import BEST, FIRM, TERMS
-from experiments.simulation.measurement import Conditions, absent
+from experiments.simulation.measurement import Conditions
 from experiments.stability import families
 from experiments.stability.families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, SHAKE_FRAME_COUNT, Probe
 
@@ -29,7 +28,7 @@ def probes(profile: str) -> list[Probe]:
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Measure a row for each run and variant: how it ends, and how it creeps where it keeps the cube."""
+    """Measure a row for each run and variant: how it ends."""
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     runs = [(probe, variant) for probe in probes(conditions.profile) for variant in variants_of(probe)]
     cases = [case_of(*run, frame_count) for run in runs]
@@ -50,7 +49,4 @@ def case_of(probe: Probe, variant: str, frame_count: int) -> Case:
 def row_of(probe: Probe, variant: str, case: Case, trace: Trace) -> dict[str, object]:
     kind = classify(case, trace, creep_floor_mm_s=0.0)
     row = {"case": case.name, "of": probe.case.name, "family": probe.family, "variant": variant, **probe.parameters}
-    row |= {"contact_bias": case.contact_bias, "class": kind, "kept": kind in STABLE}
-    if kind not in STABLE:
-        return row | absent(("creep_mm_s", "slip_mm"), f"the run ended as {kind}")
-    return row | {"creep_mm_s": creep_mm_s(case, trace), "slip_mm": metrics.slip_mm(metrics.displacement(trace))}
+    return row | {"contact_bias": case.contact_bias, "class": kind, "kept": kind in STABLE}

@@ -53,8 +53,6 @@ class Case:
     """How deep [m] the cube starts in what it touches: the ground, or each of the pads."""
     finger_closed_m: float = -0.01
     """Position target [m] of each finger that holds the cube: what is missing to it presses, at 400 N/m."""
-    finger_shake_m: float | None = None
-    """Position target [m] of each finger in the shake; None leaves it closed."""
     gravity_m_s2: float = 9.81
     """Downward acceleration [m/s²]; negative is upward."""
 
@@ -156,7 +154,7 @@ class Case:
 WORLD_FIELDS = (
     "pad_ke pad_kd pad_mu pad_dmax pad_kf cube_ke cube_kd cube_mu cube_density_kg_m3 cube_gap_m robot_gap_m"
     " shake_amplitude_m shake_frequency_hz pad_direct cube_edge_m cube_offset_m cube_in_hand start_overlap_m"
-    " finger_closed_m finger_shake_m gravity_m_s2 contact_bias bias_centred bias_normal compensated"
+    " finger_closed_m gravity_m_s2 contact_bias bias_centred bias_normal compensated"
 ).split()
 """Parameters that may differ between the worlds of one batch."""
 

@@ -16,7 +16,6 @@ from experiments.simulation.measurement import (
     displacement_table,
     summarize,
 )
-from experiments.simulation.reference import ENGINES_AGREE
 from experiments.simulation.task import FRAME_RATE
 
 LONG_FRAME_COUNT = SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1
@@ -25,9 +24,6 @@ CASES = (
     replace(HOLD, name="hold-60s", frame_count=LONG_FRAME_COUNT),
     replace(STIFF_PADS, name="hold-60s-stiff", shake_amplitude_m=0.0, frame_count=LONG_FRAME_COUNT),
     AS_SHIPPED,
-    replace(HOLD, name="hold-warp", **ENGINES_AGREE),
-    replace(HOLD, name="hold-mujoco-c", backend="mujoco", **ENGINES_AGREE),
-    *(replace(HOLD, name=f"hold-substeps-{n}", substeps=n) for n in (4, 32)),
 )
 
 

@@ -38,7 +38,6 @@ ON_CPU = ("buffers",)
 RUN_COUNT = 8
 """Worlds in which a case is run to the end on a GPU; on a CPU they would all be the same."""
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
-MEASURED = ("slip_mm", "pose_difference_mm")
 
 
 def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
@@ -92,7 +91,7 @@ def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> dict[str, dict[s
     on_cpu = [replace(case, device="cpu") for case in cases[1:]]
     on_cpu = [replace(case, **WITHOUT["buffers"]) if has_large_buffers(case) else case for case in on_cpu]
     traces = simulate([*on_gpu, *on_cpu], device=conditions.device, title="leave_out")
-    columns = {"cpu": {cases[0].name: absent(MEASURED, "not run to the end on the CPU, where it takes minutes")}}
+    columns = {"cpu": {cases[0].name: absent(["slip_mm"], "not run to the end on the CPU, where it takes minutes")}}
     columns["cpu"] |= compared(on_cpu, traces[len(on_gpu) :], 1)
     return columns | ({"cuda": compared(cases, traces[: len(on_gpu)], RUN_COUNT)} if on_gpu else {})
 
@@ -102,16 +101,11 @@ def has_large_buffers(case: Case) -> bool:
 
 
 def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> dict[str, dict[str, object]]:
-    """Return by case the mean slip, and whether the trajectory is that of the first case to the last bit.
-
-    Args:
-        traces: ``run_count`` runs of each case, one case after the other.
-    """
-    found = {}
-    for index, case in enumerate(cases):
-        worlds = traces[index * run_count : (index + 1) * run_count]
-        found[case.name] = mean_slip([summarize(case, trace) for trace in worlds]) | likeness(worlds[0], traces[0])
-    return found
+    """Return by case the mean slip of ``run_count`` runs of each case, one case after the other."""
+    return {
+        case.name: mean_slip([summarize(case, trace) for trace in traces[index * run_count : (index + 1) * run_count]])
+        for index, case in enumerate(cases)
+    }
 
 
 def mean_slip(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
@@ -120,13 +114,3 @@ def mean_slip(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
     missing = next((row["slip_mm_reason"] for row in summaries if row["slip_mm"] is None), None)
     slips = [row["slip_mm"] for row in summaries]
     return {"failure": failure} | (absent(["slip_mm"], missing) if missing else {"slip_mm": float(np.mean(slips))})
-
-
-def likeness(trace: Trace, reference: Trace) -> dict[str, object]:
-    """Return in how many frames any number of a trajectory differs from the reference's, and the largest distance of
-    any body in any frame; None, with the reason, where either has failed."""
-    if failure := trace.failure or reference.failure:
-        return absent(("differing_frame_count", "pose_difference_mm"), str(failure))
-    differing = (trace.poses != reference.poses).reshape(len(trace.poses), -1).any(axis=1)
-    apart = np.abs(trace.poses[..., :3] - reference.poses[..., :3]).max()
-    return {"differing_frame_count": int(differing.sum()), "pose_difference_mm": 1e3 * float(apart)}

@@ -40,7 +40,6 @@ def set_targets(
     frequency: wp.array[float],
     in_hand: wp.array[bool],
     finger_closed: wp.array[float],
-    finger_shake: wp.array[float],
     elapsed: wp.array[float],
     goal: wp.array[wp.transform],
     target_position: wp.array[wp.vec3],
@@ -78,8 +77,8 @@ def set_targets(
         position = start_position + amplitude[world] * wp.vec3(
             wp.sin(angle), SHAKE_RATIO_Y * wp.sin(2.0 * angle), SHAKE_RATIO_Z * wp.sin(1.5 * angle)
         )
-        finger_start = finger_shake[world]
-        finger_end = finger_shake[world]
+        finger_start = finger_closed[world]
+        finger_end = finger_closed[world]
 
     goal[world] = wp.transform(position, rotation)
     blend = float(1.0)
@@ -153,9 +152,6 @@ class Task:
         self.amplitude = floats(case.shake_amplitude_m for case in cases)
         self.frequency = floats(case.shake_frequency_hz for case in cases)
         self.finger_closed = floats(case.finger_closed_m for case in cases)
-        self.finger_shake = floats(
-            case.finger_closed_m if case.finger_shake_m is None else case.finger_shake_m for case in cases
-        )
         cube_position = scene.model.body_q.numpy().reshape(world_count, -1, 7)[:, self.cube.body, :3]
         above = cube_position + np.array((0.0, 0.0, APPROACH_HEIGHT), dtype=np.float32)
         starts = np.where(in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above)
@@ -188,7 +184,7 @@ class Task:
             set_targets,
             dim=body_q.shape[0],
             inputs=[body_q, self.cube.body, self.phase_start, self.phase, self.phase_seconds]
-            + [self.amplitude, self.frequency, self.in_hand, self.finger_closed, self.finger_shake],
+            + [self.amplitude, self.frequency, self.in_hand, self.finger_closed],
             outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
             device=self.device,
         )

@@ -30,8 +30,6 @@ HOLD_END = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)
 GONE_M = 0.005
 """A cube that has moved farther in the hand by the end of the hold is sliding out."""
 EXIT_FRAMES = 15
-FREED_FRAMES = 30
-"""Half a second: how long the fingers have to open, and the two spans in which the energy of a freed cube is taken."""
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -117,11 +115,9 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
     reached = len(moved.time_s) > 2
     row |= numbers(
         "" if kind in STABLE and reached else f"the run ended as {kind}",
-        drift_mm_s=lambda: metrics.drift_mm_s(moved),
         creep_mm_s=lambda: creep_mm_s(case, trace),
         penetration_mm=lambda: 1e3 * float(np.median(trace.column("penetration_m")[HOLD_END])),
     )
-    row |= numbers("" if finite else "the run ended as non-finite", hand_sink_mm=lambda: 1e3 * hand_sink_m(trace))
     grip = grip_force_n(trace) if finite and reached and case.cube_in_hand else 0.0
     row |= numbers(
         "" if grip > 0.0 else "no grip force was measured",
@@ -133,8 +129,6 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
             exit_speed_mm_s=lambda: 1e3 * exit_speed_m_s(case, trace),
             exit_bound_mm_s=lambda: 1e3 * exit_bound_m_s(case),
         )
-    if case.finger_shake_m is not None:
-        row |= freed_columns(trace)
     peaks = {"peak_contact_count": trace.peak_contact_count, "peak_constraint_count": trace.peak_constraint_count}
     return row | peaks | {"step_ms": 1e3 * step_s(case)}
 
@@ -173,28 +167,6 @@ def grip_force_n(trace: Trace) -> float:
     return float(force[0] if is_gone else np.median(force[HOLD_END]))
 
 
-def hand_sink_m(trace: Trace) -> float:
-    """Say how far the hand comes down [m] in the time of the hold, in which it should not move."""
-    height = trace.poses[:HOLD_FRAME_COUNT, metrics.TCP, 2].astype(np.float64)
-    return float(height[0] - height[-1])
-
-
-def freed_columns(trace: Trace) -> dict[str, object]:
-    """Say how fast a freed cube is when the fingers have opened and at the end, root mean square, and how many times
-    its kinetic energy grows in between; a cube that lies still has no energy to compare with."""
-    position = trace.poses[trace.phase == metrics.SHAKE][:, metrics.CUBE, :3].astype(np.float64)
-    energy = (np.diff(position, axis=0) ** 2).sum(axis=1)
-    first, last = energy[FREED_FRAMES : 2 * FREED_FRAMES].mean(), energy[-FREED_FRAMES:].mean()
-    reason = "" if is_finite(trace) else "the run ended as non-finite"
-    columns = numbers(
-        reason,
-        freed_speed_first_mm_s=lambda: 1e3 * float(first**0.5) / trace.frame_dt,
-        freed_speed_last_mm_s=lambda: 1e3 * float(last**0.5) / trace.frame_dt,
-    )
-    reason = reason or ("" if first > 0.0 else "the cube lay still when the fingers had opened")
-    return columns | numbers(reason, energy_growth=lambda: float(last / first))
-
-
 def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
     """Say how far the cube creeps per cycle in the first and in the last tenth of the long run.
 
@@ -207,7 +179,6 @@ def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
     first, last = (float(np.abs(part.mean())) for part in (increments[:tenth], increments[-tenth:]))
     columns = numbers(
         "" if kind in STABLE else f"the run ended as {kind}",
-        slip_mm=lambda: metrics.slip_mm(moved),
         increment_first_mm_per_cycle=lambda: first,
         increment_last_mm_per_cycle=lambda: last,
     )

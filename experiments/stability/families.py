@@ -43,8 +43,6 @@ MASSES_KG = {"full": np.geomspace(1e-3, 10.0, 9), "quick": (10.0,)}
 EDGES_M = {"full": (0.002, 0.003, 0.005, 0.008, 0.012, 0.02, 0.03, 0.04, 0.06, 0.08), "quick": (0.08,)}
 OVERLAPS_M = {"full": (1e-4, 3e-4, 1e-3, 3e-3, 5e-3), "quick": (5e-3,)}
 GRAVITIES = {"full": (0.0, 9.81, 98.1, -9.81), "quick": (-9.81,)}
-FREED = {"finger_shake_m": 0.035, "shake_amplitude_m": 0.01}
-"""The fingers open and the shake is smaller than the room that they leave."""
 SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
 """Material of a cube that leaves the ground, where that of the cube as shipped is damped too well for it."""
 BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {"constraint_max": 12})
@@ -193,14 +191,10 @@ def overlaps(profile: str) -> list[Probe]:
 
 
 def gravities(profile: str) -> list[Probe]:
-    found = []
-    for gravity in GRAVITIES[profile]:
-        held = PADS["stiff"] | {"gravity_m_s2": gravity}
-        found.append(probe("gravity", f"{gravity:g}", held, gravity_m_s2=gravity, freed=False))
-    for pads, changes in PADS.items():
-        freed = changes | FREED | {"gravity_m_s2": 0.0}
-        found.append(probe("gravity", f"0-freed-{pads}", freed, gravity_m_s2=0.0, freed=True))
-    return found
+    return [
+        probe("gravity", f"{gravity:g}", PADS["stiff"] | {"gravity_m_s2": gravity}, gravity_m_s2=gravity)
+        for gravity in GRAVITIES[profile]
+    ]
 
 
 def long_run(profile: str) -> Probe:

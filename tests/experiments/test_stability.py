@@ -12,7 +12,7 @@ from experiments.facts.trace import FRAME_COLUMNS, Trace
 from experiments.simulation import limits
 from experiments.simulation.scene import CUBE_IN_HAND
 from experiments.simulation.simulation import is_due, simulate
-from experiments.stability import FREED_FRAMES, freed_columns, worst
+from experiments.stability import worst
 from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
 from report.sections.stability.claims import MU
 
@@ -65,34 +65,6 @@ def test_the_worst_repeat_is_shown():
     assert row["creep_mm_s"] == 2.0
 
 
-def freed(speeds_m_s: np.ndarray) -> dict:
-    """What is found of a cube that moves along x with these speeds, frame by frame."""
-    frame_dt = 1.0 / 60.0
-    poses = np.zeros((len(speeds_m_s) + 1, 6, 7))
-    poses[1:, metrics.CUBE, 0] = np.cumsum(speeds_m_s) * frame_dt
-    phase = np.full(len(poses), metrics.SHAKE)
-    return freed_columns(Trace(frame_dt, phase, poses, np.zeros((len(poses), len(FRAME_COLUMNS)))))
-
-
-def test_the_speed_of_a_freed_cube_and_how_its_energy_grows():
-    def found(first_mm_s: float, last_mm_s: float) -> dict:
-        return pytest.approx({"freed_speed_first_mm_s": first_mm_s, "freed_speed_last_mm_s": last_mm_s})
-
-    coasting = np.full(4 * FREED_FRAMES, 0.1)
-    faster = np.where(np.arange(4 * FREED_FRAMES) < 2 * FREED_FRAMES, 0.1, 0.2)
-    for speeds_m_s, (first, last, growth) in (
-        (coasting, (100.0, 100.0, 1.0)),
-        (faster, (100.0, 200.0, 4.0)),
-        (0.0 * coasting, (0.0, 0.0, None)),
-        (faster - 0.1, (0.0, 100.0, None)),  # from rest, so there is no ratio
-    ):
-        columns = freed(speeds_m_s)
-        assert columns.pop("energy_growth") == (growth and pytest.approx(growth))
-        assert ("energy_growth_reason" in columns) == (growth is None)
-        columns.pop("energy_growth_reason", None)
-        assert columns == found(first, last)
-
-
 @pytest.fixture(scope="module")
 def extremes() -> dict[str, tuple]:
     """Very different cases as worlds of one batch, half a second of shake each."""
@@ -102,7 +74,6 @@ def extremes() -> dict[str, tuple]:
         "direct": {"pad_direct": True, "pad_ke": 960.0**2, "pad_kd": 2.0 * 960.0, "pad_kf": -1.0},
         "unstable": {"pad_direct": True, "pad_ke": 1e8, "pad_kd": 2e4},
         "upward": {"gravity_m_s2": -9.81},
-        "freed": {"gravity_m_s2": 0.0, "finger_shake_m": 0.035},
         "large": {"cube_edge_m": 0.08, "finger_closed_m": closed_m(0.08, 12.0)},
         "shifted": {"cube_offset_m": 5e-4},
     }
@@ -127,7 +98,7 @@ def test_worlds_that_fail_do_not_harm_the_others(extremes):
     np.testing.assert_allclose(alone.poses, together.poses, atol=2e-6)
 
 
-def test_a_cube_starts_in_the_hand_with_its_grip_and_weight_and_is_let_go(extremes):
+def test_a_cube_starts_in_the_hand_with_its_grip_and_weight(extremes):
     _, trace = extremes["stiff"]
     np.testing.assert_allclose(trace.poses[0, metrics.CUBE, :3], CUBE_IN_HAND, atol=2e-4)
     assert trace.column("normal_force_n")[2:9] == pytest.approx(24.0, abs=0.2)
@@ -138,8 +109,6 @@ def test_a_cube_starts_in_the_hand_with_its_grip_and_weight_and_is_let_go(extrem
     assert np.linalg.norm(fingers[0] - fingers[1]) == pytest.approx(0.08, abs=1e-4)
     # 256 g need 2.5 N of friction, 24 N of grip give μ times as much: the tangential force is the weight.
     assert trace.column("tangential_force_n")[60] == pytest.approx(0.256 * 9.81, rel=0.02)
-    _, trace = extremes["freed"]
-    assert trace.column("loaded_count")[-1] == 0.0
 
 
 def test_the_shake_from_the_hand_is_that_from_the_ground():

@@ -178,7 +178,7 @@ def overlap(results: Results) -> Claim:
 
 
 def gravity(results: Results) -> Claim:
-    pulled = [row for row in family(results, "gravity") if not row.freed]
+    pulled = family(results, "gravity")
     lost = [row for row in pulled if not is_stable(row)]
     tried = Markup(", ").join(row.gravity_m_s2.bare for row in pulled)
     text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
