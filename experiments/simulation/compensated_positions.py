@@ -12,7 +12,6 @@ calls ``Model.callback.control``: the sum that the engine made at the end of the
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import mujoco
 import mujoco_warp
@@ -47,7 +46,7 @@ def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
         raise ValueError("compensated_positions: MuJoCo Warp calls nothing while actuation is disabled; enable it")
     data, before = solver.mjw_data, model.callback.control
     chosen = wp.array([True] * data.nworld if worlds is None else list(worlds), dtype=bool, device=data.qpos.device)
-    sums = _Sums.of(data, chosen)
+    sums = _Sums(data, chosen)
 
     def control(m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
         if before is not None:
@@ -57,23 +56,15 @@ def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
     model.callback.control = control
 
 
-@dataclass
 class _Sums:
-    """The positions as pairs of single-precision numbers whose sum they are; shapes [worlds, coordinates]."""
+    """The positions as pairs of single-precision numbers whose sum they are: ``position`` and the rest that it lost."""
 
-    worlds: wp.array
-    position: wp.array
-    lost: wp.array
-    """Rest that is missing to ``position``."""
-    velocity: wp.array
-    """Mean velocity of the step so far, over the stages of RK4; shape [worlds, degrees of freedom]."""
-    stage: int = 0
-    """Stage of RK4 that the next call is in. Counted as the calls are queued, so a graph must hold whole steps."""
-
-    @classmethod
-    def of(cls, d: mujoco_warp.Data, worlds: wp.array) -> "_Sums":
-        nowhere = wp.full_like(d.qpos, wp.nan)  # which is near nothing: the first step takes what is there
-        return cls(worlds, nowhere, wp.zeros_like(d.qpos), wp.zeros_like(d.qvel))
+    def __init__(self, d: mujoco_warp.Data, worlds: wp.array):
+        self.worlds = worlds
+        self.position = wp.full_like(d.qpos, wp.nan)  # which is near nothing: the first step takes what is there
+        self.lost = wp.zeros_like(d.qpos)
+        self.velocity = wp.zeros_like(d.qvel)  # mean of the step so far, over the stages of RK4
+        self.stage = 0  # of RK4; counted as the calls are queued, so a graph must hold whole steps
 
     def add(self, m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
         """Queue the sum of the last step where a step begins, and what each stage of RK4 adds to the next."""
