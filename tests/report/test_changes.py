@@ -83,7 +83,8 @@ def repeats_drawn(noise: Record, draw: random.Random) -> Callable[[Mapping], dic
     runs: dict[str, list[Mapping]] = {}
     for row in (row for row in noise.rows if "of" in row):
         runs.setdefault(row["of"], []).append(row)
-    measured = [name for name in noise.units if not column_of(name).kinds and not column_of(name).is_count]
+    of_all = set(noise.units).intersection(*(row for rows in runs.values() for row in rows))
+    measured = [name for name in of_all if not column_of(name).kinds and not column_of(name).is_count]
     means = {(case, name): fmean(row[name] for row in rows) for case, rows in runs.items() for name in measured}
 
     def scattered(row: Mapping) -> dict:
