@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 
-from measured_report.parts.figures import MAP_INK, is_narrow, new_figure, tick_at, tick_decades, write
+from measured_report.parts.figures import MAP_INK, is_narrow, new_figure, tick_at, write
 from measured_report.values.results import Row
 from report.sections.stability.passing import CLASSES
 
@@ -74,7 +74,6 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
             }  # the line stops there
             text = write(row.creep_mm_s, is_short=True)
             axes.text(x, y, text, ha="center", va="center", fontsize=7, color=MAP_INK, bbox=behind)
-    tick_decades(axes.xaxis)
     tick_at(axes.yaxis, steps, digits=2)
 
 

@@ -81,11 +81,9 @@ def built_again(toy, line: str) -> str:
         ("toy.helps.gain", 'sections["toy"].row["stiff"].slip_mm', "names sections, which is no section that it needs"),
         ("toy.helps.gain", "gap.helps.gain", "names gap, which is no section that it needs"),
         ("toy.helps.gain", "5 mm", "5 mm is typed"),
-        ('"toy.helps"', '"toy.helps, toy.helps fails"', "helps holds and toy.helps fails, which contradict each other"),
     ],
 )
 def test_what_is_wrong_with_a_passage_stops_the_build(toy, old, new, message):
-    toy.write("templates/pairs.toml", 'contradict = [["toy.helps holds", "toy.helps fails"]]')
     typed = "{{ toy.helps.gain }}" if new == "5 mm" else old
     with pytest.raises(ReportError, match=message):
         built(toy, PLAIN.replace(typed, new))

@@ -169,7 +169,11 @@ def editions_of(
         root = "" if release == project.release else "../"
         derived[release] = replace(derive_edition(project.of(release), templates, cache), root=root)
     releases = {release: edition.chapters for release, edition in derived.items()}
-    return {release: _compared(edition, releases, templates) for release, edition in derived.items()}
+    for release, edition in derived.items():  # with the sections that compare releases
+        compared = [(chapter.state, chapter.results) for chapter in edition.chapters.values() if chapter.compares]
+        derived[release] = edition = _with_chapters(edition, compared, releases, templates)
+        refuse_contradictions(templates.pairs, {name: chapter.section for name, chapter in edition.chapters.items()})
+    return derived
 
 
 def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
@@ -192,15 +196,6 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
     ]
     edition = Edition(project, {}, left_out, cache or DerivedCache())
     return _with_chapters(edition, measured, {}, templates)
-
-
-def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
-    """Add the sections that compare releases."""
-    measured = [(chapter.state, chapter.results) for chapter in edition.chapters.values() if chapter.compares]
-    compared = _with_chapters(edition, measured, releases, templates)
-    sections = {name: chapter.section for name, chapter in compared.chapters.items()}
-    refuse_contradictions(templates.pairs, sections)
-    return compared
 
 
 def _with_chapters(

@@ -26,7 +26,6 @@ from jinja2.parser import Parser
 from markupsafe import Markup
 
 from measured_report.parts.claim import LOST, Claim
-from measured_report.parts.contradictions import contradictory
 from measured_report.parts.macros import macros
 from measured_report.parts.words import token
 
@@ -61,7 +60,7 @@ def needs_of(text: str) -> list[Need]:
 
 
 class PassageTag(Extension):
-    """Add the tag; an environment with it has ``pairs`` among its globals, and a template with one a ``passage``."""
+    """Add the tag; a template with one is given a ``passage``."""
 
     tags = {"passage"}  # noqa: RUF012, as Jinja has it
 
@@ -73,9 +72,6 @@ class PassageTag(Extension):
             needs = needs_of(text)
         except ValueError as error:
             parser.fail(str(error), line)
-        pairs: Any = self.environment.globals["pairs"]
-        if both := contradictory(pairs, [str(need) for need in needs]):
-            parser.fail(f"the passage needs {both[0]} and {both[1]}, which contradict each other", line)
         body, other = parser.parse_statements(("name:otherwise", "name:endpassage")), []
         end = next(parser.stream)
         if has_other := end.value == "otherwise":

@@ -4,15 +4,9 @@ from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from measured_report.files.config import config
-
-if TYPE_CHECKING:
-    from measured_report.editions.status import State
-    from measured_report.pages.cache import DerivedCache
-    from measured_report.pages.prose import Templates
-    from measured_report.parts.section import Section
 
 
 class Plugins:
@@ -24,12 +18,12 @@ class Plugins:
     def __init__(self, edition: Any):  # an Edition, whose module reads this one
         self.edition = edition
 
-    def names(self, section: "Section") -> Mapping[str, Any]:
+    def names(self, section: Any) -> Mapping[str, Any]:
         """Return what texts of pages can name; ``section`` is what the report's ``story`` derived for this one."""
         return {}
 
     @property
-    def left_out(self) -> "Sequence[State]":
+    def left_out(self) -> Sequence[Any]:
         """Say what of it can't be shown, since it is damaged."""
         return ()
 
@@ -43,12 +37,12 @@ class Plugins:
         """Return further files of the site, by their names below it; editions may have the same."""
         return {}
 
-    def pages(self, templates: "Templates") -> Mapping[str, str]:
+    def pages(self, templates: Any) -> Mapping[str, str]:
         """Return further pages, as HTML by their file, to lie beside the edition's own."""
         return {}
 
 
-def card(editions: Mapping[str, Any], cache: "DerivedCache") -> bytes | None:
+def card(editions: Mapping[str, Any], cache: Any) -> bytes | None:
     """Return the picture, as PNG, that others show with a link to the site."""
     return None
 

@@ -9,12 +9,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
-from xml.etree.ElementTree import Element, SubElement
 
 import jinja2
 from markdown import Markdown
 from markdown.extensions.toc import slugify
-from markdown.treeprocessors import Treeprocessor
 from markupsafe import Markup, escape
 
 from measured_report.files.config import config
@@ -23,7 +21,7 @@ from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, references
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
-from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_typed, token, worded
+from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_typed, token
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
@@ -36,9 +34,9 @@ LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
 """In Markdown, a link that leads to an id."""
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
 BLOCK = ("<figure", "<p", "<div", "</div")
-AFTER_TOC = 1  # the lower the later
-ANCHOR = {"class": "anchor", "tabindex": "-1", "aria-hidden": "true"}
-"""A link of a heading to itself: no stop of the keyboard, which the contents lead to as well."""
+TITLE, HEADING = re.compile(r"\A<h[12].*?</h[12]>\n?"), re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
+SELF = r'<\1 id="\2">\3 <a class="anchor" tabindex="-1" aria-hidden="true" href="#\2">#</a></\1>'
+"""A heading with a link to itself: no stop of the keyboard, which the contents lead to as well."""
 
 
 @dataclass(frozen=True)
@@ -89,28 +87,13 @@ class Text:
             "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),
         }
         markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": slugs})
-        markdown.treeprocessors.register(_Headings(), "headings", AFTER_TOC)
-        # What may be wider than the page is scrolled with the keyboard too.
-        body = markdown.convert(text).replace("<pre>", '<pre tabindex="0">')
+        body = HEADING.sub(SELF, TITLE.sub("", markdown.convert(text)))
+        body = body.replace("<pre>", '<pre tabindex="0">')  # what may be wider is scrolled with the keyboard too
         if len(markdown.toc_tokens) != 1 or not text.lstrip().startswith("# "):
             raise ReportError(f"templates/{self.name} must begin with its one title, a line with a single #")
         top = markdown.toc_tokens[0]
         headings = [(heading["id"], _put_back(heading["name"], printed)) for heading in top["children"]]
         return Prose(_put_back(top["name"], printed), body, printed, anchor, headings)
-
-
-class _Headings(Treeprocessor):
-    """Take the title off a text, and let every other heading link to itself."""
-
-    def run(self, root: Element) -> None:
-        if len(root) and root[0].tag in ("h1", "h2"):
-            root.remove(root[0])
-        for heading in (each for each in root.iter() if "id" in each.attrib):
-            if len(heading):
-                heading[-1].tail = f"{heading[-1].tail or ''} "
-            else:
-                heading.text = f"{heading.text} "
-            SubElement(heading, "a", {**ANCHOR, "href": f"#{heading.get('id')}"}).text = "#"
 
 
 class Templates:
@@ -124,7 +107,7 @@ class Templates:
         )
         self._prose = self._layout.overlay(finalize=_as_token)
         self.references, self.pairs = references(folder), pairs_of(folder)
-        self._layout.globals |= {"references": self.references, "config": config(), "pairs": self.pairs}
+        self._layout.globals |= {"references": self.references, "config": config()}
         for extension in (WordTags, PassageTag, StatedTag):
             self._prose.add_extension(extension)
         self._texts: dict[str, Text] = {}
@@ -139,9 +122,7 @@ class Templates:
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._loader.get_source(self._prose, name)
         refuse_typed(source)
-        parsed = self._prose.parse(source, name, path)
-        words = worded(self._prose, parsed, f"templates/{name}")
-        code = self._prose.compile(parsed, name, path)
+        code = self._prose.compile(source, name, path)
         template = jinja2.Template.from_code(self._prose, code, self._prose.make_globals(None))
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
@@ -151,7 +132,8 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return _put_back(" ".join(text.split()), printed)
 
-        words = {what: replace(each, render=render) for what, each in words.items()}
+        wordings: Any = self._prose
+        words = {what: replace(each, render=render) for what, each in wordings.wordings[name].items()}
         return Text(name, template, words)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:

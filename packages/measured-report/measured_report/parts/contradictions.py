@@ -4,7 +4,7 @@
 "stiffness.cause fails"]``. Of ``contradict`` not both may be said; of ``needs`` the first not without the second.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from measured_report.files.errors import ReportError
@@ -25,11 +25,6 @@ def pairs_of(templates: Path) -> Pairs:
     return pairs
 
 
-def contradictory(pairs: Pairs, said: Collection[str]) -> tuple[str, str] | None:
-    """Find two of what is ``said``, each as ``section.claim outcome``, that contradict each other."""
-    return next(((first, second) for first, second in pairs.get("contradict", ()) if {first, second} <= {*said}), None)
-
-
 def refuse_contradictions(pairs: Pairs, sections: Mapping[str, Section]) -> None:
     """Raise ReportError, one line, when what the sections of a release say does not go together."""
     claims = [(f"{name}.{claim.name}", claim) for name, section in sections.items() for claim in section.claims]
@@ -39,8 +34,9 @@ def refuse_contradictions(pairs: Pairs, sections: Mapping[str, Section]) -> None
     for place in (words.partition(" ")[0] for found in pairs.values() for pair in found for words in pair):
         if place.partition(".")[0] in sections and place not in known:
             raise ReportError(f"templates/{NAME}: there is no claim {place}")
-    if both := contradictory(pairs, said):
-        raise ReportError(f"templates/{NAME}: {both[0]} contradicts {both[1]}, and both are said")
+    for first, second in pairs.get("contradict", ()):
+        if {first, second} <= said:
+            raise ReportError(f"templates/{NAME}: {first} contradicts {second}, and both are said")
     for first, second in pairs.get("needs", ()):
         if first in said and second not in said:
             raise ReportError(f"templates/{NAME}: {first} needs {second}, which is not said")

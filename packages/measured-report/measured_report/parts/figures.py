@@ -4,8 +4,8 @@ import io
 import math
 import re
 import textwrap
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -13,8 +13,7 @@ from typing import Any
 import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
-from matplotlib import ticker
-from matplotlib.artist import Artist
+from matplotlib import style, ticker
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_mixed import MixedModeRenderer
@@ -138,12 +137,6 @@ def tick_125(axis: Axis) -> None:
     axis.set_minor_locator(ticker.NullLocator())
 
 
-def tick_decades(axis: Axis) -> None:
-    """Set ticks of a logarithmic axis at whole powers of ten alone."""
-    axis.set_major_locator(ticker.LogLocator(numticks=12))
-    axis.set_minor_locator(ticker.NullLocator())
-
-
 def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
     """Set ticks at ``places`` alone."""
     axis.set_major_locator(ticker.FixedLocator(places))
@@ -161,11 +154,9 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
     if rows * columns == 1 or not is_narrow():
         drawing = _Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
-    squeeze = subplots.pop("squeeze", True)
-    for name in ("nrows", "ncols", *(("width_ratios", "height_ratios") if columns > 1 else ())):
-        subplots.pop(name, None)
+    squeeze = subplots.get("squeeze", True)
     drawing = _Drawing(figsize=(width, height * columns))
-    axes = drawing.subplots(rows * columns, 1, squeeze=False, **subplots)
+    axes = drawing.subplots(**{**subplots, "nrows": rows * columns, "ncols": 1, "squeeze": False})
     for panel in axes[:, 0]:
         panel.tick_params(labelbottom=True)
     grid = axes.reshape(rows, columns)
@@ -238,17 +229,8 @@ def _fit_narrow(drawing: Drawing) -> None:
             axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
     if drawing.get_supxlabel():
         drawing.supxlabel(fold(drawing.get_supxlabel()), fontsize=9)
-    for text in _texts(drawing):
+    for text in drawing.findobj(Text):
         text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
-
-
-def _texts(artist: Artist) -> Iterator[Text]:
-    """Yield all texts but those of axes, whose size is set, and which would be laid out to be found."""
-    for part in artist.get_children():
-        if isinstance(part, Text):
-            yield part
-        elif not isinstance(part, Axis):
-            yield from _texts(part)
 
 
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
@@ -257,13 +239,9 @@ def fold(text: str, longest: int = LONGEST_LINE) -> str:
     return "\n".join(textwrap.fill(line, longest) for line in kept.split("\n")).replace("\u00a0", " ")
 
 
-@contextmanager
-def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
+def own_style(settings: Mapping[str, Any]) -> AbstractContextManager:
     """Set the project's style, and ``settings``; the user's own count for nothing."""
-    with matplotlib.rc_context():
-        matplotlib.rcdefaults()
-        matplotlib.rcParams.update({**STYLE, **settings})
-        yield
+    return style.context(["default", {**STYLE, **settings}])
 
 
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:

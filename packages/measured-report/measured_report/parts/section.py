@@ -6,7 +6,7 @@ import re
 import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from markupsafe import Markup
 
@@ -15,8 +15,9 @@ from measured_report.files.processes import workers
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.words import Wording
+from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
-from measured_report.values.results import Series
+from measured_report.values.results import ResultsError, Series
 
 if TYPE_CHECKING:  # these take long to import, and what is kept from before needs none of them
     import pandas as pd
@@ -28,6 +29,9 @@ Pictures = tuple[Picture | Markup, Picture | Markup]
 TAG = re.compile("<[^>]*>")
 UNDRAWN = "This cannot be drawn from what was measured"
 """Said in the place of a figure; no figure of the tracked results may say it."""
+FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
+"""As wide as a digit and as a point. They are put behind a number by the stylesheet, so that nobody copies them."""
+FRACTION = re.compile(r"\.(\d*)$")
 SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
 """Finds the source of each number that there is."""
 
@@ -56,12 +60,58 @@ class Table(_Captioned):
         return macros().captioned_table(self)
 
     def kept(self) -> "Table":
-        """Return the same as it is kept."""
+        """Return the same as HTML: one unit a column, numbers aligned at their points, a mark for what there is not."""
         if isinstance(self.frame, Markup):
             return self
-        from measured_report.parts.tables import table_html
+        frame, columns = self.frame, [_column(name, self.frame[name]) for name in self.frame]
+        rows = (
+            (name, [column.cell(value) for column, value in zip(columns, row, strict=True)])
+            for name, row in zip(frame.index, frame.astype(object).to_numpy(), strict=True)
+        )
+        return replace(self, frame=macros().table(frame.index.name or "", columns, rows))
 
-        return replace(self, frame=table_html(self.frame))
+
+class _Column(NamedTuple):
+    """Hold all that the cells of a column have in common."""
+
+    name: str
+    has_numbers: bool
+    unit: str
+    """Empty where its numbers have several, and can't be compared."""
+    places: int
+    """The most digits behind a point."""
+
+    @property
+    def label(self) -> str:
+        return unit_label(self.unit or "1")
+
+    def cell(self, value: Any) -> tuple["_Column", Any, str]:
+        """Return the column, the text of a cell, and what fills it for its point to stand below the others."""
+        if isinstance(value, Quantity):
+            if not self.unit:
+                return self, value, ""
+            count = _place_count(value)
+            missing = "" if "×" in value.written else (self.places - count) * FIGURE_SPACE
+            return self, value.bare, missing if count or not missing else POINT_SPACE + missing
+        if isinstance(value, bool):
+            return self, "yes" if value else "no", ""
+        is_missing = value is None or value != value or value == ""
+        if isinstance(value, int | float) and not is_missing:
+            raise ResultsError(f"the number {value} in a table says nothing of where it comes from")
+        return self, ABSENT if is_missing else value, ""
+
+
+def _column(name: str, cells: "pd.Series") -> _Column:
+    numbers = [cell for cell in cells if isinstance(cell, Quantity)]
+    units = {cell.unit for cell in numbers}
+    places = max(map(_place_count, numbers), default=0)
+    return _Column(name, bool(numbers), units.pop() if len(units) == 1 else "", places)
+
+
+def _place_count(number: Quantity) -> int:
+    """Count the digits behind the point of a number as it is written."""
+    found = FRACTION.search(number.written if number.source else "")
+    return len(found[1]) if found else 0
 
 
 @dataclass(frozen=True)

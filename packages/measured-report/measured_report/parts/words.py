@@ -17,7 +17,8 @@ Each stands where it is printed. Its parts can name what Python hands over with 
 
 import re
 import secrets
-from collections.abc import Callable, Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -38,8 +39,6 @@ PARTS = {
 }
 """The parts of each kind. ``caption`` is what follows the opening tag; the others have a tag of their own."""
 OPTIONAL = {"opposite", "because"}
-SEPARATOR = "__"
-"""Between kind, name and part in the name of the block that Jinja keeps a part as."""
 # The token has a part that nobody can know before, so that no text of a record can be one.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 
@@ -48,14 +47,6 @@ TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|�
 """A number with the unit of one that is measured."""
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
 """Names that Jinja has for itself, so that what is given under them is never said."""
-FAILS = re.compile(
-    r"\{% claim (\w+) %\}(?:(?!\{% endclaim).)*?\{% fails %\}(.*?)\{% (?!el|if|endif|for|endfor|set)", re.DOTALL
-)
-SENTENCE, STOP = re.compile(r"[.;?!](?:\s|$)|\{% el.*?%\}"), re.compile(r":\s")
-UNSHOWN = re.compile(
-    r"\b(?:cannot|(?:not?|none|nothing|never|nor)\b[^,:;]*) (?:be )?(?:shown|seen|told|known|found)\b|\bopen\b",
-    re.IGNORECASE,
-)
 
 
 @dataclass(frozen=True)
@@ -86,34 +77,46 @@ class Wording:
 
 
 class WordTags(Extension):
-    """Add the tags: each part becomes a block that is printed by name, and the whole a call that prints it in place."""
+    """Add the tags: each part becomes a block that is printed by name, and the whole a call that prints it in place.
+
+    What a template says is then in the environment's ``wordings``, by the template's name, and by kind and name.
+    """
 
     tags = set(PARTS)  # noqa: RUF012, as Jinja has it
 
+    def __init__(self, environment: Environment):
+        super().__init__(environment)
+        environment.extend(wordings=defaultdict(dict))
+
     def parse(self, parser: Parser) -> list[nodes.Node]:
-        kind = next(parser.stream)
-        name = parser.stream.expect("name").value
-        parts = PARTS[kind.value]
-        ends = [*(part for part in parts if part != "caption"), f"end{kind.value}"]
-        part, line, blocks = "caption", kind.lineno, []
+        tag = next(parser.stream)
+        kind, name, parts = tag.value, parser.stream.expect("name").value, PARTS[tag.value]
+        ends = [*(part for part in parts if part != "caption"), f"end{kind}"]
+        part, line, blocks = "caption", tag.lineno, {}
         while part != ends[-1]:
             body = parser.parse_statements(tuple(f"name:{end}" for end in ends))
+            if part in blocks:
+                parser.fail(f"{kind} {name} is worded twice", line)
             if part in parts:
-                label = SEPARATOR.join((kind.value, name, part))
-                blocks.append(nodes.Block(label, body, False, False, lineno=line))
+                blocks[part] = nodes.Block(f"{kind}__{name}__{part}", body, False, False, lineno=line)
             elif not _is_blank(body):
-                parser.fail(f"{kind.value} {name}: what it says belongs behind one of its tags", line)
+                parser.fail(f"{kind} {name}: what it says belongs behind one of its tags", line)
             token = next(parser.stream)
             part, line = token.value, token.lineno
-        said = {block.name.rpartition(SEPARATOR)[2] for block in blocks}
-        optional = OPTIONAL | ({"fails"} if "opposite" in said else set())
-        if missing := [part for part in parts if part not in optional | said]:
-            parser.fail(f"{kind.value} {name} has no {{% {missing[0]} %}}", kind.lineno)
-        call = nodes.Call(nodes.Name(kind.value, "load"), [nodes.Const(name)], [], None, None)
+        optional = OPTIONAL | ({"fails"} if "opposite" in blocks else set())
+        if missing := [part for part in parts if part not in optional | blocks.keys()]:
+            parser.fail(f"{kind} {name} has no {{% {missing[0]} %}}", tag.lineno)
+        whole = nodes.Template([node for block in blocks.values() for node in block.body])
+        whole.set_environment(self.environment)
+        place = f"templates/{parser.name}:{min(block.lineno for block in blocks.values())}"
+        named = {part: block.name for part, block in blocks.items()}
+        wordings: Any = self.environment
+        wordings.wordings[parser.name][kind, name] = Wording(place, named, frozenset(find_undeclared_variables(whole)))
+        call = nodes.Call(nodes.Name(kind, "load"), [nodes.Const(name)], [], None, None)
         # Jinja keeps every block of a template, those as well that are never reached where they stand.
         # The line behind the last tag ends there, and a sentence must not run into the next.
-        shown = nodes.Output([call, nodes.TemplateData("\n")], lineno=kind.lineno)
-        return [nodes.If(nodes.Const(False), blocks, [], [], lineno=kind.lineno), shown]
+        shown = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
+        return [nodes.If(nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno), shown]
 
 
 def refuse_typed(source: str) -> None:
@@ -123,29 +126,6 @@ def refuse_typed(source: str) -> None:
         line = words.count("\n", 0, found.start()) + 1
         number = " ".join(found[0].split())
         raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
-
-
-def overstated(templates: Path) -> list[str]:
-    """Say which claims of a folder of templates say more than that they are not shown, a line each.
-
-    A claim fails for want of what would show it as well as where its contrary is shown. So what stands between two
-    stops in ``{% fails %}`` prints something, or its sentence says that this is not shown (not seen, cannot be told).
-    """
-    return [
-        f"{path.relative_to(templates.parent)}: claim {name}: {{% fails %}} asserts “{words}”, and all that is known "
-        "there is that the claim is not shown: say so, name a number instead, or move it to {% opposite %}"
-        for path in sorted(templates.rglob("*.md.j2"))
-        for name, fails in FAILS.findall(path.read_text(encoding="utf-8"))
-        for words in _assertions(fails)
-    ]
-
-
-def _assertions(fails: str) -> Iterator[str]:
-    """Yield what stands between two stops and neither prints anything nor says that something is not shown."""
-    for sentence in SENTENCE.split(re.sub(r"\{\{.*?\}\}", "#", " ".join(fails.split()))):
-        if not UNSHOWN.search(sentence):
-            parts = (re.sub(r"\{%.*?%\}|<[^>]*>", "", part).strip() for part in STOP.split(sentence))
-            yield from (part for part in parts if part and "#" not in part)
 
 
 def token(printed: list[Any], thing: Any) -> Markup:
@@ -166,18 +146,3 @@ def table_beside(templates: Path, name: str) -> dict[str, Any]:
 def _is_blank(body: list[nodes.Node]) -> bool:
     found = [node for output in body for node in getattr(output, "nodes", [output])]
     return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in found)
-
-
-def worded(environment: Environment, parsed: nodes.Template, place: str) -> dict[tuple[str, str], Wording]:
-    """Return what a template, parsed with ``environment``, says, by kind and name; errors name it as ``place``."""
-    found: dict[tuple[str, str], Wording] = {}
-    for block in parsed.find_all(nodes.Block):
-        kind, name, part = block.name.split(SEPARATOR)
-        body = nodes.Template(block.body)
-        body.set_environment(environment)
-        known = found.get((kind, name), Wording(f"{place}:{block.lineno}", {}, frozenset()))
-        if part in known.blocks:
-            raise TemplateSyntaxError(f"{kind} {name} is worded twice", block.lineno)
-        names = known.names | find_undeclared_variables(body)
-        found[kind, name] = Wording(known.place, {**known.blocks, part: block.name}, names)
-    return found
