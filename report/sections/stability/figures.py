@@ -10,6 +10,7 @@ from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
+from matplotlib.ticker import LogLocator
 
 from measured_report.parts.figures import MAP_INK, is_narrow, new_figure, tick_at, write
 from measured_report.values.results import Row
@@ -74,6 +75,7 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
             }  # the line stops there
             text = write(row.creep_mm_s, is_short=True)
             axes.text(x, y, text, ha="center", va="center", fontsize=7, color=MAP_INK, bbox=behind)
+    axes.xaxis.set_major_locator(LogLocator(numticks=12))  # whole decades
     tick_at(axes.yaxis, steps, digits=2)
 
 

@@ -35,7 +35,7 @@ LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
 BLOCK = ("<figure", "<p", "<div", "</div")
 TITLE, HEADING = re.compile(r"\A<h[12].*?</h[12]>\n?"), re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
-SELF = r'<\1 id="\2">\3 <a class="anchor" tabindex="-1" aria-hidden="true" href="#\2">#</a></\1>'
+SELF = r'<\1 id="\2">\3 <a aria-hidden="true" class="anchor" href="#\2" tabindex="-1">#</a></\1>'
 """A heading with a link to itself: no stop of the keyboard, which the contents lead to as well."""
 
 
