@@ -18,7 +18,6 @@ import pandas as pd
 from markupsafe import Markup
 
 from measured_report.editions.project import Project, own_release
-from measured_report.editions.release import read_label
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
@@ -41,7 +40,7 @@ ENDINGS = {"class", "classes", "dropped", "finite", "monotonic"}
 """Columns that say how a run ended."""
 FAILURE = "the state was not finite in frame 300"
 SHARE = 0.1
-"""Of the rows so many fail, or are missing."""
+"""Of the rows so many fail."""
 
 Row = dict[str, Any]
 Place = tuple[str, str]
@@ -204,15 +203,10 @@ def _farther(row: Row, mean: Row, times: float) -> Row:
     return new
 
 
-def losing(name: str, seed: int, lost: Callable[[Row], Row | None]) -> Scenario:
-    """A tenth of the rows are lost so, or not there at all."""
-
-    def rows(records: Records, place: Place) -> list[Row]:
-        chance = Random(f"{seed} {place[1]}")
-        found = [lost(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
-        return [row for row in found if row] or as_measured(records, place)[:1]
-
-    return Scenario(f"{name}-{seed}", rows)
+def failing(records: Records, place: Place) -> list[Row]:
+    """A tenth of the runs fail."""
+    chance = Random(f"0 {place[1]}")
+    return [failed(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
 
 
 def failed(row: Row) -> Row:
@@ -220,25 +214,6 @@ def failed(row: Row) -> Row:
     ended = {"failure": FAILURE, "dropped": None, "class": "non-finite", "finite": False}
     gone = dict.fromkeys(lost) | {column + REASON: FAILURE for column in lost}
     return {**row, **gone, **{column: value for column, value in ended.items() if column in row}}
-
-
-@cache
-def other_release(release: str) -> str:
-    """The newest release for the oldest and the other way round."""
-    releases = [release for release in Project(own_release()).releases if not read_label(release).pins]
-    return {releases[0]: releases[-1], releases[-1]: releases[0]}.get(release, release)
-
-
-def swapped_rows(records: Records, place: Place) -> list[Row]:
-    """The oldest release does what the newest does, and the other way round."""
-    other = other_release(place[0]), place[1]
-    return as_measured(records, other if other in records else place)
-
-
-def swapped_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
-    release = path.parent.name.removeprefix("newton-")
-    other = path.parent.with_name(f"newton-{other_release(release)}") / path.name
-    return load_trace_once(other) if other.is_file() else frame
 
 
 AS_MEASURED = Scenario("as-measured")
@@ -249,9 +224,7 @@ SCENARIOS = (
     moving("moving-x-minus-1", -1.0),
     Scenario("all-equal", equal_rows, equal_frame),
     noisier("noise-x-60", 60.0),
-    losing("failing", 0, failed),
-    losing("missing", 0, lambda row: None),
-    Scenario("releases-swapped", swapped_rows, swapped_frame),
+    Scenario("failing", failing),
 )
 
 

@@ -86,8 +86,10 @@ class DerivedCache:
 
     def keep(self, pictures: Mapping[tuple[str, str], Pictures]) -> None:
         """Keep what was derived, its figures drawn as ``pictures`` by release and id."""
+        if self.root is None:
+            return
         names = {id(claim): name for name, claim in self._claims.items()}
-        for place, entry in self._new.items() if self.root else ():
+        for place, entry in self._new.items():
             figures = {
                 name: figure.kept(pictures.get((place[1], f"{place[2]}-{name}")))
                 for name, figure in entry.section.figures.items()

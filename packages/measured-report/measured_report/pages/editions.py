@@ -26,8 +26,8 @@ from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Section
 from measured_report.records.code import digest_of, files
 from measured_report.records.identity import files_digest, sections
-from measured_report.records.record import traces_of
-from measured_report.values.noise import NOISE, noise_floors
+from measured_report.records.record import Record, traces_of
+from measured_report.values.noise import NOISE, Floor, noise_floors
 from measured_report.values.results import Results, ResultsError
 
 
@@ -85,7 +85,7 @@ class Edition:
         """
         found = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
         told = {anchor: _worded(anchor, text, self._told(anchor, names)) for anchor, text in found.items()}
-        said = []
+        said: list[Prose] = []
         for anchor, text in found.items():
             level = 2 if said else 1  # the first has the title of the page
             try:
@@ -178,21 +178,26 @@ def editions_of(
 
 def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
     """Derive what the results of one release make by themselves: what compares releases has its results alone."""
-    floors, measured, left_out = {}, [], []
+    floors: dict[str, Floor] = {}
+    records: list[tuple[State, Record]] = []
+    left_out: list[State] = []
     for state in states_of(project):
         try:
             floors |= noise_floors([state.record]) if state.record and state.section == NOISE else {}
         except (ArithmeticError, LookupError, TypeError, ValueError) as error:
             lost = LostError(f"no noise can be told from it ({type(error).__name__}: {error})")
             state = _left_out(project, state, lost)
-        (measured if state.record else left_out).append(state)
+        if state.record:
+            records.append((state, state.record))
+        else:
+            left_out.append(state)
     try:  # what a manifest that can't be read says is missed is missed unseen
         read_manifest(project.results)
     except RecordError as error:
         left_out.append(State(MANIFEST, "damaged", notes=(str(error),)))
     measured = [
-        (state, Results(state.record, project.record_path(state.section), floors=floors))
-        for state in sorted(measured, key=lambda state: outline_of(state.section).order)
+        (state, Results(record, project.record_path(state.section), floors=floors))
+        for state, record in sorted(records, key=lambda each: outline_of(each[0].section).order)
     ]
     edition = Edition(project, {}, left_out, cache or DerivedCache())
     return _with_chapters(edition, measured, {}, templates)

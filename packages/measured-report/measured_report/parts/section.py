@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # these take long to import, and what is kept from before nee
     from matplotlib.figure import Figure as Drawing
 
 
-Pictures = tuple[Picture | Markup, Picture | Markup]
+Pictures = Sequence[Picture | Markup]
 """A figure as drawn for broad screens and for narrow ones; the stylesheet shows one of them."""
 TAG = re.compile("<[^>]*>")
 UNDRAWN = "This cannot be drawn from what was measured"
