@@ -53,13 +53,11 @@ def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
     axes.set_axis_off()
 
 
-def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, noise: Quantity) -> Drawing:
+def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity) -> Drawing:
     """Draw the largest change in slip that each suspect makes [%], and the ``remedy``'s."""
     colours = [STIFF if name == remedy else SERIES[5] for name in shares]
     label = "largest change in slip [% of that with shipped pads]"
     drawing, axes = draw_bars([*shares], [*shares.values()], colours, label)
-    if noise.value is not None:
-        axes.axvspan(0.0, noise.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
     if bound.value is not None:
         axes.axvline(bound.value, color=INK, linestyle="--", linewidth=1.0, marker="")
     return drawing

@@ -61,14 +61,14 @@ def derive(releases: Releases, shown: str) -> Section:
 def _suspects(found: Found) -> Figure:
     shares = {label: found.value(*place, "%") for label, place in SUSPECTS.items()}
     fix = found.value("reproduction", "stiff_share", "%")
-    bound, noise = found.value("friction", "cause_bound", "%"), found.value("noise", "slip_floor_share", "%")
+    bound = found.value("friction", "cause_bound", "%")
     every = {**shares, FIX: fix}
     numbers = {
         "shares": Markup(", ").join(Markup("{} {}").format(*pair) for pair in every.items()),
         "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound)).said,
         "moving": ", ".join(name for name, share in every.items() if share.value and at_least(share, bound) == HOLDS),
     }
-    return Figure(lambda: draw_suspects(every, FIX, bound, noise), list(every.values()), numbers)
+    return Figure(lambda: draw_suspects(every, FIX, bound), list(every.values()), numbers)
 
 
 def _mechanism(found: Found) -> Figure:

@@ -8,11 +8,12 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.changes.query import Query
 from measured_report.files.config import config
 from measured_report.pages.chapters import Releases
-from measured_report.parts.figures import INK, is_narrow, new_figure, tick_125, write
+from measured_report.parts.figures import INK, new_figure, tick_125
 from measured_report.parts.section import Figure, Table
 from measured_report.values.quantities import Quantity, alike
 from report.shared import drawing as colours
 from report.shared.arithmetic import table_of
+from report.shared.drawing import mark_points
 
 SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
 TAKEN, GIVEN = "as-shipped-friction-timeconst-off", "as-shipped-friction-timeconst-on"
@@ -96,29 +97,15 @@ def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
     )
 
 
-def _apart(values: Sequence[float], step: float = 1.3) -> list[float]:
-    """Return the values, each at least ``step`` times as large as the one below it, so that they can be read."""
-    heights: dict[int, float] = {}
-    for index in sorted(range(len(values)), key=lambda index: values[index]):
-        heights[index] = max(values[index], step * max(heights.values(), default=0.0))
-    return [heights[index] for index in range(len(values))]
-
-
 def _draw_slips(releases: Releases) -> Drawing:
     drawing, axes = new_figure(7.2, 3.4)
-    ends: list[tuple[int, Quantity, str, str]] = []
     for headline, (name, colour, dashes) in DRAWN.items():
         cells = enumerate(headline.cell(chapters, release) for release, chapters in releases.items())
-        if there := [(place, found) for place, found in cells if found.value is not None]:
-            x, y = zip(*((place, found.value) for place, found in there), strict=True)
-            axes.plot(x, y, color=colour, linestyle=dashes, marker="o", markevery=1)
-            ends.append((*there[-1], name, colour))
-    heights = _apart([found.value for _, found, *_ in ends])
-    for (place, found, name, colour), height in zip(ends, heights, strict=True):
-        text = f"{write(found)} {name}"
-        axes.annotate(text, (place, height), xytext=(7, 0), textcoords="offset points", va="center", color=colour)
+        points = [(place, found.value) for place, found in cells]
+        mark_points(axes, points, color=colour, linestyle=dashes, marker="o", label=name)
     axes.set_yscale("log")
     tick_125(axes.yaxis)
     axes.set_xticks(range(len(releases)), [name.replace("+", "\n+") for name in releases])
-    axes.set(xlim=(-0.3, (1.5 if is_narrow() else 1.3) * len(releases)), xlabel="Newton release", ylabel="slip [mm]")
+    axes.set(xlim=(-0.3, len(releases) - 0.5), xlabel="Newton release", ylabel="slip [mm]")
+    drawing.legend(loc="outside upper left", ncols=2)
     return drawing
