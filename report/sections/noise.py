@@ -47,16 +47,17 @@ def derive(results: Results) -> Section:
     keys = dict.fromkeys((row.of, row.kind) for row in repeated)
     groups = [Group(*key, [row for row in repeated if (row.of, row.kind) == key]) for key in keys]
     floors = {metric: _floor(results, groups, metric) for metric in METRICS}
-    means, spreads = (
-        {metric: [find(results, group, metric) for group in groups] for metric in METRICS} for find in (_mean, _spread)
-    )
+    counts, means, spreads = [], [], []
+    for group in groups:
+        cells = group.cells("slip")
+        counts.append(cell_count(results, f"{group.name}_count", "number of runs", cells))
+        means.append(results.value(f"{group.name}_slip_mean", "mean", lambda *cell: fmean(cell), *cells, unit="mm"))
+        name, formula = f"{group.name}_slip_spread", "largest minus smallest"
+        spreads.append(spread(results, name, formula, cells, unit="mm", is_noise=True))
     results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
-    counts = [cell_count(results, f"{group.name}_count", "number of runs", group.cells("slip")) for group in groups]
-    columns = {"runs": counts}
-    for metric in METRICS:
-        columns |= {f"mean {metric}": means[metric], f"{metric} spread": spreads[metric]}
+    columns = {"runs": counts, "mean slip": means, "slip spread": spreads}
     return Section(
         tables={"groups": table_of("case", [group.label for group in groups], columns)},
         claims=[_noise_is_small(results, groups, floors), _batch_or_alone(results, groups, means, spreads)],
@@ -84,16 +85,6 @@ def _floor(results: Results, groups: Sequence[Group], metric: str) -> Value:
     return results.value(f"{metric}_floor", formula, max, *bounds, least, unit=unit, is_noise=True)
 
 
-def _spread(results: Results, group: Group, metric: str) -> Value:
-    name, cells = f"{group.name}_{metric}_spread", group.cells(metric)
-    return spread(results, name, "largest minus smallest", cells, unit=UNITS[metric], is_noise=True)
-
-
-def _mean(results: Results, group: Group, metric: str) -> Value:
-    name, cells = f"{group.name}_{metric}_mean", group.cells(metric)
-    return results.value(name, "mean", lambda *cell: fmean(cell), *cells, unit=UNITS[metric])
-
-
 def _noise_is_small(results: Results, groups: Sequence[Group], floors: Mapping[str, Value]) -> Claim:
     def of_mean(floor: float, *found: float) -> float:
         return 100 * floor / fmean(found)
@@ -108,14 +99,16 @@ def _noise_is_small(results: Results, groups: Sequence[Group], floors: Mapping[s
     return Claim("noise_is_small", all_of(*(at_most(share, 1.0, why=SMALL) for share in shares.values())), numbers)
 
 
-def _batch_or_alone(results: Results, groups: Sequence[Group], means: Mapping, spreads: Mapping) -> Claim:
+def _batch_or_alone(
+    results: Results, groups: Sequence[Group], means: Sequence[Value], spreads: Sequence[Value]
+) -> Claim:
     kinds = [group.kind for group in groups]
     places = kinds.index("batch"), kinds.index("alone")
-    batch, alone = (means["slip"][place] for place in places)
+    batch, alone = (means[place] for place in places)
     formula = "difference between the mean slip in a batch and alone"
     apart = size_difference(results, "alone_difference", formula, batch, alone)
     of_slip = share(results, "alone_share", "that difference, of the mean slip in a batch", apart, batch)
-    formula, pair = "larger of the spreads in a batch and alone", (spreads["slip"][place] for place in places)
+    formula, pair = "larger of the spreads in a batch and alone", (spreads[place] for place in places)
     kind_spread = results.value("within_spread", formula, max, *pair, unit="mm", is_noise=True)
     outcome = all_of(within(apart, kind_spread), at_most(of_slip, 1.0, why=SMALL))
     return Claim("batch_or_alone", outcome, {"difference": apart, "within": kind_spread, "share": of_slip})
