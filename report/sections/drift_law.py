@@ -90,7 +90,6 @@ def _by_hand(results: Results) -> Claim:
 
 
 def _follows(results: Results, runs: Sequence[Run]) -> Claim:
-    shipped, fix = results.row[SHIPPED], results.row[FIX]
     bound = results.chosen("law_bound", "one law", 1.5, unit="%")
     offs = [run.off for run in runs]
     largest = extreme(results, "largest_kept", "largest departure from the law, positions compensated", max, offs)
@@ -106,8 +105,6 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     numbers: dict[str, Quantity] = {"inside": inside, "largest": largest, "bound": bound, "width": width}
     numbers["count"] = cell_count(results, "count_kept", "runs that keep the cube, positions compensated", offs)
     numbers["tried"] = cell_count(results, "tried_count", "runs that were tried", [row.pad_ke for row in results.rows])
-    numbers |= {"shipped": shipped.drift_mm_s, "shipped_law": shipped.predicted_drift_mm_s}
-    numbers |= {"fix": fix.drift_mm_s, "fix_law": fix.predicted_drift_mm_s}
     is_wide = at_least(width, 3.0, why="enough to see a law")
     if outcome == HOLDS and is_wide == FAILS:
         reason = "the friction rows of all runs brake too much alike to tell"
