@@ -114,7 +114,7 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, unit="mm")
     *first, last = places.values()
     listed = Markup("{} and {}").format(Markup(", ").join(first), last) if first else escape(last)
-    numbers = {"shipped": shipped, "stiff": stiff, "places": listed, "bound": bound}
+    numbers = {"difference": difference, "places": listed, "bound": bound}
     return Claim("same_on_both_engines", at_most(difference, bound), numbers, effect=slips.outcome)
 
 
