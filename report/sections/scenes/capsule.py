@@ -28,8 +28,10 @@ def derive(results: Results) -> Section:
         variant: results.value(f"published_{variant}", formula, lambda rate=rate: rate, unit="mm/s")
         for variant, rate in PUBLISHED_MM_S.items()
     }
-    columns: dict[str, Column] = {"sinks": "creep_mm_s", "by the law": "predicted_creep_mm_s"}
-    columns |= {"published": [published.get(variant, "") for variant in VARIANTS]}
+    columns: dict[str, Column] = {
+        **{"sinks": "creep_mm_s", "published": [published.get(variant, "") for variant in VARIANTS]},
+        **{"once steady": "steady_creep_mm_s", "by the law": "predicted_creep_mm_s"},
+    }
     return Section(
         tables={"rates": table_of("in MuJoCo C", VARIANTS.values(), columns, rows)},
         claims=[_as_published(results, published), _follows_law(results)],
