@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from types import ModuleType
+from typing import Any
 
 from tqdm import tqdm
 
@@ -25,7 +26,7 @@ from measured_report.measuring.host import host
 from measured_report.measuring.machine import gpus, machine
 from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import host_pools
-from measured_report.measuring.section import Loop, Pool, Section, section_of
+from measured_report.measuring.section import Loop, Section, section_of
 from measured_report.records.identity import sections
 from measured_report.records.provenance import EDITED, package_versions
 
@@ -70,7 +71,7 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
 
 
 @contextmanager
-def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[tuple[Pool, Pool]]:
+def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[tuple[Any, Any]]:
     """Open the pools that measure: of this host, or of a cluster's workers."""
     count = batches_at_once(asked[0].project, arguments.device)
     if arguments.cluster:

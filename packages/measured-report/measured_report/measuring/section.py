@@ -5,11 +5,11 @@ What times nothing is measured side by side, and then, one after the other, what
 
 import inspect
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from dataclasses import dataclass, field
 from types import ModuleType
-from typing import Any, Protocol
+from typing import Any
 
 from tqdm import tqdm
 
@@ -112,22 +112,13 @@ class Section:
         tqdm.write(f"{self.name}: {len(record.rows)} rows in {seconds:.0f} s → {path}")
 
 
-class Pool(Protocol):
-    """Submit to processes that measure; see ``concurrent.futures.Executor``."""
-
-    limit: int
-    """Batches that it is given at once."""
-    lost: type[Exception]
-    """Error of a batch whose process was killed."""
-
-    def submit(self, function: Callable, *arguments: Any) -> Future:
-        """Call a function in one of the processes."""
-
-
 class Loop:
-    """Measure sections, with a pool for batches that share their host and one for those that are exclusive there."""
+    """Measure sections, with a pool for batches that share their host and one for those that are exclusive there.
 
-    def __init__(self, sections: Sequence[Section], shared: Pool, exclusive: Pool):
+    A pool submits as an Executor does, takes ``limit`` batches at once, and raises ``lost`` where a process was killed.
+    """
+
+    def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
         self.sections, self.shared, self.exclusive = sections, shared, exclusive
         self.running: dict[Future, tuple[Section, Batch]] = {}
 
