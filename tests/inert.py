@@ -12,7 +12,7 @@ from markupsafe import Markup
 from measured_report.pages.passages import needs_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
-from measured_report.records.columns import is_setting
+from measured_report.records.columns import column_of
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
 from tests.perturbed import FACTORS, Perturbation
 
@@ -39,7 +39,9 @@ def named_pointers(thing: Any) -> Iterator[str]:
 def measured(values: Mapping[str, Value], pointer: str) -> list[str]:
     """The measured numbers and traces that a number comes from; none for what was chosen."""
     roots = values[pointer].reads if pointer in values else {pointer}
-    return sorted(root for root in roots if VALUES_FILE not in root and not is_setting(root))
+    return sorted(
+        root for root in roots if VALUES_FILE not in root and not column_of(root.rpartition("/")[2]).is_setting
+    )
 
 
 def changes(leaves: Sequence[str]) -> Iterator[tuple[tuple[str, ...], str]]:

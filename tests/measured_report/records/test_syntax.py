@@ -1,11 +1,10 @@
 """Syntax: what of a definition counts, on small sources."""
 
 import ast
-from pathlib import Path
 
 import pytest
 
-from measured_report.records.syntax import Canonical, Definition, Reader, _walk
+from measured_report.records.syntax import Canonical, Definition, Reader
 
 RUN = """
 import sys
@@ -124,8 +123,3 @@ def test_a_digest_does_not_depend_on_how_a_python_reads_nested_format_specificat
     without = Canonical().statement(later.body[0])
     specification.values.append(ast.Constant(""))
     assert Canonical().statement(earlier.body[0]) == without == Canonical().statement(later.body[0])
-
-
-def test_a_tree_is_walked_as_python_walks_it():
-    tree = ast.parse(Path(__file__).read_text(encoding="utf-8"))
-    assert _walk(tree) == list(ast.walk(tree))

@@ -106,7 +106,7 @@ def share_count(gpu: Gpu, gpu_count: int = 1) -> int:
 def needs_gpu(section: str, root: Path = ROOT) -> bool:
     """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with those of a GPU."""
     graph = files().graph(roots_of(root))
-    file = graph.module(["experiments", section]) or f"{root}/experiments/{section}.py"
+    file = graph.module(f"experiments.{section}") or f"{root}/experiments/{section}.py"
     return bool(graph.source(file).top.get("NEEDS_GPU", config().needs_gpu))
 
 

@@ -25,7 +25,8 @@ from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Section
 from measured_report.records.code import digest_of, files
-from measured_report.records.identity import files_digest, sections
+from measured_report.records.identity import sections
+from measured_report.records.provenance import files_digest
 from measured_report.records.record import Record, traces_of
 from measured_report.values.noise import NOISE, Floor, noise_floors
 from measured_report.values.results import Results, ResultsError

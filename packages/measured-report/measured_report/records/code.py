@@ -8,7 +8,7 @@ the same when the definition, or what it names, moves to another file or gets an
 import ast
 import hashlib
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
@@ -36,7 +36,7 @@ SOURCES = "sources"
 
 
 class Files:
-    """Sources, graphs of them, and the packages that are installed, each looked at once."""
+    """Looks at each source, graph of sources and installed package once."""
 
     def __init__(self) -> None:
         self.source, self.graph = cache(read_source), cache(Graph)
@@ -80,15 +80,15 @@ HERE = str(Path(__file__).resolve().parents[2])
 
 
 class Graph:
-    """The definitions of the modules below some folders, and what their names mean."""
+    """Finds the definitions of the modules below some folders, and what their names mean."""
 
     def __init__(self, roots: tuple[str, ...]):
         self.roots = roots
-        for name in ("source", "defined", "imported", "reached", "told", "digest", "meanings", "_names_in"):
+        for name in ("source", "defined", "imported", "module", "reached", "told", "digest", "meanings"):
             setattr(self, name, cache(getattr(self, name)))
 
     def name_of(self, path: str) -> str:
-        """A file's name, below the innermost of the folders that it lies in."""
+        """Name a file below the innermost of the folders that it lies in."""
         return path[max(len(root) for root in self.roots if path.startswith(f"{root}/")) + 1 :]
 
     def source(self, path: str) -> Source:
@@ -98,28 +98,20 @@ class Graph:
         return _read("definitions", Path(path), self.name_of(path))
 
     def imported(self, path: str) -> list[str]:
-        """The files that the source at ``path`` may import."""
+        """Name the files that the source at ``path`` may import."""
         named = {part for name in self.source(path).modules for part in accumulate(name.split("."), "{}.{}".format)}
-        return list(filter(None, (self.module(name.split(".")) for name in sorted(named))))
+        return list(filter(None, map(self.module, sorted(named))))
 
-    def module(self, parts: Sequence[str]) -> str:
-        """The file of a module; empty where it is none of this project."""
+    def module(self, name: str) -> str:
+        """Name the file of a module; nothing where it is none of this project."""
         # Where this program is installed lie other packages beside it, which are none of the project's.
-        roots = [root for root in self.roots if root != HERE or parts[0] == "measured_report"]
-        for place in ("/".join([root, *parts]) for root in roots):
-            folder, _, last = place.rpartition("/")
-            there = self._names_in(folder)
-            if last in there and "__init__.py" in self._names_in(place):
-                return f"{place}/__init__.py"
-            if f"{last}.py" in there:
-                return f"{place}.py"
-        return ""
-
-    def _names_in(self, folder: str) -> set[str]:
-        return {path.name for path in Path(folder).glob("*")}
+        roots = [root for root in self.roots if root != HERE or name.partition(".")[0] == CARRIED]
+        places = (f"{root}/{name.replace('.', '/')}" for root in roots)
+        files = (file for place in places for file in (f"{place}/__init__.py", f"{place}.py"))
+        return next((file for file in files if Path(file).is_file()), "")
 
     def closure(self, start: str, without: str = "") -> list[str]:
-        """The file ``start`` and all that it may import, directly or not; ``without`` is a package that is left out."""
+        """Name a file and all that it may import, directly or not; ``without`` is a package that is left out."""
         found, waiting = dict.fromkeys([start]), [start]
         while waiting:
             new = [file for file in self.imported(waiting.pop()) if file not in found]
@@ -129,7 +121,7 @@ class Graph:
         return list(found)
 
     def reached(self, name: str) -> dict[Node, str]:
-        """What may be run when what has this dotted name is: digests of it, and of what importing its files does."""
+        """Digest what may be run when what has this dotted name is, and what importing its files does."""
         nodes = self.found(name)
         if isinstance(nodes, str):
             raise ReportError(f"there is no {name}")
@@ -157,7 +149,7 @@ class Graph:
         return self.defined(node[0]).get(node[1], ())
 
     def _effects(self, file: str) -> Iterator[Node]:
-        """What is done when a file is imported: a decorator of this project may note what it is put on."""
+        """Find what is done when a file is imported: a decorator of this project may note what it is put on."""
         yield file, EFFECTS
         for name, found in self.defined(file).items():
             decorators = (self._meaning(file, each, word) for each in found for word in each.decorators)
@@ -165,7 +157,7 @@ class Graph:
                 yield file, name
 
     def digest(self, node: Node, rounds: int = ROUNDS) -> str:
-        """Of what defines a name, and of what the names in it mean."""
+        """Digest what defines a name, and what the names in it mean."""
         trees = [each.tree for each in self.definitions(node)]
         meanings = [
             meaning if isinstance(meaning, str) else [self.digest(each, rounds - 1) for each in meaning]
@@ -174,11 +166,11 @@ class Graph:
         return digest_of([trees, meanings])
 
     def meanings(self, node: Node) -> list[list[Node] | str]:
-        """What the names mean that stand in what defines a name, in order."""
+        """Find what the names mean that stand in what defines a name, in order."""
         return [self._meaning(node[0], each, name) for each in self.definitions(node) for name in each.names]
 
     def _meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
-        """What of this project a name stands for, or what it is called elsewhere."""
+        """Find what of this project a name stands for, or what it is called elsewhere."""
         first, _, rest = name.partition(".")
         if first in self.defined(file) and first not in definition.imports:
             return [(file, first)]
@@ -186,12 +178,12 @@ class Graph:
         return self.found(f"{imported}.{rest}".rstrip("."))
 
     def found(self, name: str) -> list[Node] | str:
-        """What of this project a dotted name stands for, or what it is called elsewhere."""
+        """Find what of this project a dotted name stands for, or what it is called elsewhere."""
         parts = name.split(".")
         if parts[0] == CARRIED:
             return CARRIED
         for end in range(len(parts), 0, -1):
-            if file := self.module(parts[:end]):
+            if file := self.module(".".join(parts[:end])):
                 imports, (first, *rest) = self.source(file).imports, parts[end:] or [""]
                 if first in self.defined(file):
                     return [(file, first)]
@@ -202,13 +194,13 @@ class Graph:
 
 
 def roots_of(root: Path) -> tuple[str, ...]:
-    """The folders below which a project's modules are found: its own, its packages', and those of this program."""
+    """Name the folders that a project's modules are below: its own, its packages', and those of this program."""
     folders = [root, *sorted((root / "packages").glob("*")), HERE]
     return tuple(dict.fromkeys(map(str, folders)))
 
 
 def read_source(path: Path, name: str) -> Source:
-    """What the module at ``path`` says; ReportError, with its ``name``, where it can't be read."""
+    """Read the module at ``path``; ReportError, with its ``name``, where it can't be read."""
     return _read("source", path, name)
 
 

@@ -32,7 +32,6 @@ NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle
 """Units of numbers that have no sign."""
 SAID = ("given_beside", "better", "resolution", "rate_of", "known_within", "grows_with", "trials")
 PERCENTILE = re.compile(r"_p[0-9]+$")
-COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
 REASON = "_reason"
 UNBELIEVED = "the measurement gave "
 """How the reason begins of a number that was measured and that no record may hold, such as one that is not finite."""
@@ -47,7 +46,7 @@ what one likes."""
 
 @dataclass(frozen=True)
 class Column:
-    """What is known of a column; what ``report.toml`` says of it is told there."""
+    """Describes a column; what ``report.toml`` says of it is told there."""
 
     name: str
     unit: str
@@ -66,12 +65,12 @@ class Column:
 
     @property
     def is_setting(self) -> bool:
-        """Whether it was set before a run: a parameter of a case, or how much was run."""
+        """Tell whether it was set before a run: a parameter of a case, or how much was run."""
         return not self.kinds.isdisjoint(("parameter", "setting"))
 
     @property
     def words(self) -> str:
-        """Its name in words, without the unit."""
+        """Write its name in words, without the unit."""
         ends = [end for end, unit in UNITS.items() if unit == self.unit != PLAIN and self.name.endswith(f"_{end}")]
         return self.name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
 
@@ -81,17 +80,17 @@ class Column:
 
     @property
     def is_rate(self) -> bool:
-        """Whether it is of a unit of time or work, so that it compares where as much was not run."""
+        """Tell whether it is of a unit of time or work, so that it compares where as much was not run."""
         return self.unit.endswith(("/s", "/cycle"))
 
     def is_exact(self, row: Mapping[str, Any]) -> bool:
-        """Whether in a row it holds what was set, or made from nothing but that, and so has no noise."""
+        """Tell whether in a row it holds what was set, or made from that alone, and so has no noise."""
         return self.is_setting or "given" in self.kinds or self.given_beside in row
 
 
 @cache
 def column_of(name: str) -> Column:
-    """What is known of the column of that name."""
+    """Tell what is known of the column of that name."""
     found = [each for each in config().columns if name in each.names or re.fullmatch(each.pattern, name)]
     words = PERCENTILE.sub("", name).split("_")
     ends = ("_".join(words[start:]) for start in range(len(words)))
@@ -105,24 +104,19 @@ def column_of(name: str) -> Column:
 
 @cache
 def parameters() -> Mapping[str, Any]:
-    """The parameters of a case and their defaults, ``MISSING`` for one that has none."""
+    """Return the parameters of a case and their defaults, ``MISSING`` for one that has none."""
     module, _, name = config().case.partition(":")
     return {each.name: each.default for each in fields(getattr(import_module(module), name))} if module else {}
 
 
-def is_setting(pointer: str) -> bool:
-    """Whether a pointer into a record leads to a setting."""
-    return column_of(pointer.rpartition("/")[2]).is_setting
-
-
 def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
-    """The parameters of a row's case that differ from their defaults."""
+    """Return the parameters of a row's case that differ from their defaults."""
     default = parameters()
     return {name: cell for name, cell in row.items() if default.get(name, MISSING) not in (MISSING, cell)}
 
 
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
-    """Units of the columns that hold numbers, missing ones included."""
+    """Return the units of the columns that hold numbers, missing ones included."""
     there, numeric = columns_of(rows), {name for row in rows for name, cell in row.items() if is_number(cell)}
     names = [name for name in there if name in numeric]
     names += [name.removesuffix(REASON) for name in there if name.endswith(REASON)]
@@ -130,7 +124,7 @@ def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
 
 
 def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """All columns, in the order in which the rows have them."""
+    """Name all columns, in the order in which the rows have them."""
     return list(dict.fromkeys(chain.from_iterable(rows)))
 
 

@@ -1,7 +1,7 @@
 """Identity: what a section's numbers depend on, found by reading the sources and never by running them."""
 
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
@@ -20,7 +20,7 @@ Profile = Annotated[str, Meta(pattern=r"\A(full|quick)\Z")]
 
 @dataclass(frozen=True)
 class Identity:
-    """Digests of all that a measurement depends on, except the machine."""
+    """Holds digests of all that a measurement depends on, except the machine."""
 
     code: Digest
     """Digest of the definitions that its ``measure`` may run; see ``code``."""
@@ -34,12 +34,12 @@ class Identity:
 
 
 def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
-    """The identity that the section's ``measure`` has now, with ``packages``, or else with those installed here."""
+    """Return the identity that a section's ``measure`` has now, with ``packages`` or else those installed here."""
     return identity_at(f"experiments.{section}.measure", profile, root, packages)
 
 
 def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
-    """The identity of what has a dotted name, or of all that a module of that name has."""
+    """Return the identity of what has a dotted name, or of all that a module of that name has."""
     digest, code, named = files().graph(roots_of(root)).told(name)
     there = (asset for asset in named if (root / asset).is_file())
     assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in there}
@@ -53,7 +53,7 @@ def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[st
 
 
 def changes(recorded: Identity, current: Identity) -> list[str]:
-    """What differs between two identities, in words; empty when the record is fresh."""
+    """Say what differs between two identities; nothing when the record is fresh."""
     sides = recorded.files.items(), current.files.items()
     same = {digest for _, digest in sides[0]} & {digest for _, digest in sides[1]}  # it may lie elsewhere now
     changed = sorted({name for side in sides for name, digest in side if digest not in same})
@@ -69,17 +69,7 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 
 
 def sections(root: Path = ROOT) -> list[str]:
-    """Names of the sections: those that have a module, or a folder of modules, on the report's side."""
+    """Name the sections: those that have a module, or a folder of modules, on the report's side."""
     folder = root / "report" / "sections"
     found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
     return sorted(found - {"__init__"})
-
-
-def files_digest(paths: Iterable[Path], root: Path) -> str:
-    """Digest of files, by their names below ``root`` and what they hold; folders are passed over."""
-    digest = hashlib.sha256()
-    for path in sorted(paths):
-        if path.is_file():
-            content = path.read_bytes()
-            digest.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode() + content)
-    return digest.hexdigest()

@@ -1,4 +1,4 @@
-"""Provenance of packages: which version of each is installed, and of which code where the version does not say.
+"""Provenance of packages: the version of each that is installed, and its code where the version does not say.
 
 Code comes from an index, a commit, a checkout or a wheel, as PEP 610 notes it.
 """
@@ -6,7 +6,7 @@ Code comes from an index, a commit, a checkout or a wheel, as PEP 610 notes it.
 import hashlib
 import json
 import subprocess
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
 from urllib.parse import unquote, urlparse
@@ -22,7 +22,7 @@ MISSING = "missing"
 
 
 def package_versions() -> dict[str, str]:
-    """Version of each package that is installed here; of the first with its code, where that is not an index's."""
+    """Return the version of each package here; of the first with its code, where that is not an index's."""
     found = files().versions
     if not found:
         for package in config().packages:
@@ -36,13 +36,13 @@ def package_versions() -> dict[str, str]:
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str], names: Sequence[str] = ()) -> list[str]:
-    """Which packages are of another version than before, each with both."""
+    """Say which packages are of another version than before, each with both."""
     versions = {name: (before.get(name), after.get(name)) for name in names or config().packages}
     return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 
 
 def _source() -> str:
-    """The part of a version that says which code is installed here; empty for a package from an index."""
+    """Return the part of a version that names the code installed here; empty for a package from an index."""
     found = json.loads(metadata.distribution(config().package).read_text("direct_url.json") or "{}")
     if "vcs_info" in found:
         return f"g{found['vcs_info']['commit_id'][:SHORT_COMMIT]}"
@@ -56,39 +56,38 @@ def _source() -> str:
 
 
 def checkout_source(folder: Path) -> str:
-    """The commit that a checkout of the package is at, with ``.edited.`` and the digest of its code if that differs."""
+    """Name the commit that a checkout is at, with ``.edited.`` and the digest of its code if that differs."""
     module, code = config().package.replace("-", "_"), code_in(folder)
     commit = git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]
     if not commit:
         return f"x{code}"
-    return (
-        f"g{commit}{EDITED}.{code}"
-        if git(folder, "status", "--porcelain", "--", module, f"src/{module}")
-        else f"g{commit}"
-    )
+    is_edited = git(folder, "status", "--porcelain", "--", module, f"src/{module}")
+    return f"g{commit}{EDITED}.{code}" if is_edited else f"g{commit}"
 
 
 def code_in(folder: Path) -> str:
-    """The digest of the package's code in a checkout."""
+    """Digest the package's code in a checkout."""
     module = config().package.replace("-", "_")
-    return _digest(sorted([*(folder / module).rglob("*.py"), *(folder / "src" / module).rglob("*.py")]), folder)
+    paths = [path for place in (folder, folder / "src") for path in (place / module).rglob("*.py")]
+    return files_digest(paths, folder)[:SHORT_COMMIT]
 
 
 def wheel_source(path: Path) -> str:
-    return f"w{_digest([path], path.parent)}"
+    return f"w{files_digest([path], path.parent)[:SHORT_COMMIT]}"
 
 
-def _digest(paths: list[Path], root: Path) -> str:
-    """Seven digits for the files, by their names below ``root`` and what they hold."""
+def files_digest(paths: Iterable[Path], root: Path) -> str:
+    """Digest files, by their names below ``root`` and what they hold; folders are passed over."""
     digest = hashlib.sha256()
-    for path in paths:
+    for path in sorted(paths):
         if path.is_file():
-            digest.update(f"{path.relative_to(root).as_posix()}\0".encode() + path.read_bytes() + b"\0")
-    return digest.hexdigest()[:SHORT_COMMIT]
+            content = path.read_bytes()
+            digest.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode() + content)
+    return digest.hexdigest()
 
 
 def git(folder: Path, *command: str) -> str:
-    """What git says in a folder; nothing where it has nothing to say, as outside of a repository."""
+    """Return what git says in a folder; nothing where it has nothing to say, as outside of a repository."""
     try:
         done = subprocess.run(["git", "-C", folder, *command], capture_output=True, text=True, check=False)
     except FileNotFoundError:

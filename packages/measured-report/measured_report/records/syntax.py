@@ -18,7 +18,7 @@ EFFECTS = ""
 
 @dataclass(frozen=True)
 class Definition:
-    """One statement that defines a name."""
+    """Holds one statement that defines a name."""
 
     tree: str
     """Digest of its syntax tree, with a gap in the place of each name that is not its own."""
@@ -33,7 +33,7 @@ class Definition:
 
 @dataclass(frozen=True)
 class Source:
-    """What the text of one module says, as far as it matters here."""
+    """Holds what the text of one module says, as far as it matters here."""
 
     digest: str
     """Of its whole syntax tree."""
@@ -58,11 +58,11 @@ class Reader:
         aside = (_imports_alone, _is_text, _is_aside)
         self._statements = [node for node in tree.body if not any(is_so(node) for is_so in aside)]
         there = (node for node in tree.body if not isinstance(node, DEFINING))
-        self._imports = {name: what for top in there for node in _walk(top) for name, what, _ in self._named(node)}
+        self._imports = {name: what for top in there for node in ast.walk(top) for name, what, _ in self._named(node)}
         self._names = {*self._imports, *(name for node in self._statements for name in _bound(node))}
 
     def source(self) -> Source:
-        nodes = _walk(self._tree)
+        nodes = list(ast.walk(self._tree))
         return Source(
             digest=hashlib.sha256(ast.dump(self._tree).encode()).hexdigest(),
             modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
@@ -72,7 +72,7 @@ class Reader:
         )
 
     def definitions(self) -> Definitions:
-        """What most modules are never asked for, and takes longer than all else."""
+        """Find the definitions, which most modules are never asked for, and which take longer than all else."""
         definitions: dict[str, list[Definition]] = {}
         for node in self._statements:
             names = list(dict.fromkeys(_bound(node))) or [EFFECTS]
@@ -81,8 +81,8 @@ class Reader:
         return {name: tuple(found) for name, found in definitions.items()}
 
     def _definition(self, node: ast.stmt, place: int) -> Definition:
-        """What defines the name that a statement binds at this place."""
-        nodes = _walk(node)
+        """Find what defines the name that a statement binds at this place."""
+        nodes = list(ast.walk(node))
         inner = {name: what for each in nodes for name, what, _ in self._named(each)}
         tree = Canonical(self._names | inner.keys(), {**self._imports, **inner})
         text = tree.statement(node)
@@ -105,7 +105,7 @@ class Reader:
                 yield node.name, len(node.args.args)
 
     def _named(self, node: ast.AST) -> Iterator[tuple[str, str, str]]:
-        """The names that an import binds, what they are, and the module that each may be or be of."""
+        """Find the names that an import binds, what they are, and the module that each may be or be of."""
         if isinstance(node, ast.Import):
             for alias in node.names:
                 what = alias.name if alias.asname else alias.name.partition(".")[0]
@@ -116,19 +116,6 @@ class Reader:
             for alias in node.names:
                 what = f"{module}.{alias.name}"
                 yield alias.asname or alias.name, what, what
-
-
-def _walk(node: ast.AST) -> list[ast.AST]:
-    """A node and all below it, in the order of ``ast.walk``, which takes nearly twice as long."""
-    found = [node]
-    for each in found:
-        for name in each._fields:
-            value = getattr(each, name, None)
-            if isinstance(value, list):
-                found += [item for item in value if isinstance(item, ast.AST)]
-            elif isinstance(value, ast.AST):
-                found.append(value)
-    return found
 
 
 IMPORTS = (ast.Import, ast.ImportFrom)
@@ -161,7 +148,7 @@ def _bound(node: ast.AST) -> Iterator[str]:
 
 
 def _imports_alone(node: ast.AST) -> bool:
-    """Whether a statement imports and does nothing else, as behind a condition."""
+    """Tell whether a statement imports and does nothing else, as behind a condition."""
     if isinstance(node, ast.If | ast.Try):
         return all(map(_imports_alone, [*node.body, *node.orelse, *getattr(node, "handlers", ())]))
     return isinstance(node, (*IMPORTS, ast.Pass))
@@ -173,14 +160,14 @@ def _is_text(node: Any) -> bool:
 
 
 def _is_aside(node: ast.AST) -> bool:
-    """Whether a statement is run only where its module is a program, or says where modules are found."""
+    """Tell whether a statement is run only in a program, or says where modules are found."""
     if isinstance(node, ast.If):
         return ast.unparse(node.test) == "__name__ == '__main__'"
     return isinstance(node, ast.Assign) and ast.unparse(node.targets[0]).startswith("sys.path")
 
 
 def _chain(node: ast.AST) -> str:
-    """A name with the attributes that are asked of it, as ``metrics.height_mm``; empty where it is something else."""
+    """Write a name with the attributes that are asked of it, as ``metrics.height_mm``; nothing for what is none."""
     attributes: list[str] = []
     while isinstance(node, ast.Attribute):
         attributes.append(node.attr)
@@ -205,7 +192,7 @@ NOTHING = ("nothing",)
 
 @dataclass(frozen=True)
 class Scope:
-    """Names as they are bound around a place."""
+    """Holds names as they are bound around a place."""
 
     local: Mapping[str, int] = field(default_factory=dict)
     """Number by name, of what functions bind."""
@@ -233,7 +220,7 @@ class Canonical:
     def statement(self, node: ast.stmt) -> Any:
         """Make tuples of a statement at the top of its module; the names that it defines do not count."""
         self._own = frozenset(_bound(node))
-        nodes = _walk(node)
+        nodes = list(ast.walk(node))
         self._locals_count, self._names_count = any(map(_reads_locals, nodes)), any(map(_reads_a_name, nodes))
         return self.plain(node, Scope())
 

@@ -20,8 +20,7 @@ from measured_report.pages.cache import DerivedCache, installed
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
-from measured_report.records.identity import files_digest
-from measured_report.records.provenance import package_versions
+from measured_report.records.provenance import files_digest, package_versions
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.site.feed import write_feed
 from measured_report.site.pages import Site, citation
