@@ -17,7 +17,7 @@ from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace
 from measured_report.site.pages import undrawn
-from measured_report.values.noise import NOISE, noise_floors
+from measured_report.values.noise import NOISE, floors_of
 from measured_report.values.quantities import Pointer
 from measured_report.values.results import Results, Series
 
@@ -87,7 +87,7 @@ class Perturbation:
         records: dict[str, Record] = {}
         traces = {}
         for pointer in pointers:
-            if pointer.is_trace:
+            if "#" not in pointer.text:
                 traces[pointer.text] = change
             else:
                 record = records.get(pointer.file) or whole[pointer.file]
@@ -124,7 +124,7 @@ class Perturbation:
         tracked = self.releases[release][name].results
         record = records.get(tracked.source, tracked.record)
         noise = records.get(f"{tracked.path.parent.name}/{NOISE}.json")
-        floors = noise_floors([noise]) if noise else tracked.floors
+        floors = floors_of(noise.rows, noise.units) if noise else tracked.floors
         return PerturbedResults(record, tracked.path, tracked.others, {}, floors, tracked.label, tracked.labels, traces)
 
 

@@ -59,11 +59,11 @@ PLANTS = {
             (SOLVER, f"{INTEGRATOR}IMPLICITFAST", f"{INTEGRATOR}EULER"),
             (KERNELS, TIMECONST, f"{TIMECONST} * 1.15"),
         ],
-        ["geom_solref", "shape default kf 1000 → 850", "shape default mu 1 → 0.8", "solver default integrator 3 → 0"],
+        ["geom_solref", "default-kf 1000 → 850", "default-mu 1 → 0.8", "solver-integrator 3 → 0"],
         ["alarm: penetration", "make bisect CLAIM=defaults.as_the_scene"],
     ),
     "timeconst-3": Plant(
-        [(KERNELS, TIMECONST, f"{TIMECONST} * 1.03")], ["geom_solref"], ["timeconst 0.002 → 0.00206 s, +3.0 %"], 0
+        [(KERNELS, TIMECONST, f"{TIMECONST} * 1.03")], ["geom_solref"], ["timeconst 0.002 s → 0.00206 s, +3 %"], 0
     ),
     "harmless": Plant([(BUILDER, FRICTION, f"{FRICTION}  # and no more")], ["all as they were"], ["moved: nothing"], 0),
 }

@@ -15,7 +15,7 @@ from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
 from measured_report.measuring.pool import gather, processes, start
 from measured_report.records.record import load_record
-from measured_report.values.noise import noise_floors
+from measured_report.values.noise import floors_of
 from newton_lint.newton_models.compat import kf_is_read, warp_has_noslip
 
 SLIP_WITH_KF_MM = SLIP_MM | {"as-shipped": (0.32, 0.01)}
@@ -51,7 +51,8 @@ def test_what_is_left_out_changes_no_more_than_the_noise(batch):
     """Measured on a CPU it is 0.9 µm of slip in 1.4.0, 1.1 in 1.8.0 and 2.006 in 1.7.0, where it is all by when IK is
     solved; two runs of one case on a GPU come out up to seven apart, and the page tells no smaller difference."""
     [untrimmed] = simulate([replace(UNTRIMMED, contact_max=None, constraint_max=None)], device="cpu")
-    noise = noise_floors([load_record(ROOT / f"results/newton-{own_release()}/noise.json")])["slip_mm"].spread
+    record = load_record(ROOT / f"results/newton-{own_release()}/noise.json")
+    noise = floors_of(record.rows, record.units)["slip_mm"].spread
     assert slip_mm(untrimmed) == pytest.approx(slip_mm(batch["as-shipped"][1]), abs=noise)
 
 

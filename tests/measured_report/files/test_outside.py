@@ -6,7 +6,7 @@ import resource
 from argparse import Namespace
 
 import pytest
-from conftest import EXPERIMENT, MODULE, ROWS, derived
+from conftest import MODULE, ROWS
 
 from measured_report.changes.compare import faults_of
 from measured_report.commands import page
@@ -16,8 +16,7 @@ from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
-from measured_report.records.identity import identity_of
-from measured_report.records.record import load_record, trace_path, units_of, write_record
+from measured_report.records.record import load_record, trace_path, write_record
 from measured_report.records.traces import load_trace
 from measured_report.site.check import check_site
 
@@ -132,16 +131,3 @@ def test_finding_4_a_link_to_a_section_that_is_left_out_leads_to_the_front_page(
     toy.build()
     assert 'More is <a href="index.html">there</a>' in toy.front
     assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
-
-
-def test_finding_4_noise_that_no_page_can_show_is_no_measure_of_other_numbers(toy):
-    rows = [{"case": f"run-{number}", "of": "soft", "slip_mm": 6.0 + number} for number in range(5)]
-    toy.write("experiments/noise.py", EXPERIMENT)
-    toy.write("templates/sections/noise.md.j2", "# Noise\n")
-    path, identity = toy.project.record_path("noise"), identity_of("noise", "full", toy.project.root, toy.packages)
-    write_record(path, toy.record(rows, section="noise", identity=identity, units=units_of(rows)))
-    for derive in ("return Section()", "raise KeyError(results.rows[0].case)"):
-        module = "from measured_report.parts.section import Section\norder = 2\n\ndef derive(results):\n    "
-        toy.write("report/sections/noise.py", module + derive)
-        edition = derived(toy.project)
-        assert bool(edition.chapters["toy"].results.floors) == ("noise" in edition.chapters) == ("return" in derive)

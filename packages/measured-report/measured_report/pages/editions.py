@@ -28,7 +28,7 @@ from measured_report.records.code import digest_of, files
 from measured_report.records.identity import sections
 from measured_report.records.provenance import files_digest
 from measured_report.records.record import Record, traces_of
-from measured_report.values.noise import NOISE, Floor, noise_floors
+from measured_report.values.noise import NOISE, Floor, floors_of
 from measured_report.values.results import Results, ResultsError
 
 
@@ -184,7 +184,8 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
     left_out: list[State] = []
     for state in states_of(project):
         try:
-            floors |= noise_floors([state.record]) if state.record and state.section == NOISE else {}
+            if state.record and state.section == NOISE:
+                floors |= floors_of(state.record.rows, state.record.units)
         except (ArithmeticError, LookupError, TypeError, ValueError) as error:
             lost = LostError(f"no noise can be told from it ({type(error).__name__}: {error})")
             state = _left_out(project, state, lost)

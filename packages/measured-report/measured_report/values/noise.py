@@ -71,7 +71,7 @@ def binomial_noise(share: float, trials: float) -> float:
 
 @dataclass(frozen=True)
 class Floor:
-    """A bound on how far apart runs of one case come out in one column."""
+    """Bounds how far apart runs of one case come out in one column."""
 
     spread: float
     magnitude: float
@@ -86,11 +86,6 @@ class Floor:
         return self.spread * max(1.0, scale, longer)
 
 
-def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
-    """Return the largest noise of every column that records of the section on noise have."""
-    return noisiest(floors_of(record.rows, record.units) for record in records)
-
-
 def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
     """Return the largest noise of all by column."""
     floors: dict[str, Floor] = {}
@@ -103,7 +98,7 @@ def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
 
 @dataclass(frozen=True)
 class Repeats:
-    """Noise of one edition, by the runs of its section on noise."""
+    """Holds the noise of one edition, by the runs of its section on noise."""
 
     own: Mapping[tuple[str, str], Floor]
     """Noise by the case that was repeated and the column."""
@@ -148,10 +143,7 @@ class Repeats:
 
 def repeats_of(record: Record) -> Repeats:
     """Measure how far apart runs of the section on noise come out; those that were lost take no part."""
-    runs: dict[str, list[Mapping[str, Any]]] = {}
-    for row in record.rows:
-        if "of" in row and not is_lost(row):  # a damaged row may not say
-            runs.setdefault(row["of"], []).append(row)
+    runs = runs_of(row for row in record.rows if not is_lost(row))
     found = {case: floors_of(rows, record.units) for case, rows in runs.items()}
     return Repeats({(case, column): floor for case, floors in found.items() for column, floor in floors.items()})
 
@@ -220,11 +212,7 @@ def derived_noise(
 
 def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[str, Floor]:
     """Measure the noise of the columns ``units`` of one record of the section on noise."""
-    runs: dict[str, list[Mapping[str, Any]]] = {}
-    for row in rows:
-        if "of" in row:  # a damaged row may not say
-            runs.setdefault(row["of"], []).append(row)
-    floors = {}
+    runs, floors = runs_of(rows), {}
     for column in units:
         lengths = [row.get(column_of(column).grows_with) or 0.0 for rows in runs.values() for row in rows]
         cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
@@ -233,3 +221,12 @@ def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[s
             spread = max(tolerance(cell) for cell in cells)
             floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells), max(lengths))
     return floors
+
+
+def runs_of(rows: Iterable[Mapping[str, Any]]) -> dict[str, list[Mapping[str, Any]]]:
+    """Group rows of the section on noise by the case that they are runs of, which a damaged one may not say."""
+    runs: dict[str, list[Mapping[str, Any]]] = {}
+    for row in rows:
+        if "of" in row:
+            runs.setdefault(row["of"], []).append(row)
+    return runs

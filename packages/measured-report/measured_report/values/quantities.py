@@ -32,7 +32,7 @@ def local(text: str, release: str) -> str:
 
 @dataclass(frozen=True)
 class Pointer:
-    """A place of a number of a record, or of a trace, below the site's ``data/``."""
+    """Names the place of a number of a record, or of a trace, below the site's ``data/``."""
 
     text: str
     """Such as ``engine-1.4.0/friction.json#/rows/3/drag_n``."""
@@ -47,14 +47,10 @@ class Pointer:
         found = re.fullmatch(r"[^#]*#/rows/(\d+)/(\w+)", self.text)
         return (int(found[1]), found[2]) if found else None
 
-    @property
-    def is_trace(self) -> bool:
-        return "#" not in self.text
-
 
 @dataclass(frozen=True)
 class Quantity:
-    """A measured number, shown with a pointer to the file that holds it."""
+    """Holds a measured number, shown with a pointer to the file that holds it."""
 
     value: float | int | None
     unit: str
@@ -153,7 +149,7 @@ def absent(unit: str, reason: str) -> Quantity:
 
 @dataclass(frozen=True)
 class Value(Quantity):
-    """A number derived from others, which says how."""
+    """Holds a number derived from others, which says how."""
 
     sources: Sequence[str] = ()
     """Pointers to what it is computed from."""

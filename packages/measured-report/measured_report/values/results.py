@@ -24,12 +24,12 @@ if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs
 
 
 class ResultsError(ReportError):
-    """A section module or its template names something that its results don't have."""
+    """Tells that a section module or its template names something that its results don't have."""
 
 
 @dataclass(frozen=True)
 class Series:
-    """A per-frame series, or the reason why there is none."""
+    """Holds a per-frame series, or the reason why there is none."""
 
     value: "pd.DataFrame | None"
     source: str
@@ -43,7 +43,7 @@ class Series:
 
 
 class Row:
-    """One row of a record: ``row.drag_n`` is a Quantity; text and yes or no stay as they are.
+    """Reads one row of a record: ``row.drag_n`` is a Quantity; text and yes or no stay as they are.
 
     What the record's other rows have and this one lacks is an absent Quantity, or no text. A row that the record lacks
     has nothing but the name of its case.
@@ -116,7 +116,7 @@ class Row:
 
 
 class Rows(dict):
-    """Rows by case; of a case that has no single row, one without anything."""
+    """Holds rows by case; of a case that has no single row, one without anything."""
 
     def __init__(self, rows: Mapping[str, Row], record: Record):
         super().__init__(rows)
@@ -128,7 +128,7 @@ class Rows(dict):
 
 @dataclass(frozen=True)
 class Results:
-    """Measurements of one section of one release, and what has been derived from them."""
+    """Holds measurements of one section of one release, and what has been derived from them."""
 
     record: Record
     path: Path
@@ -145,7 +145,7 @@ class Results:
 
     @property
     def edition(self) -> str:
-        """Label of the edition that it belongs to."""
+        """Return the label of the edition that it belongs to."""
         return config().edition_in(self.path.parent.name)
 
     @property
@@ -248,8 +248,6 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
-        if "empty" in str(error):  # of max, min and means, which are given what is left of a damaged record
-            return None, "nothing of what was measured is left to compute it from"
         # A damaged record may hold what no measurement gives, such as a coordinate twice.
         return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
     if isinstance(value, complex):
