@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import replace
-from zipfile import ZipFile
 
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE, program
@@ -186,18 +185,3 @@ def test_the_site_carries_what_a_section_offers(toy):
     assert '<pre tabindex="0"><code>1 &lt; 2\n</code></pre>' in toy.page
     assert toy.page.count('href="download/a.py"') == 2
     assert check_site(toy.project.site) == []
-
-
-def test_the_archive_holds_records_and_values_and_is_the_same_again(toy):
-    toy.build()
-    with ZipFile(toy.project.site / "data.zip") as archive:
-        files = {name.removeprefix("shake-report-data/"): archive.read(name) for name in archive.namelist()}
-    named = {f"newton-1.4.0/{name}" for name in ("toy.json", "toy.csv", "toy.stiff.csv.gz")}
-    assert set(files) == {"README.txt", "values.json", *named}
-    assert files["newton-1.4.0/toy.json"] == toy.record_path.read_bytes()
-    assert files["values.json"] == (toy.project.site / "data/values.json").read_bytes()
-    assert 'href="data.zip"' in toy.page and check_site(toy.project.site) == []
-    first = (toy.project.site / "data.zip").read_bytes()
-    toy.record_path.touch()
-    toy.build()
-    assert (toy.project.site / "data.zip").read_bytes() == first

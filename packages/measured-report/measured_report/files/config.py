@@ -101,7 +101,7 @@ class Config:
     title: str = "A report"
     """What its data are of, where nothing else of it is at hand."""
     name: str = "report"
-    """What it is called in names of files and ids that leave the site: those of the archive and of the feed."""
+    """What it is called in ids that leave the site: those of the feed."""
     repository: str = ""
     """The page of its sources on the web; where nothing is said, that of git's origin."""
     pages: Sequence[Mapping[str, Any]] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})

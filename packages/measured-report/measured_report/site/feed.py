@@ -1,11 +1,9 @@
-"""Files that a site has once, at its root: the feed, the picture for links, and all data in one file."""
+"""Files that a site has once, at its root: the feed, the picture for links, and what its data are."""
 
-import io
 import uuid
 from collections.abc import Iterator, Mapping
 from datetime import datetime
 from operator import itemgetter
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from measured_report.changes.flips import flips_between
 from measured_report.files.config import config
@@ -25,14 +23,7 @@ def write_feed(site: Site) -> None:
         site.draft.copy("license.txt", ROOT / "LICENSE")
     if card := plugins().card(site.editions, site.cache):
         site.draft.write(CARD, card)
-    content = io.BytesIO()
-    with ZipFile(content, "w") as archive:  # the same data give the same bytes, as far as zlib does
-        for name in sorted(name for name in site.draft.digests if name.startswith("data/")):
-            entry = ZipInfo(f"{config().name}-{name}")  # of 1980, as long as nobody says otherwise
-            archive.writestr(entry, (site.draft.folder / name).read_bytes(), ZIP_DEFLATED, 1)
-        readme = site.templates.layout("archive.txt.j2", {"editions": site.editions})
-        archive.writestr(ZipInfo(f"{config().name}-data/README.txt"), readme)
-    site.draft.write("data.zip", content.getvalue())
+    site.draft.write("data/README.txt", site.templates.layout("data.txt.j2", {"editions": site.editions}))
     site.draft.write(".gitkeep", "")
 
 
