@@ -35,7 +35,6 @@ def replay_page(
         "root": root,
         "results": chapter.results,
         "section": chapter.section,
-        "claims": [claim.html(chapter.name) for claim in chapter.section.claims],
         "still": clips and clips.still("#runs-in-numbers", Markup("The cube in the hand, every second cycle.")),
         "shakes": list(SHAKES),
         "speeds": {speed: format_number(speed, noise=0.0) for speed in (0.25, 1.0, 4.0)},  # of the simulated time

@@ -26,7 +26,7 @@ def shakes():
     """One setting of each pads in Warp, with its traces and the states from which C starts."""
     pilot = pilot_at_shake(PADS.values(), wp.get_device("cpu"))
     points = [setting(base, pads, "newton", "substeps") for pads, base in PADS.items()]
-    simulations = {point: error_runtime.WarpShake(point, pilot, pilot.device) for point in points}
+    simulations = {point: error_runtime.in_warp(point, pilot, pilot.device) for point in points}
     starts = error_runtime.starts_by_pads(pilot, FRAME_COUNT)  # runs the pilot on
     return error_runtime.run_shakes(simulations), starts
 
