@@ -65,7 +65,7 @@ def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
 
 
 def _diff_lines(found: Comparison, *, all_values: bool) -> list[str]:
-    counts = {
+    counts: dict[str, Sequence] = {
         "can't be trusted": found.faults,
         "alarms": found.alarms,
         "claims that flipped": found.flips,

@@ -1,6 +1,6 @@
 """Bisect: between which two editions a claim or a value changes, and which package did it; measures what that takes."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -60,7 +60,7 @@ class Bisection:
         own = self.project.of(str(release))
         return replace(own, aside=ASIDE) if _lacking(own, sections) else own
 
-    def packages(self, release: Release) -> dict[str, str]:
+    def packages(self, release: Release) -> Mapping[str, str]:
         """Return the versions that a release was measured with."""
         section = self.query.section
         return load_record(self._side(release, [section]).record_path(section)).identity.packages
