@@ -67,9 +67,11 @@ class Pick:
         """Write the scene."""
         pads, own = self.solrefs
         scene = (ROOT / SCENE).read_text(encoding="utf-8")
+        # MuJoCo's own integrator is named, since Newton takes implicitfast where a file names none.
+        option = f'timestep="{self.timestep_s}" integrator="Euler" cone="{self.cone}" impratio="{self.impratio}"'
         return scene.format(
             object_geom=f'{OBJECTS[self.object]} solref="{numbers(own)}" solimp="{numbers(SOLIMP)}"',
-            option=f'timestep="{self.timestep_s}" cone="{self.cone}" impratio="{self.impratio}"',
+            option=option,
             pad_solref=numbers(pads),
         )
 
