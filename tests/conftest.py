@@ -245,13 +245,13 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
     return base / name
 
 
-SIMULATING = ("tests/test_planted.py", "tests/experiments", "tests/newton_lint/newton_models")
+SIMULATING = ("tests/experiments", "tests/newton_lint/newton_models")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Begin with the files whose tests are the slowest, so that no process ends long after the others."""
     slow = Counter(item.path for item in items for _ in item.iter_markers("slow"))
-    items.sort(key=lambda item: (item.path != ROOT / "tests/test_planted.py", -slow[item.path]))
+    items.sort(key=lambda item: -slow[item.path])
     for item in items:
         if any(item.path.is_relative_to(ROOT / path) for path in SIMULATING):
             item.fixturenames.insert(0, "kernels")
