@@ -27,8 +27,11 @@ lint: $(READY)
 	@"$$TYPED_PYTHON" -m ruff format --check .
 	@"$$TYPED_PYTHON" -m mypy
 
-# Where there is no uv, the one of the lock is installed for the time being.
+# Where there is no uv, the one of the lock is installed for the time being: of that version and those bytes.
 .venv/.ready: pyproject.toml uv.lock
-	@uv=$$(command -v uv) || { python3 -m venv .venv.tools && .venv.tools/bin/pip install --quiet \
-		"uv==$$(sed -n '/^name = "uv"$$/{n;s/^version = "\(.*\)"/\1/p;}' uv.lock)" && uv=.venv.tools/bin/uv; } && \
+	@uv=$$(command -v uv) || { python3 -m venv .venv.tools && awk '/^name = "uv"$$/ { on = 1 } /^$$/ { on = 0 } \
+			on && /^version = / { gsub(/version = |"/, ""); printf "uv==%s", $$0 } \
+			on && match($$0, /sha256:[0-9a-f]+/) { printf " --hash=%s", substr($$0, RSTART, RLENGTH) }' uv.lock \
+		>.venv.tools/uv.txt && .venv.tools/bin/pip install --quiet --require-hashes --no-deps --only-binary :all: \
+			--requirement .venv.tools/uv.txt && uv=.venv.tools/bin/uv; } && \
 		"$$uv" sync --quiet --frozen && touch $@

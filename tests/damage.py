@@ -88,33 +88,58 @@ FIELDS: dict[str, Change] = {
 
 TEXTS: dict[str, Callable[[str], str | bytes]] = {
     "nothing": lambda text: "",
+    "blank": lambda text: " \n",
     "list": lambda text: "[]",
     "null": lambda text: "null",
+    "number": lambda text: "3",
+    "text": lambda text: '"record"',
     "half": lambda text: text[: len(text) // 2],
+    "without its end": lambda text: text[:-40],
+    "twice": lambda text: text + text,
     "comma": lambda text: text.replace("]", ",]"),
     "1e999": lambda text: text.replace("6.3617", "1e999"),
     "a key twice": lambda text: text.replace('"slip_mm":6.3617', '"slip_mm":6.3617,"slip_mm":0.1'),
+    "a section twice": lambda text: text.replace('"section"', '"section": "toy", "section"', 1),
+    "units twice": lambda text: text.replace('"units"', '"units": {}, "units"', 1),
     "another script": lambda text: text.encode("utf-16"),
+    "latin": lambda text: text.replace("toy", "t\xf6y").encode("latin-1"),
     "bytes": lambda text: bytes(range(256)) * 40,
+    "zeros": lambda text: bytes(len(text)),
     "deep": lambda text: "[" * 100_000,
     "conflict": lambda text: text.replace('"rows"', '<<<<<<< HEAD\n"rows"\n=======\n>>>>>>> other\n"rows"'),
 }
 """Changes of a record's text, by name."""
 
 
+def _packed(text: str) -> bytes:
+    return gzip.compress(text.encode())
+
+
 TRACES: dict[str, Callable[[bytes], bytes]] = {
     "nothing": lambda content: b"",
     "half": lambda content: content[: len(content) // 2],
+    "without its end": lambda content: content[:-4],
+    "head": lambda content: content[:10],
     "not packed": gzip.decompress,
-    "header alone": lambda content: gzip.compress(b"time_s,x_mm\n"),
-    "column twice": lambda content: gzip.compress(b"time_s,time_s\n0,1\n"),
-    "no columns": lambda content: gzip.compress(b"0.0,0.0\n1.0,0.3\n"),
-    "text": lambda content: gzip.compress(b"time_s,x_mm\n0,a\n1,0.3\n"),
-    "infinite": lambda content: gzip.compress(b"time_s,x_mm\n0,inf\n1,0.3\n"),
-    "huge": lambda content: gzip.compress(b"time_s,x_mm\n0,1e300\n1,0.3\n"),
-    "negative time": lambda content: gzip.compress(b"time_s,x_mm\n-1,0\n0,0.3\n"),
-    "private": lambda content: gzip.compress("time_s,name\n0,\ue000\n".encode()),
+    "twice": lambda content: content * 2,
+    "something behind": lambda content: content + b"more",
+    "one bit": lambda content: content[:-5] + bytes([content[-5] ^ 1]) + content[-4:],
+    "header alone": lambda content: _packed("time_s,x_mm\n"),
+    "empty": lambda content: _packed(""),
+    "column missing": lambda content: _packed("time_s,x_mm\n0\n1\n"),
+    "column more": lambda content: _packed("time_s,x_mm\n0,1,2\n"),
+    "column twice": lambda content: _packed("time_s,time_s\n0,1\n"),
+    "no columns": lambda content: _packed("0.0,0.0\n1.0,0.3\n"),
+    "text": lambda content: _packed("time_s,x_mm\n0,a\n1,0.3\n"),
+    "not a number": lambda content: _packed("time_s,x_mm\n0,nan\n1,0.3\n"),
+    "infinite": lambda content: _packed("time_s,x_mm\n0,inf\n1,0.3\n"),
+    "huge": lambda content: _packed("time_s,x_mm\n0,1e300\n1,0.3\n"),
+    "backwards": lambda content: _packed("time_s,x_mm\n1,0\n0,0.3\n"),
+    "negative time": lambda content: _packed("time_s,x_mm\n-1,0\n0,0.3\n"),
+    "script": lambda content: _packed("time_s,x_mm\n0,<script>\n"),
+    "private": lambda content: _packed("time_s,name\n0,\ue000\n"),
     "bytes": lambda content: gzip.compress(bytes(range(256))),
+    "open quote": lambda content: _packed('time_s,x_mm\n0,"1\n'),
 }
 """Changes of a trace's content, by name; each is found by its record's seal, and in itself."""
 

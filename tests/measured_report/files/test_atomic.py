@@ -12,12 +12,12 @@ from pathlib import Path
 import matplotlib
 import pytest
 from batches import is_running
-from conftest import MODULE, ROWS, TEMPLATE
+from conftest import MODULE, ROWS, TEMPLATE, killed_at
 from damage import FIELDS, RECORD_WAYS, TRACE_WAYS, damage
 from markupsafe import Markup
 
 from measured_report.editions.environment import requirements
-from measured_report.files.atomic import RecordError, locked
+from measured_report.files.atomic import RecordError, locked, recover
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
@@ -167,3 +167,23 @@ def test_only_plain_versions_of_the_simulator_are_installed(toy, name):
     FIELDS[name](data)
     with pytest.raises((ReportError, TypeError)):
         requirements(toy.project.root, data["identity"]["packages"])
+
+
+@pytest.mark.parametrize("stop", range(1, 9))
+def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
+    """The process is killed before each of the steps in turn that change what lies in the folder."""
+    before = [row["slip_mm"] for row in load_record(toy.record_path).rows]
+    rows = [{**row, "slip_mm": 2.0} for row in ROWS]
+    traces = {name: packed(toy.record_path, name, {"time_s": [0.0], "x_mm": [9.0]}) for name in ("stiff", "soft")}
+
+    def changes(event: str, arguments: tuple) -> bool:
+        is_written = event == "open" and "toy" in str(arguments[0]) and str(arguments[1]).startswith("w")
+        return is_written or event in ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.replace")
+
+    ended = killed_at(stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces))
+    assert recover(toy.record_path.parent.parent, load_record) == []
+    found = load_record(toy.record_path)
+    assert [row["slip_mm"] for row in found.rows] in (before, [2.0, 2.0])
+    assert ended or found.rows[0]["slip_mm"] == 2.0
+    expected = {"toy.json", *(f"toy.{case}.csv.gz" for case in found.traces)}
+    assert {path.name for path in toy.record_path.parent.iterdir()} == expected

@@ -2,7 +2,9 @@
 
 import gzip
 import json
+import os
 import resource
+import shutil
 from argparse import Namespace
 
 import pytest
@@ -12,7 +14,7 @@ from measured_report.changes.compare import faults_of
 from measured_report.commands import page
 from measured_report.editions.project import Manifest, read_manifest, write_manifest
 from measured_report.editions.release import release_of
-from measured_report.files.atomic import RecordError
+from measured_report.files.atomic import RecordError, recover
 from measured_report.files.errors import ReportError
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
@@ -64,11 +66,16 @@ def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     assert 'id="toy"' in toy.page
 
 
-def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy):
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [(b"a,b\n" + b"1,2\n" * 6_000_000, "cells"), (b"a\n" + b"1\n" * (33 << 20), "holds more than 64 MiB")],
+    ids=["cells", "bytes"],
+)
+def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy, content, said):
     trace = trace_path(toy.record_path, "stiff")
-    trace.write_bytes(gzip.compress(b"a\n" + b"1\n" * (33 << 20), compresslevel=1))
+    trace.write_bytes(gzip.compress(content, compresslevel=1))
     before_kb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    with pytest.raises(RecordError, match="holds more than 64 MiB"):
+    with pytest.raises(RecordError, match=said):
         load_trace(trace)
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before_kb < 400 << 10
 
@@ -131,3 +138,29 @@ def test_finding_4_a_link_to_a_section_that_is_left_out_leads_to_the_front_page(
     toy.build()
     assert 'More is <a href="index.html">there</a>' in toy.front
     assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
+
+
+WHOLE_DAMAGES = {
+    "text": lambda whole: (whole / "toy.json").write_text("{"),
+    "deep": lambda whole: (whole / "toy.json").write_text("[" * 100_000),
+    "pipe": lambda whole: ((whole / "toy.json").unlink(), os.mkfifo(whole / "toy.json")),
+    "link": lambda whole: ((whole / "toy.json").unlink(), (whole / "toy.json").symlink_to(whole.parent / "toy.json")),
+    "other": lambda whole: (whole / "noise.json").write_text("{}"),
+    "trace": lambda whole: (whole / "toy.stiff.csv.gz").write_bytes(b"x"),
+    "empty": lambda whole: [path.unlink() for path in whole.iterdir()],
+}
+
+
+@pytest.mark.parametrize("damage_to", WHOLE_DAMAGES.values(), ids=WHOLE_DAMAGES)
+def test_finding_5_what_waits_to_be_put_in_place_is_read_before_it_is_believed(toy, damage_to):
+    folder = toy.record_path.parent
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    whole = folder / ".toy.whole"
+    shutil.copytree(folder, whole, ignore=shutil.ignore_patterns(".toy.whole"))
+    damage_to(whole)
+    [said] = recover(folder.parent, load_record)
+    assert said.startswith("damaged: ") and said.endswith("is at newton-1.4.0/.toy.damaged") and "\n" not in said
+    assert {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()} == before
+    assert recover(folder.parent, load_record) == []
+    write_record(toy.record_path, toy.record())
+    assert load_record(toy.record_path)

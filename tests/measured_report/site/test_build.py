@@ -11,6 +11,7 @@ from measured_report.files.root import ROOT
 from measured_report.parts.figures import SERIES, draw_svgs, new_figure
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
+from measured_report.site.pages import rows_csv
 
 
 def test_a_section_takes_three_files_and_passes_the_check(toy):
@@ -148,6 +149,7 @@ BARE = """
 from pathlib import Path
 from measured_report.editions.project import Project
 from measured_report.site.check import check_site
+from measured_report.site.pages import rows_csv
 from measured_report.site.build import build
 
 build(Project("1.4.0", root=Path.cwd()))
@@ -185,3 +187,9 @@ def test_the_site_carries_what_a_section_offers(toy):
     assert '<pre tabindex="0"><code>1 &lt; 2\n</code></pre>' in toy.page
     assert toy.page.count('href="download/a.py"') == 2
     assert check_site(toy.project.site) == []
+
+
+def test_finding_8_no_text_of_a_table_is_a_formula():
+    rows = [{"case": "=1+1", "said": "-x", "slip_mm": -1.5}, {"case": "@a", "said": "-1.5", "slip_mm": None}]
+    rows += [{"case": "＝1+1", "said": "\n=1+1", "slip_mm": 1.0}]
+    assert rows_csv(rows).split("\n", 3)[1:] == ["'=1+1,'-x,-1.5", "'@a,'-1.5,", "'＝1+1,\"'\n=1+1\",1.0\n"]

@@ -46,15 +46,13 @@ def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
     (tmp_path / "secret").write_text("secret")
     with Server(toy.project.site, 0) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        for path, status in {
-            "/": 200,
-            "/nothing": 404,
-            "/../secret": 404,
-            "/%2e%2e/secret": 404,
-            "/data/": 404,
-        }.items():
+        for path, host, status in (
+            ("/", "localhost", 200),
+            ("/", "elsewhere.example", 421),
+            *((path, "localhost:8000", 404) for path in ("/%00", "/nothing", "/../secret", "/%2e%2e/secret", "/data/")),
+        ):
             connection = HTTPConnection("127.0.0.1", server.server_port)
-            connection.request("GET", path)
-            assert connection.getresponse().status == status, path
+            connection.request("GET", path, headers={"Host": host})
+            assert connection.getresponse().status == status, (path, host)
         server.shutdown()
     assert capfd.readouterr().err == ""

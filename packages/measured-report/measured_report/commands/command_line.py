@@ -16,10 +16,12 @@ from typing import Any
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
+from measured_report.files.atomic import recover
 from measured_report.files.errors import ReportError, UsageError, suggestion
 from measured_report.files.root import ROOT
 from measured_report.records.code import cached_sources
 from measured_report.records.columns import UNPRINTABLE
+from measured_report.records.record import load_record
 
 OWN = "report.commands"
 """The package of a report's own commands, which need not be there."""
@@ -68,8 +70,11 @@ def _run(name: str, *given: str) -> int:
     own = own_release()
     arguments.release = release_of(arguments.edition or own, arguments.pins)
     project = Project(str(arguments.release), arguments.profile, own_release=own)
+    damaged = recover(project.results.parent, load_record)
+    for line in damaged:
+        _say(line)
     with cached_sources(project.root):
-        return module.run(project, arguments)
+        return module.run(project, arguments) or int(bool(damaged))
 
 
 def commands() -> dict[str, str]:

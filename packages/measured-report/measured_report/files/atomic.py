@@ -2,13 +2,18 @@
 
 import fcntl
 import os
+import shutil
 import stat
 import sys
-from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from measured_report.files.errors import ReportError
+
+WHOLE, NEW, ASIDE = ".whole", ".new", ".damaged"
+"""How the folders of files end that wait to be put in place, that are still being written, and that are refused."""
 
 
 class RecordError(ReportError):
@@ -56,10 +61,63 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
 
 
 def put_record(record: Path, files: Mapping[str, bytes]) -> None:
-    """Put a record and its traces, contents by file name, beside each other at ``record``, once all are written."""
-    with ExitStack() as stack:
-        for name, content in reversed([*files.items()]):  # the record, which is the last of them, is put in place last
-            stack.enter_context(atomic_file(record.with_name(name))).write_bytes(content)
+    """Put a record and its traces, contents by file name, beside each other at ``record``: all of them, or none.
+
+    They wait in a folder aside whose name says that they are whole; of a process that is killed from then on nothing is
+    lost, since ``recover`` does what is left to do.
+    """
+    record.parent.mkdir(parents=True, exist_ok=True)
+    with locked(record.parent.parent):
+        new, whole = (record.with_name(f".{record.stem}{end}") for end in (NEW, WHOLE))
+        for left in (new, whole):  # of a process that was killed: this takes the place of both
+            shutil.rmtree(left, ignore_errors=True)
+        try:
+            for name, content in files.items():
+                with atomic_file(new / name) as part:
+                    part.write_bytes(content)
+        except BaseException:
+            shutil.rmtree(new, ignore_errors=True)
+            raise
+        os.rename(new, whole)
+        _put_in_place(whole, list(files))
+
+
+def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
+    """Finish what processes that were killed have begun to put in place below ``results``, and remove the rest.
+
+    Only what ``load`` finds to be a whole record is put in place: other folders are set aside, and said, a line each.
+    """
+    said = []
+    for left in results.glob(f"*/.*{NEW}"):
+        with locked(results):
+            shutil.rmtree(left, ignore_errors=True)
+    for whole in sorted(results.glob(f"*/.*{WHOLE}")):
+        section = whole.name[1 : -len(WHOLE)]
+        with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
+            try:
+                if whole.is_symlink():
+                    raise RecordError(f"{short_path(whole)} is no folder of its own")
+                traces = load(whole / f"{section}.json").traces
+                names = [*(f"{section}.{case}.csv.gz" for case in traces), f"{section}.json"]
+                if strange := {path.name for path in whole.iterdir()} - {*names}:
+                    raise RecordError(f"{short_path(whole)} has {min(strange)!r:.80} in it, which is none of it")
+            except RecordError as error:
+                aside = whole.with_suffix(ASIDE)
+                shutil.rmtree(aside, ignore_errors=True)
+                os.rename(whole, aside)
+                said.append(f"damaged: {error}; it was not put in place, and is at {short_path(aside)}")
+            else:
+                _put_in_place(whole, names)
+    return said
+
+
+def _put_in_place(whole: Path, names: Sequence[str]) -> None:
+    """Copy files to where they belong, the last of them last; they wait until all are there."""
+    for name in names:
+        with atomic_file(whole.with_name(name)) as part:
+            shutil.copyfile(whole / name, part)
+    os.rename(whole, whole.with_suffix(NEW))
+    shutil.rmtree(whole.with_suffix(NEW))
 
 
 @contextmanager

@@ -26,6 +26,7 @@ from measured_report.records.record import traces_of
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 
+FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # as OWASP has it
 CARD = "card.png"  # the picture for links to the site
 ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
@@ -217,12 +218,16 @@ class Site:
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
-    """Write rows as a table; what a row lacks is empty."""
+    """Write rows as a table; what a row lacks is empty, and text that a spreadsheet takes for a formula is quoted."""
     text = io.StringIO()
     table = csv.DictWriter(text, dict.fromkeys(chain.from_iterable(rows)), lineterminator="\n")
     table.writeheader()
-    table.writerows(rows)
+    table.writerows({column: _inert(cell) for column, cell in row.items()} for row in rows)
     return text.getvalue()
+
+
+def _inert(cell: Any) -> Any:
+    return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:

@@ -1,5 +1,6 @@
 """Serving the site here: what changes is built again."""
 
+import re
 import threading
 import time
 from collections.abc import Callable, Iterable
@@ -8,12 +9,24 @@ from functools import partial
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
 
 from measured_report.files.errors import UsageError
+
+HOSTS = {"127.0.0.1", "localhost", "[::1]"}
+"""Names of this machine: a page from elsewhere, whose name leads here, is not to read what is served."""
 
 
 class _Handler(SimpleHTTPRequestHandler):
     """Answer with the files of the site, and list no folder."""
+
+    def send_head(self) -> Any:
+        is_own = re.sub(r":\d*$", "", self.headers.get("Host", "")).lower() in HOSTS
+        if not is_own or "\0" in unquote(self.path):  # a name that no file can have
+            self.send_error(HTTPStatus.NOT_FOUND if is_own else HTTPStatus.MISDIRECTED_REQUEST)
+            return None
+        return super().send_head()
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-store")

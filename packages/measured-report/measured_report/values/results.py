@@ -10,6 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of
@@ -177,9 +178,11 @@ class Results:
     def trace(self, case: str) -> Series:
         path = trace_path(self.path, case)
         source = f"{path.parent.name}/{path.name}"
-        if case not in self.record.traces:
+        if not (seal := self.record.traces.get(case)):
             return Series(None, source, f"there is no {path.name}")
-        return Series(self.loaded(path), source, origins=frozenset({self.record.origin}))
+        if len(table := self.loaded(path)) != seal.row_count:
+            raise RecordError(f"{source} has {len(table)} rows, and its record says {seal.row_count}")
+        return Series(table, source, origins=frozenset({self.record.origin}))
 
     def loaded(self, path: Path) -> "pd.DataFrame":
         return load_trace(path)
