@@ -21,10 +21,10 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
-from report.media.replay import REPLAY, replay_page
+from report.media.replay import REPLAY, replay_page, script
 from report.story.found import CASES, Found
 
-__all__ = ["Plugins", "card"]
+__all__ = ["Plugins", "card", "scripts"]
 MEDIA = Path(__file__).with_name("media")
 LAB = ROOT / "assets/lab"
 """The engine that a page runs, and the scripts that do."""
@@ -114,3 +114,7 @@ def _slips(edition: Edition) -> dict[str, Quantity | None]:
         label: next((row[case].slip_mm for row in rows if case in row and "slip_mm" in row[case]), None)
         for case, label in CASES.items()
     }
+
+
+def scripts() -> Sequence[str]:
+    return (script(), *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")))

@@ -35,7 +35,6 @@ MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|c
 SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm")
 """Those of them that say in which direction."""
 PERCENTILE = re.compile("_p(5|95)$")
-ENDS = {"as-shipped": "stiff", "stiff": "as-shipped"}
 ENDINGS = {"class", "classes", "dropped", "finite", "monotonic"}
 """Columns that say how a run ended."""
 FAILURE = "the state was not finite in frame 300"
@@ -149,7 +148,8 @@ def _with_ends_turned(row: Row, before: Row) -> Row:
 
 def reversed_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
     if "side" in frame:
-        return frame.assign(side=frame["side"].map(lambda side: ENDS.get(side, side)))
+        sides = frame["side"].unique()
+        return frame.assign(side=frame["side"].map(dict(zip(sides, sides[::-1], strict=True))))
     if "x_mm" not in frame:
         return frame
     end = float(np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]].iloc[-1]))
@@ -169,10 +169,11 @@ def equal_rows(records: Records, place: Place) -> list[Row]:
 
 
 def equal_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
-    """The first trace of its section; of a map, on both sides what was measured with shipped pads."""
+    """The first trace of its section; of a map, on both sides what was measured on the first."""
     if "side" in frame:
-        shipped = frame[frame["side"] == "as-shipped"]
-        return pd.concat([shipped, shipped.assign(side="stiff")], ignore_index=True)
+        sides = frame["side"].unique()
+        first = frame[frame["side"] == sides[0]]
+        return pd.concat([first.assign(side=side) for side in sides], ignore_index=True)
     section = path.name.partition(".")[0]
     first = load_trace_once(sorted(path.parent.glob(f"{section}.*.csv.gz"))[0])
     if list(first) != list(frame) or len(first) < len(frame):

@@ -10,6 +10,14 @@ page = "cure"
 reads = ("noise",)
 label = "the cure"
 leads = True
+labels = {
+    "steps-as-shipped-1-plain": "shipped pads, 1 substep",
+    "steps-as-shipped-#-plain": "shipped pads, {} substeps",
+    "steps-stiff-1-plain": "stiff pads, 1 substep",
+    "steps-stiff-#-plain": "stiff pads, {} substeps",
+    "ke-critical-#-#-plain": "pads' ke {}, kd = 2√ke, {} substeps",
+    "ke-kd-#-#-#-plain": "pads' ke {1}, kd {0}, {2} substeps",
+}
 
 PARTS = (turntable, hold, limits, bodies, budget)
 """The modules of its parts; the last one reads what the limits are."""

@@ -7,7 +7,6 @@ from markupsafe import Markup
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
-from measured_report.values.labels import label_of
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, rows_with, some_html, table_of
@@ -20,14 +19,6 @@ VARIANTS = {
     "firm-euler": ("the same, Euler", ("firm", "firm-euler")),
 }
 """Names by variant, and which of them a run has to be tried with to be counted."""
-LABELS = {
-    "steps-as-shipped-1": "shipped pads, 1 substep",
-    "steps-as-shipped-#": "shipped pads, {} substeps",
-    "steps-stiff-1": "stiff pads, 1 substep",
-    "steps-stiff-#": "stiff pads, {} substeps",
-    "ke-critical-#-#": "pads' ke {}, kd = 2√ke, {} substeps",
-    "ke-kd-#-#-#": "pads' ke {1}, kd {0}, {2} substeps",
-}
 CASE = Markup('<span class="case" title="{}">{}</span>')
 
 
@@ -62,5 +53,5 @@ def _line(results: Results, runs: Mapping[str, Mapping[str, Row]], variant: str)
         "kept without": count(f"kept_{name}", "runs that keep the cube with nothing done", plain),
         "lost of these": count(f"limit_lost_{name}", "of these, runs that lose it this way", lost),
         "kept only so": count(f"won_{name}", "runs that keep it only this way", won),
-        "which are lost": some_html([CASE.format(run, label_of(run, LABELS)) for run in lost]) or "none",
+        "which are lost": some_html([CASE.format(run, tried[run]["plain"].label) for run in lost]) or "none",
     }

@@ -1,8 +1,19 @@
-"""The check of a site: what it finds in pages, numbers and links."""
+"""The check of a site: what it finds in pages, numbers, links and drawings."""
+
+import pytest
 
 from measured_report.site.check import check_site
+from measured_report.site.check_numbers import TYPED
 
-SOURCE = "newton-1.4.0/toy.json#/rows"
+LABEL, SOURCE = 'aria-label="It moves 0.31 mm."', "newton-1.4.0/toy.json#/rows"
+ADDRESSES = (
+    "javascript:alert(1)",
+    "JaVaScRiPt:alert(1)",
+    " java\nscript:alert(1)",
+    "\x01javascript:alert(1)",
+    "vbscript:x",
+)
+ADDRESSES += ("data:text/html,x", "file:///etc/passwd", "ftp://example.org", "blob:x", "http://[")
 WRONG = [
     (">0.31<", ">0.32<", "is shown"),
     (">0.31<", ">0.312<", "is shown"),
@@ -12,11 +23,32 @@ WRONG = [
     ('href="data/values.json"', 'href="/data/values.json"', "leaves the site"),
     ('href="#toy"', 'href="#other"', "leads nowhere"),
     ("</main>", '<script src="x.js"></script></main>', "leads nowhere"),
-    ("</main>", '<a href="javascript:alert(1)">x</a></main>', "no address that a page may lead to"),
-    ("default-src 'none'", "default-src *", "no policy"),
+    ("</main>", '<script src="https://example.org/x.js"></script></main>', "fetched from elsewhere"),
+    ("</main>", '<script src="data/values.json"></script></main>', "runs a script"),
+    ("</main>", '<script src="page.js" onload="x"></script></main>', "runs a script"),
+    ("</main>", "<script>alert(1)</script></main>", "not the project's own"),
+    ("</main>", "<script></script></main>", "not the project's own"),
+    ("</main>", '<img src="https://example.org/x.png" alt=""></main>', "fetched from elsewhere"),
+    ('href="style.css"', 'href="//example.org/style.css"', "fetched from elsewhere"),
+    ("</main>", "<style>@import 'x'</style></main>", "style fetches"),
     ('data-outcome="holds"', "", "no outcome"),
     ("data-claim", "data-other", "there is no claim"),
     ("</main>", '<p id="toy"></p></main>', "not unique"),
+    *(("</main>", f'<a href="{to}">x</a></main>', "no address that a page may lead to") for to in ADDRESSES),
+    ("</main>", '<iframe src="x"></main>', "runs a script"),
+    ("</main>", "<form></main>", "runs a script"),
+    ("</main>", '<base href="."></main>', "runs a script"),
+    ("</main>", '<meta http-equiv="Refresh"></main>', "runs a script"),
+    (LABEL, 'aria-label="It moves 0.32 mm."', "errs"),
+    (LABEL, 'aria-label="It moves 0.3 mm."', "is not said by"),
+    (LABEL, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
+    ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
+    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">7 mm</text></svg>', "is not said by"),
+    ("</svg>", f'<text data-src="{SOURCE}/9/slip_mm">7 mm</text></svg>', "resolves to nothing"),
+    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6.4 mm</text></svg>', ""),
+    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6 mm</text></svg>', "is not said by"),
+    ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
+    ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
 ]
 SLIP = f'<data value="0.3124" data-src="{SOURCE}/1/slip_mm"%s>%s</data>'
 NEAREST, MOST, LEAST = SLIP % ("", "0.31"), SLIP % (' data-as="most"', "0.32"), SLIP % (' data-as="least"', "0.31")
@@ -38,10 +70,15 @@ def test_what_is_wrong_is_found(toy):
         assert old in page
         toy.page_path.write_text(page.replace(old, new), encoding="utf-8")
         found = check_site(toy.project.site)
-        assert any(problem in line for line in found), new
+        assert any(problem in line for line in found) if problem else found == [], new
 
 
-UNREADABLE = {"index.html": b"\xff", "data/newton-1.4.0/toy.json": b"[" * 100_000, "data/values.json": b"null"}
+UNREADABLE = {
+    "index.html": b"\xff",
+    "style.css": b"\xff",
+    "data/newton-1.4.0/toy.json": b"[" * 100_000,
+    "data/values.json": b"null",
+}
 
 
 def test_what_can_not_be_read_is_said_in_one_line(toy):
@@ -63,3 +100,11 @@ def test_no_bound_errs_against_its_own_value(toy):
         toy.page_path.write_text(page.replace("</main>", f"<p>{words}</p></main>"), encoding="utf-8")
         assert [line for line in check_site(toy.project.site) if "errs: it is 0.3124" in line] or not errs, words
         assert errs or check_site(toy.project.site) == [], words
+    for words, errs in (("at most 0.31 mm", True), ("at most 0.32 mm", False), ("at least 0.32 mm", True)):
+        toy.page_path.write_text(page.replace(LABEL, f'aria-label="It moves {words}."'), encoding="utf-8")
+        assert bool(check_site(toy.project.site)) == errs, words
+
+
+@pytest.mark.parametrize("label", ["1.8.0", "1.9.0.dev0+g1a2b3c4.edited", "1.8.0+warp-1.19.0@nvidia-h100", "1.8.0@cpu"])
+def test_the_label_of_an_edition_is_no_number(label):
+    assert TYPED.sub("", f"Newton {label}: 6.36 mm") == ": 6.36 mm"

@@ -110,6 +110,8 @@ class Config:
     """The package whose modules derive what texts of pages tell: ``front`` for ``front.md.j2``."""
     plugins: str = "measured_report.pages.plugins"
     """The module that says what else this report shows; the one named here says what it may have."""
+    formulas: Sequence[str] = ()
+    """Patterns of names and formulas in drawings and table cells, whose numbers lead to no record."""
 
     @property
     def sources(self) -> Sequence[str]:

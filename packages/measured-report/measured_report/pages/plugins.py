@@ -47,6 +47,11 @@ def card(editions: Mapping[str, Any], cache: Any) -> bytes | None:
     return None
 
 
+def scripts() -> Sequence[str]:
+    """Return the texts of the scripts that a page may have in it; ``page.js`` lies beside the pages."""
+    return ()
+
+
 def plugins() -> ModuleType:
     """Import the module that the report names."""
     return import_module(config().plugins)

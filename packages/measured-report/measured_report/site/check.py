@@ -1,64 +1,94 @@
-"""Check of a built site: what it shows is what was measured, and its links lead somewhere.
+"""Check of a built site: what it shows is what was measured, and it needs nothing from elsewhere."""
 
-That a page runs nothing but its own scripts, and fetches nothing from elsewhere, browsers see to: each has a policy.
-"""
-
-from collections import Counter
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Mapping
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
+from urllib.parse import SplitResult, unquote, urlsplit
 
+from measured_report.pages.plugins import plugins
+from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import Data, check_bounds, check_numbers
-from measured_report.site.page_reader import PageReader
+from measured_report.site.page_reader import SCRIPT, PageReader
 
-SCHEMES = {"", "http", "https", "mailto", "data"}
+SCHEMES = {"", "http", "https", "mailto"}
+"""Beginnings of links: a page may lead anywhere, but nothing that it leads to may run in it."""
+BLANK = re.compile("[\x00-\x20\x7f-\x9f]")
 OUTCOMES = {"holds", "fails", "unknown"}
+FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 
 
 def check_site(site: Path) -> list[str]:
     """Say what is wrong with the site in folder ``site``, a line each; empty when nothing is."""
     try:
-        return [*_problems_of(site.resolve())]
+        return _problems_of(site)
     except (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError) as error:
         return [f"it can't be read: {type(error).__name__}: {' '.join(str(error).split()):.200}"]
 
 
-def _problems_of(site: Path) -> Iterator[str]:
-    pages = {path: PageReader(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
+def _problems_of(site: Path) -> list[str]:
+    problems = []
+    files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])  # drawings are parts of pages
+    texts = {path.resolve(): path.read_text(encoding="utf-8") for path in files}
+    pages = {path: PageReader(text) for path, text in texts.items()}
     data = Data(site / "data")
     for path, page in pages.items():
+        found = [*check_self_contained(page), *_check_links(page, path, pages, site)]
+        unsaid = (claim["data-claim"] for claim in page.claims if claim.get("data-outcome") not in OUTCOMES)
+        found += [f"the claim {name} has no outcome" for name in unsaid]
         numbers = check_numbers(page, data)
-        for problem in (*_check_page(page), *_check_links(page, path, pages, site), *(numbers or check_bounds(page))):
-            yield f"{path.relative_to(site)}: {problem}"
-    for folder in {path.parent for path in pages}:
-        if not any(page.claims for path, page in pages.items() if path.parent == folder):
-            yield f"{folder.relative_to(site) / 'index.html'}: there is no claim on any page"
-    if site / "index.html" not in pages:
-        yield "there is no index.html"
+        found += numbers or check_bounds(texts[path], page, data)
+        problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
+    for folder in {path.parent for path in pages if path.suffix == ".html"}:
+        claims = [claim for path, page in pages.items() if path.parent == folder for claim in page.claims]
+        if not claims:
+            problems.append(f"{folder.relative_to(site.resolve()) / 'index.html'}: there is no claim on any page")
+    own = {(LAYOUT / SCRIPT).read_text(encoding="utf-8"), *plugins().scripts()}
+    for path in sorted(site.rglob("*.js")):
+        if path.read_text(encoding="utf-8", errors="replace") not in own:
+            problems.append(f"{path.relative_to(site)} is not the project's script")
+    styles = (path for path in sorted(site.rglob("*.css")) if FETCHING_STYLE.search(path.read_text(encoding="utf-8")))
+    problems += [f"{path.relative_to(site)} fetches something" for path in styles]
+    if not (site / "index.html").is_file():
+        problems.append("there is no index.html")
+    return problems
 
 
-def _check_page(page: PageReader) -> Iterator[str]:
-    for claim in page.claims:
-        if claim.get("data-outcome") not in OUTCOMES:
-            yield f"the claim {claim['data-claim']} has no outcome"
-    for name, count in Counter(page.ids).items():
-        if count > 1:
-            yield f"the id {name} is not unique"
-    if not page.policy.startswith("default-src 'none'"):
-        yield "no policy keeps it from what lies elsewhere"
+def check_self_contained(page: PageReader) -> list[str]:
+    """Say what a page runs or fetches that is not the project's, a line each."""
+    problems = [f"<{tag}> runs a script" for tag in page.scripts]
+    own = plugins().scripts()
+    problems += ["a script runs that is not the project's own" for text in page.inline if text not in own]
+    problems += [f"{address} is fetched from elsewhere" for address in page.fetched if _is_elsewhere(address)]
+    return problems + (["a style fetches something"] if FETCHING_STYLE.search(page.styles) else [])
 
 
-def _check_links(page: PageReader, path: Path, pages: Mapping[Path, PageReader], site: Path) -> Iterator[str]:
-    for address in page.links:
-        parts = urlsplit(address)
-        if parts.scheme not in SCHEMES:
-            yield f"{address} is no address that a page may lead to"
+def _check_links(page: PageReader, path: Path, pages: Mapping[Path, PageReader], site: Path) -> list[str]:
+    problems = [f"the id {name} is not unique" for name in sorted(set(page.ids)) if page.ids.count(name) > 1]
+    for address in page.links + page.fetched:
+        parts = _parts(address)
+        if address in page.links and parts.scheme not in SCHEMES:
+            problems.append(f"{address} is no address that a page may lead to")
         if parts.scheme or parts.netloc:
             continue
         target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
-        if parts.path.startswith("/") or not target.is_relative_to(site):
-            yield f"{address} leaves the site"
+        if parts.path.startswith("/") or not target.is_relative_to(site.resolve()):
+            problems.append(f"{address} leaves the site")
         elif not target.exists() or (
             target in pages and parts.fragment and unquote(parts.fragment) not in pages[target].ids
         ):
-            yield f"{address} leads nowhere"
+            problems.append(f"{address} leads nowhere")
+    return problems
+
+
+def _is_elsewhere(address: str) -> bool:
+    parts = _parts(address)
+    is_image = parts.scheme == "data" and parts.path.startswith((",", "image/", "font/"))
+    return bool(parts.netloc or (parts.scheme and not is_image))
+
+
+def _parts(address: str) -> SplitResult:
+    """Read an address as browsers do, which pass over blanks and control characters, and take \\ for /."""
+    try:
+        return urlsplit(BLANK.sub("", address).replace("\\", "/"))
+    except ValueError:
+        return SplitResult("unreadable", "", "", "", "")

@@ -116,6 +116,12 @@ def format_short(value: float) -> str:
     return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix("0" if places == 2 else "")
 
 
+def spellings(value: float | int | None, noise: float | None) -> list[str]:
+    """List the ways in which a figure may write a number."""
+    short = [] if value is None or noise is not None or value < 0 else [format_short(value)]
+    return [format_number(value, noise=noise), *short]
+
+
 def whole(text: str) -> re.Pattern:
     """Match a number as it is written, and not as a part of another one."""
     return re.compile(rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)")
