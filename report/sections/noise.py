@@ -7,7 +7,7 @@ from statistics import fmean
 from measured_report.parts.claim import NEAR_NOISE, Claim, all_of, at_most, within
 from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
-from measured_report.values.labels import label_of
+from measured_report.values.format import label_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row

@@ -1,4 +1,4 @@
-"""Publishing: into a folder, onto a branch, over rsync; whole, or not at all, and nothing else is touched."""
+"""Publishing: into a folder, onto a branch; whole, or not at all, and nothing else is touched."""
 
 import shutil
 from dataclasses import replace
@@ -10,7 +10,7 @@ from conftest import ROWS, git
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.staging import digests_below
 from measured_report.site.check import check_site
-from measured_report.site.publish import MARK, SUMS, publish, sums
+from measured_report.site.publish import SUMS, publish, sums
 
 pytestmark = pytest.mark.usefixtures("built")
 
@@ -175,18 +175,3 @@ def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(UsageError, match="needs git, which is not there; TARGET=dir:PATH needs nothing"):
         publish(toy.project.site, "")
-
-
-@pytest.mark.skipif(not shutil.which("rsync"), reason="there is no rsync")
-def test_rsync_replaces_what_was_published_and_nothing_else(toy, tmp_path):
-    place = tmp_path / "www"
-    publish(toy.project.site, f"rsync:{place}")
-    assert check_site(place) == [] and (place / MARK).is_file()
-    (place / "old.html").write_text("old")
-    change(toy)
-    publish(toy.project.site, f"rsync:{place}")
-    assert (place / "evidence.html").read_text() == toy.page and not (place / "old.html").exists()
-    letter = written_by_the_user(tmp_path / "mine")
-    with pytest.raises(UsageError, match="left alone"):
-        publish(toy.project.site, f"rsync:{tmp_path}/mine")
-    assert letter.read_text() == "dear"

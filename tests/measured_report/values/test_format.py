@@ -9,7 +9,15 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from measured_report.parts.figures import draw_svgs, fold, new_figure, write
-from measured_report.values.format import MINUS, THIN_SPACE, format_least, format_most, format_number, format_short
+from measured_report.values.format import (
+    MINUS,
+    THIN_SPACE,
+    format_least,
+    format_most,
+    format_number,
+    format_short,
+    label_of,
+)
 from measured_report.values.format import read_number as read
 from measured_report.values.quantities import Quantity, alike
 
@@ -138,3 +146,22 @@ def test_numbers_of_one_line_have_the_digits_of_the_one_that_has_the_fewest():
     numbers = [Quantity(value, "mm", "a.json#/x", noise=0.0059) for value in (6.3612, 0.3168, 0.0012, None)]
     assert [number.striptags() for number in alike(numbers)] == ["6.4", "0.32", "< 0.006", "n/a"]
     assert [number.striptags() for number in alike([numbers[0], *numbers[2:]])] == ["6.36", "< 0.006", "n/a"]
+
+
+LABELS = {"as-shipped": "shipped pads", "ke-#-1": "ke {}, 1 step", "ke-#-#": "ke {}, {} steps", "kd-#-#": "kd {1}"}
+
+
+@pytest.mark.parametrize(
+    ("case", "label"),
+    [
+        ("as-shipped", "shipped pads"),
+        ("as-shipped-10cm", "as shipped 10cm"),
+        ("ke-4.64e+04-1", "ke 46400, 1 step"),
+        ("ke-2.5e6-16", "ke 2.5×10⁶, 16 steps"),
+        ("ke-1e-10-0.2", "ke 10⁻¹⁰, 0.2 steps"),
+        ("kd-100-8e3", "kd 8000"),
+        ("has_no-label", "has no label"),
+    ],
+)
+def test_a_case_is_called_by_the_first_label_that_fits_or_by_its_own_name(case, label):
+    assert label_of(case, LABELS) == label

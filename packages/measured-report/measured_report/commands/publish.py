@@ -5,7 +5,7 @@ import argparse
 from measured_report.editions.project import Project
 from measured_report.site.publish import publish
 
-OPTIONS = {"target": {"default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"}}
+OPTIONS = {"target": {"default": "", "help": "where to publish: dir:PATH or git:REMOTE"}}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

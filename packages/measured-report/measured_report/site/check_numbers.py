@@ -16,12 +16,12 @@ from measured_report.values.format import (
     format_least,
     format_most,
     format_number,
+    label_of,
     read_number,
     spellings,
     undusted,
     whole,
 )
-from measured_report.values.labels import label_of
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
 

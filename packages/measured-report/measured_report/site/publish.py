@@ -1,4 +1,4 @@
-"""Publishing: a checked copy of the site goes to a folder, to a branch of a git repository, or over rsync."""
+"""Publishing: a checked copy of the site goes to a folder, or to a branch of a git repository."""
 
 import os
 import re
@@ -25,12 +25,12 @@ QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and 
 def publish(site: Path, target: str) -> str:
     """Put a checked copy of ``site`` at ``target`` and return where it lies; what can't be put there leaves nothing.
 
-    A target is ``dir:PATH``, ``rsync:HOST:PATH`` or ``git:REMOTE#BRANCH``; empty: the branch gh-pages of origin.
+    A target is ``dir:PATH`` or ``git:REMOTE#BRANCH``; empty: the branch gh-pages of origin.
     """
     scheme, _, place = (target or DEFAULT).partition(":")
     told = f"TARGET={without_password(target)}"
     if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
-        raise UsageError(f"{told!r} is no place to publish to; use TARGET=dir:PATH, rsync:HOST:PATH or git:REMOTE")
+        raise UsageError(f"{told!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE")
     try:
         with tempfile.TemporaryDirectory(prefix="publish-") as folder:
             copy = _checked_copy(site, Path(folder) / "site")
@@ -114,22 +114,6 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
     return f"{remote}, branch {branch}"
 
 
-def _to_rsync(copy: Path, place: str, site: Path) -> str:
-    """Publish with rsync, to a folder of this or another machine or to a module of a daemon."""
-    place = f"{place.rstrip('/')}/"
-    try:
-        listed = _run(["rsync", "--protect-args", "--list-only", place])
-    except UsageError as error:
-        if not re.search("No such file or directory|change_dir", str(error)):
-            raise
-        listed = ""  # there is no folder yet
-    if len(listed.splitlines()) > 1 and not re.search(rf" {re.escape(MARK)}$", listed, re.MULTILINE):
-        raise UsageError(f"{place} holds something that was not published there; it was left alone")
-    options = ["--recursive", "--times", "--perms", "--checksum", "--protect-args", "--delay-updates", "--delete-delay"]
-    _run(["rsync", *options, f"{copy}/", place])
-    return place
-
-
 def _run(command: Sequence[str], **settings: str) -> str:
     """Return what a program prints; UsageError, with the line that says why, when it fails or is not there."""
     name = "ghp-import" if "ghp_import" in command else command[0]
@@ -144,4 +128,4 @@ def _run(command: Sequence[str], **settings: str) -> str:
     return done.stdout.strip()
 
 
-TARGETS = {"dir": _to_folder, "git": _to_branch, "rsync": _to_rsync}
+TARGETS = {"dir": _to_folder, "git": _to_branch}

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_UP, Decimal
 
 MINUS = "\u2212"
@@ -21,6 +22,8 @@ PLAIN_EXPONENTS = range(-4, 7)
 """Powers of ten that are written plainly; anything smaller or larger gets a power of ten."""
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
+NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"
+"""A number in the name of a case."""
 WRITTEN = re.compile(r"(-?\d+(?:\.\d+)?)?(?:×?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
 
@@ -129,6 +132,29 @@ def whole(text: str) -> re.Pattern:
 
 def format_power(exponent: int) -> str:
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
+
+
+def label_of(case: str, labels: Mapping[str, str]) -> str:
+    """Return the words of the first of ``labels`` that fits, where # stands for a number; or its own name, spaced.
+
+    >>> label_of("length-2.5e6", {"length-#": "{} m long"})
+    '2.5×10⁶ m long'
+    """
+    for pattern, words in labels.items():
+        if match := re.fullmatch(re.escape(pattern).replace(r"\#", NAMED), case):
+            return words.format(*map(number_of, match.groups()))
+    return case.replace("-", " ").replace("_", " ")
+
+
+def number_of(text: str) -> str:
+    """Return a number of a case's name as one reads it: ``2.5e6`` as 2.5×10⁶ and ``0.2`` as it is."""
+    mantissa, _, power = text.partition("e")
+    if not power:
+        return text
+    if 1e-3 <= float(text) < 1e5:
+        return f"{float(text):g}"
+    scale = format_power(int(power))
+    return scale if float(mantissa) == 1 else f"{mantissa}×{scale}"
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:

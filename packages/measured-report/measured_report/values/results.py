@@ -16,7 +16,7 @@ from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
-from measured_report.values.labels import label_of
+from measured_report.values.format import label_of
 from measured_report.values.noise import Floor, cell_noise, derived_noise
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
 
