@@ -5,7 +5,6 @@ from functools import partial
 
 import pytest
 
-from measured_report.parts import figures
 from measured_report.parts.figures import NARROW_WIDTH, draw_svgs, is_narrow, new_figure
 
 WIDTH = re.compile(r'viewBox="0 0 ([\d.]+) ')
@@ -36,15 +35,3 @@ def test_panels_beside_one_another_stand_one_above_the_other_where_it_is_narrow(
 
     low, high = (draw_svgs(partial(draw, count), name="toy")[1].size[1] for count in (1, 2))
     assert high == pytest.approx(2 * low, abs=1)
-
-
-def test_lines_are_as_high_as_matplotlib_has_them(monkeypatch):
-    def draw():
-        drawing, axes = new_figure()
-        axes.set(title="two\nlines", xlabel="small", ylabel="three\nlines\nof it")
-        axes.text(0.5, 0.5, "within\nthe axes", fontsize=7, bbox={})
-        return drawing
-
-    drawn = draw_svgs(draw, name="lines")
-    monkeypatch.delattr(figures._Renderer, "_get_font_height_metrics")
-    assert draw_svgs(draw, name="lines") == drawn

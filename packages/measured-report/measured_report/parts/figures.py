@@ -6,7 +6,6 @@ import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
-from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -19,9 +18,7 @@ from matplotlib.axis import Axis
 from matplotlib.backends.backend_mixed import MixedModeRenderer
 from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Drawing
-from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.text import Text
-from matplotlib.textpath import TextToPath
 
 from measured_report.parts.macros import Picture
 from measured_report.values.format import format_number, format_power, format_short, whole
@@ -189,29 +186,6 @@ class _Drawing(Drawing):
         return legend
 
 
-class _Renderer(RendererSVG):
-    """Measure each text once in a process, which Matplotlib does for each drawing."""
-
-    def get_text_width_height_descent(self, s, prop, ismath):
-        return _size_of(s, prop, ismath)
-
-    def _get_font_height_metrics(self, prop):  # read anew from the font for each text where there is no such method
-        return _heights_of(prop)
-
-
-_size_of = cache(TextToPath().get_text_width_height_descent)  # no font that is given here changes later
-
-
-@cache
-def _heights_of(font: FontProperties) -> tuple[float, float, float]:
-    """Return ascent, descent and gap of its lines."""
-    face = get_font(findfont(font))
-    head, table = face.get_sfnt_table("head"), face.get_sfnt_table("OS/2")
-    assert head and table
-    scale = font.get_size_in_points() / head["unitsPerEm"]
-    return scale * table["sTypoAscender"], -scale * table["sTypoDescender"], scale * table["sTypoLineGap"]
-
-
 def _fit_narrow(drawing: Drawing) -> None:
     """Make texts large enough to be read and short enough to leave room, and no more ticks than help."""
     for axes in drawing.axes:
@@ -270,7 +244,7 @@ def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     FigureCanvasSVG(drawing)
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
     inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
-    vectors = _Renderer(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
+    vectors = RendererSVG(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
     drawing.draw(renderer)
     renderer.finalize()
