@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from measured_report.changes.flips import Flip, flips
+from measured_report.changes.flips import Flip, FlipList, flips
 from measured_report.pages.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_most, decided
-from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value, absent
@@ -38,7 +37,7 @@ def derive(results: Results, releases: Releases) -> Section:
     steps = _in_one_step(results, seen, noise, same_slip.outcome)
     return Section(
         tables={
-            "turns": macros().turns([flip for flip in flipped if flip.is_decided], shown, list(results.others)),
+            "turns": FlipList([flip for flip in flipped if flip.is_decided], shown, list(results.others)),
             "tried": tables.tried_table(releases),
             "speed": tables.speed_table(releases),
             "options": tables.option_table(releases),

@@ -5,10 +5,13 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
+from markupsafe import Markup
+
 from measured_report.changes.moves import cost_terms
 from measured_report.pages.chapters import Chapters, Releases
 from measured_report.pages.sections import Page
 from measured_report.parts.claim import Claim
+from measured_report.parts.macros import macros
 from measured_report.records.columns import column_of
 from measured_report.records.record import Record
 from measured_report.values.noise import NOISE
@@ -102,3 +105,17 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
     found = flips({"before": before, "after": after}, "after")
     near = (flip for flip in found if not any(claim.outcome.is_inconclusive for _, claim in flip.said))
     return [flip for flip in near if flip.is_decided or is_whole]
+
+
+@dataclass(frozen=True)
+class FlipList:
+    """List flips by section; printed, each has what other editions say than the page's own."""
+
+    flips: Sequence[Flip]
+    shown: str
+    """The edition of the page, whose own sentences stand where they belong."""
+    sections: Collection[str]
+    """Sections of that edition, to link to."""
+
+    def __html__(self) -> Markup:
+        return macros().turns(self.flips, self.shown, self.sections)
