@@ -7,7 +7,6 @@ from measured_report.changes.history import points
 from measured_report.pages.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
-from measured_report.values.quantities import alike
 from report.sections.upgrade.ends import released
 from report.sections.upgrade.tables import HEADLINES
 
@@ -24,9 +23,8 @@ def _numbers(releases: Releases) -> Table:
         if found := points(releases, headline):
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in found}
-            numbers = alike([headline.cell(each, name) for name, each in releases.items()])
-            for number, (name, column) in zip(numbers, columns.items(), strict=True):
-                column.append(_marked(number, marks.get(name, "")))
+            for name, column in columns.items():
+                column.append(_marked(headline.cell(releases[name], name).bare, marks.get(name, "")))
     return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
 
 

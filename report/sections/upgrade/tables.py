@@ -10,7 +10,7 @@ from measured_report.files.config import config
 from measured_report.pages.chapters import Releases
 from measured_report.parts.figures import INK, new_figure, tick_125
 from measured_report.parts.section import Figure, Table
-from measured_report.values.quantities import Quantity, alike
+from measured_report.values.quantities import Quantity
 from report.shared import drawing as colours
 from report.shared.arithmetic import table_of
 from report.shared.drawing import mark_points
@@ -64,7 +64,7 @@ def tried_table(releases: Releases) -> Table:
 
 
 def _side_by_side(heading: str, releases: Releases, asked: Mapping[str, Query]) -> Table:
-    lines = [alike([each.cell(chapters, release) for release, chapters in releases.items()]) for each in asked.values()]
+    lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in asked.values()]
     columns = {f"Newton {release}": cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)}
     return table_of(heading, asked, columns)
 

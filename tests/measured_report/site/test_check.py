@@ -52,7 +52,7 @@ WRONG = [
 ]
 SLIP = f'<data value="0.3124" data-src="{SOURCE}/1/slip_mm"%s>%s</data>'
 NEAREST, MOST, LEAST = SLIP % ("", "0.31"), SLIP % (' data-as="most"', "0.32"), SLIP % (' data-as="least"', "0.31")
-BOUNDS = [(f"{words} {NEAREST}", True) for words in ("At most", "within", "no more than", "less than")]
+BOUNDS = [(f"{words} {NEAREST}", True) for words in ("At most", "within", "no more than", "less than", "up to")]
 BOUNDS += [(f"within <b>a factor of {NEAREST}</b>", True), (f"{NEAREST}&nbsp;mm at most", True)]
 BOUNDS += [
     (f"{words} {MOST}", False) for words in ("at most", "within", "no more than", "less than", "none is more than")

@@ -19,7 +19,7 @@ from measured_report.values.format import (
     label_of,
 )
 from measured_report.values.format import read_number as read
-from measured_report.values.quantities import Quantity, alike
+from measured_report.values.quantities import Quantity
 
 SIZES = st.floats(1e-12, 1e12)
 VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
@@ -33,12 +33,24 @@ def last_place(text: str) -> Decimal:
 
 @pytest.mark.parametrize(
     ("value", "noise", "text"),
-    [(6.3617, 0.0048, "6.36"), (0.3124, 0.0048, "0.31"), (0.0037, 0.0052, f"<{THIN_SPACE}0.006")]
-    + [(-0.0037, 0.0052, f"<{THIN_SPACE}0.006"), (20.3, 0.31, "20"), (95.09, 0.08, "95.1")]
-    + [(7156287.3, 5e4, f"7{THIN_SPACE}200{THIN_SPACE}000"), (0.0726, None, "0.073")]
+    [
+        (6.3617, 0.0048, "6.36"),
+        (0.3121, 0.0048, "0.31"),
+        (0.3149, 0.0048, "0.315"),
+        (0.0037, 0.0052, f"<{THIN_SPACE}0.006"),
+    ]
+    + [(-0.0037, 0.0052, f"<{THIN_SPACE}0.006"), (20.1, 0.31, "20"), (20.3, 0.31, "20.3"), (95.09, 0.08, "95.1")]
+    + [
+        (7156287.3, 1e5, f"7{THIN_SPACE}200{THIN_SPACE}000"),
+        (140.2, 32.0, "140"),
+        (23.25, 2.5, "23"),
+        (0.0726, None, "0.073"),
+    ]
     + [
         (1.52e-5, None, f"1.5{THIN_SPACE}×{THIN_SPACE}10⁻⁵"),
-        (9.996, 0.001, "10.0"),
+        (9.996, 0.01, "10.0"),
+        (9.996, 0.001, "9.996"),
+        (0.0195, 0.1097, f"<{THIN_SPACE}0.11"),
         (0.0098, 0.007, "0.01"),
         (11.45, 0.1, "11.5"),
     ]
@@ -54,15 +66,14 @@ def test_a_number_as_people_write_it(value, noise, text):
 @given(VALUES, SIZES)
 @example(0.004, 0.0011)
 @example(9.996, 0.0011)
-def test_no_digit_is_less_than_the_noise_carries(value, noise):
+def test_rounding_moves_by_no_more_than_half_the_noise_and_writes_no_digits_for_nothing(value, noise):
     text = format_number(value, noise=noise)
     if abs(value) <= noise:
         assert text.startswith("<") and read(text[2:]) >= Decimal(repr(noise))
         return
-    assert abs(read(text) - Decimal(repr(value))) <= last_place(text) / 2
-    digits = len(read(text).normalize().as_tuple().digits)
-    assert digits <= 3
-    assert digits == 1 or last_place(text) >= Decimal(repr(noise)) / 2 * Decimal("0.999999")
+    error, half = abs(read(text) - Decimal(repr(value))), Decimal(repr(noise)) / 2
+    assert error <= half
+    assert len(text) == 1 or last_place(text) * 10 > half / 5, "a digit less would have moved it by more"
 
 
 @given(VALUES)
@@ -140,6 +151,7 @@ def test_a_bound_is_written_outward_and_no_less_than_the_noise(value, noise):
     assert most >= Decimal(f"{value:.12g}") and (abs(value) > 0.999 * (noise or 0.0) or most >= Decimal(repr(noise)))
     assert least <= max(Decimal(f"{value:.12g}"), Decimal(0))
     assert format_most(0.020000000000000462) == format_least(0.02) == "0.020"
+<<<<<<< HEAD
 
 
 def test_numbers_of_one_line_have_the_digits_of_the_one_that_has_the_fewest():
@@ -165,3 +177,5 @@ LABELS = {"as-shipped": "shipped pads", "ke-#-1": "ke {}, 1 step", "ke-#-#": "ke
 )
 def test_a_case_is_called_by_the_first_label_that_fits_or_by_its_own_name(case, label):
     assert label_of(case, LABELS) == label
+=======
+>>>>>>> 1a597dbc (A number keeps a digit more where rounding moved it by more than half its noise, and 'up to' is a bound)

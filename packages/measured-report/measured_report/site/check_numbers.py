@@ -31,7 +31,7 @@ RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 EDITION = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
 TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
 """Numbers in drawings and in their words that are names and formulas."""
-ABOVE = ("at most", "within", "no more than", "not more than")
+ABOVE = ("at most", "within", "no more than", "not more than", "up to", "as much as")
 BELOW = ("at least", "no less than", "not less than")
 SIDES = dict.fromkeys(ABOVE, MOST) | dict.fromkeys(BELOW, LEAST) | {"more than": LEAST, "less than": MOST}
 """Sides from which words bound the number behind them."""
@@ -105,6 +105,8 @@ def _check_written(page: PageReader, data: Data) -> list[str]:
         shown = json.loads(number["value"]) if number.get("value") else None
         if shown != kept or number["text"] != text:
             problems.append(f"{source} is {kept}, but {number['text']} ({shown}) is shown")
+        elif kept and noise and (said := read_number(text)) is not None and abs(float(said) - kept) > noise:
+            problems.append(f"{source} is {kept} within {noise}, and rounded to {text}")
     return problems
 
 
@@ -115,8 +117,6 @@ def _text(number: Mapping[str, str], kept: float | int | None, noise: float | No
         return format_code(kept)
     if how in WRITES:
         return WRITES[how](kept, noise=noise)
-    if how.isdigit():
-        return format_number(kept, noise=noise, digits=int(how))
     other, its_noise = data.number(how) if how else (None, None)
     is_same = how and format_number(other, noise=its_noise) == text and number["text"] == SAME
     return number["text"] if is_same else text

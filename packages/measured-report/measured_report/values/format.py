@@ -32,9 +32,7 @@ def unit_label(unit: str) -> str:
     return "" if unit == "1" else unit
 
 
-def format_number(
-    value: float | int | None, *, noise: float | None = None, digits: int = DIGITS_KNOWN, rounding: str = ROUND_HALF_UP
-) -> str:
+def format_number(value: float | int | None, *, noise: float | None = None, rounding: str = ROUND_HALF_UP) -> str:
     """Write ``value`` as people do.
 
     Args:
@@ -42,7 +40,6 @@ def format_number(
         noise: How far apart two measurements of it come out, in its unit; None where nobody knows, and 0 for what was
             chosen, or computed from nothing but what was.
         rounding: Where to, of those that ``decimal`` knows.
-        digits: The most significant digits of what was measured.
     """
     if value is None:
         return ABSENT
@@ -56,8 +53,8 @@ def format_number(
         is_computed = len(exact.as_tuple().digits) > DIGITS_TYPED
         return _format_rounded(exact, DIGITS_KNOWN, rounding) if is_computed else _format_decimal(exact)
     if noise and abs(value) <= noise:
-        return f"{BELOW}{THIN_SPACE}{_format_rounded(Decimal(repr(noise)), 1, ROUND_CEILING)}"
-    return _format_decimal(rounded(value, noise, digits, rounding))
+        return f"{BELOW}{THIN_SPACE}{_format_noise(noise, value)}"
+    return _format_decimal(rounded(value, noise, rounding))
 
 
 def format_most(value: float | int | None, *, noise: float | None = None) -> str:
@@ -83,25 +80,22 @@ def read_number(text: str) -> Decimal | None:
     return Decimal(found[1] or 1).scaleb(int((found[2] or "⁰").translate(DIGITS))) if found else None
 
 
-def digit_count(text: str) -> int:
-    """Count the significant digits of a number that is written so."""
-    return len(re.sub(r"×.*|\D", "", text).lstrip("0"))
-
-
-def rounded(value: float, noise: float | None, most: int = DIGITS_KNOWN, rounding: str = ROUND_HALF_UP) -> Decimal:
+def rounded(value: float, noise: float | None, rounding: str = ROUND_HALF_UP) -> Decimal:
     """Round ``value`` to the last digit that it carries; halves, as its shortest decimal has them, away from zero.
 
-    Two runs are apart by the noise, so that one is off by half of it, and the last digit is worth at least that. What
-    is beyond the noise has one digit in any case.
+    Two runs are apart by the noise, so that one is off by half of it: the last digit is worth at least that, but where
+    rounding itself would move the value by more, there is a digit more. What is beyond the noise has one in any case.
     """
-    digits = min(most, DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
     exact = Decimal(repr(value))
-    place = exact.adjusted() + 1 - digits
+    place = exact.adjusted() + 1 - (DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
     if noise:
         place = min(max(place, math.ceil(math.log10(noise / 2))), exact.adjusted())
     found = exact.quantize(Decimal(1).scaleb(place), rounding)
+    while noise and abs(found - exact) > Decimal(repr(noise)) / 2:
+        place -= 1
+        found = exact.quantize(Decimal(1).scaleb(place), rounding)
     if found.adjusted() > exact.adjusted():
-        return rounded(float(found), noise, most, rounding)  # 9.996 is 10.0 and not 10.00
+        return rounded(float(found), noise, rounding)  # 9.996 is 10.0 and not 10.00
     return found
 
 
@@ -155,6 +149,13 @@ def number_of(text: str) -> str:
         return f"{float(text):g}"
     scale = format_power(int(power))
     return scale if float(mantissa) == 1 else f"{mantissa}×{scale}"
+
+
+def _format_noise(noise: float, value: float) -> str:
+    """Write noise rounded up, in as few digits as keep it below what ``value``, which is less, could be."""
+    texts = [_format_rounded(Decimal(repr(noise)), digits, ROUND_CEILING) for digits in range(1, DIGITS_KNOWN + 1)]
+    most = Decimal(repr(noise + abs(value)))
+    return next((text for text in texts if (read_number(text) or most) <= most), texts[-1])
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:

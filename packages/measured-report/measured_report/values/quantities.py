@@ -10,15 +10,7 @@ from markupsafe import Markup, escape
 
 from measured_report.files.config import config
 from measured_report.records.record import Origin
-from measured_report.values.format import (
-    BELOW,
-    digit_count,
-    format_code,
-    format_least,
-    format_most,
-    format_number,
-    unit_label,
-)
+from measured_report.values.format import format_code, format_least, format_most, format_number, unit_label
 
 VALUES_FILE = "values.json"
 MOST, LEAST, SAME = "most", "least", "the same"
@@ -107,11 +99,6 @@ class Quantity:
         is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
         return self._written(SAME, other.source) if is_same and other.source else self.__html__()
 
-    def in_digits(self, count: int) -> Markup:
-        """Write the number without its unit, in no more than so many significant digits."""
-        text = format_number(self.value, noise=self.noise, digits=count)
-        return self._written(text, "" if text == self.written else str(count))
-
     def _written(self, text: str, written_as: str = "") -> Markup:
         if not self.source:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
@@ -134,12 +121,6 @@ class Quantity:
     @property
     def _label(self) -> str:
         return "" if self.value is None else unit_label(self.unit)
-
-
-def alike(numbers: Sequence[Quantity]) -> list[Markup]:
-    """Write numbers of one line without their units, in as many digits as the one that has the fewest; two at least."""
-    counts = [digit_count(number.written) for number in numbers if number.value and number.written[0] != BELOW]
-    return [number.in_digits(max(2, min(counts, default=0))) for number in numbers]
 
 
 def absent(unit: str, reason: str) -> Quantity:
