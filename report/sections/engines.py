@@ -10,7 +10,7 @@ from measured_report.values.results import Results
 from report.shared.arithmetic import Column, other_cell, ratio, share, table_of
 
 order = 187
-page = "limits"
+page = "scenes"
 reads = ("cure", "scenes")
 label = "other engines"
 

@@ -16,7 +16,7 @@ from report.shared.drawing import SHIPPED, name_lines
 from report.shared.timing import RowsBy, compared, resolution, worlds_name
 
 order = 150
-page = "cost"
+page = "error"
 reads = ("noise",)
 label = "what to leave out"
 labels = {

@@ -14,7 +14,7 @@ from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, share, size_difference, spread, table_of
 
 order = 20
-page = "method"
+page = "releases"
 label = "the same again"
 labels = {"as-shipped": "shipped pads"}
 

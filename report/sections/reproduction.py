@@ -8,6 +8,7 @@ import pandas as pd
 from markupsafe import Markup, escape
 from matplotlib.figure import Figure as Drawing
 
+from experiments.facts.case import AS_SHIPPED
 from experiments.facts.classes import cycle_increments
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import INK, new_figure
@@ -33,9 +34,19 @@ CALIBRATED = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 """Cases that are run on every engine and device, and what figures call them."""
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
 """Where the cases were measured besides, by how their names end."""
-SCENE: tuple[tuple[str, int, str], ...] = (("cube_edge", 40, "mm"), ("cube_mass", 32, "g"), ("frame_rate", 60, "1/s"))
-SCENE += (("substeps", 16, "1"), ("impratio", 50, "1"))
-"""Name, value and unit of what the scene sets; a test compares them with the scene."""
+SCENE: tuple[tuple[str, float, str], ...] = (
+    ("cube_edge", 40, "mm"),
+    ("cube_mass", 32, "g"),
+    ("cube_friction", AS_SHIPPED.cube_mu, "1"),
+    ("pad_friction", AS_SHIPPED.pad_mu, "1"),
+    ("pad_ke", AS_SHIPPED.pad_ke, "1"),
+    ("pad_kd", AS_SHIPPED.pad_kd, "1"),
+    ("frame_rate", 60, "1/s"),
+    ("substeps", AS_SHIPPED.substeps, "1"),
+    ("iterations", AS_SHIPPED.iterations, "1"),
+    ("impratio", AS_SHIPPED.impratio, "1"),
+)
+"""Name, value and unit of what the scene sets; a test compares those that are typed with the scene."""
 
 
 def derive(results: Results) -> Section:

@@ -11,7 +11,7 @@ from report.shared.arithmetic import Column, table_of
 from report.shared.timing import TIMED_WORLDS, compared, fine_enough, resolution, worlds_name
 
 order = 170
-page = "cost"
+page = "error"
 label = "many worlds"
 
 WAYS = {

@@ -8,7 +8,7 @@ from report.shared.arithmetic import by_case
 from report.shared.timing import compared, resolution
 
 order = 160
-page = "cost"
+page = "error"
 label = "speed of one world"
 labels = {
     "as-shipped": "shipped pads",

@@ -46,7 +46,7 @@ def derive(releases: Releases, shown: str) -> Section:
         return Section()
     bound = found.value("reproduction", "slip_bound", "mm")
     return Section(
-        tables={"needed": _needed(every, bound)},
+        tables={"needed": _needed(every, bound), "setup": _setup(found)},
         figures={"suspects": _suspects(found), "mechanism": _mechanism(found)},
         claims=[
             _fine_since(every, bound),
@@ -74,6 +74,29 @@ def _suspects(found: Found) -> Figure:
 def _mechanism(found: Found) -> Figure:
     slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")
     return Figure(draw=draw_mechanism, sources=[slide])
+
+
+def _setup(found: Found) -> Table:
+    """Tell what stays as it is in every run that does not say otherwise."""
+
+    def told(text: str, *names: str) -> Markup:
+        return Markup(text).format(*(found.value("reproduction", name) for name in names))
+
+    grip = found.cell("contacts", "as-shipped", "normal_force_n", "N")
+    duration = found.cell("reproduction", "as-shipped", "shake_duration_s", "s")
+    lines = {
+        "robot": Markup("Franka FR3 with its hand, gravity compensated"),
+        "cube": told("edge {}, mass {}, friction {}", "cube_edge", "cube_mass", "cube_friction"),
+        "finger pads": told("friction {}, ke {}, kd {}", "pad_friction", "pad_ke", "pad_kd"),
+        "grip": Markup("{} from each pad").format(grip),
+        "task": Markup("approach, descend, grasp, lift, then shake for {}").format(duration),
+        "shake": told("{} to either side at {}, less along the other two axes", "amplitude", "frequency"),
+        "time": told("{} frames, each of {} substeps", "frame_rate", "substeps"),
+        "solver": told("Newton, {} iterations; implicitfast; elliptic cone, impratio {}", "iterations", "impratio"),
+        "contacts": Markup("found by Newton, once a frame"),
+    }
+    frame = pd.DataFrame({"in every run": [*lines.values()]}, index=pd.Index([*lines], name="part"), dtype=object)
+    return Table(frame)
 
 
 def _slips(found: Found, way: str) -> list[Quantity]:

@@ -218,10 +218,10 @@ def test_no_markdown_is_left(site):
 
 def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):
     open_page(tab, site / "index.html", "#friction")
-    tab.wait_for_url("**/evidence.html#friction")
+    tab.wait_for_url("**/cause.html#friction")
     open_page(tab, site / "index.html", "#stability-maps")
     tab.wait_for_url("**/limits.html#stability-maps")
-    open_page(tab, site / "evidence.html", "#friction")
+    open_page(tab, site / "cause.html", "#friction")
     tab.locator('.beside a[aria-current="location"][href="#friction"]').wait_for(timeout=5000)
 
 
@@ -229,8 +229,8 @@ def test_without_script_the_page_is_whole(site, browser):
     context = browser.new_context(java_script_enabled=False)
     tab = context.new_page()
     open_page(tab, site / "index.html", "#friction")
-    assert tab.locator(".index a#friction").get_attribute("href") == "evidence.html#friction"
-    open_page(tab, site / "evidence.html")
+    assert tab.locator(".index a#friction").get_attribute("href") == "cause.html#friction"
+    open_page(tab, site / "cause.html")
     assert tab.locator("main table tbody tr").count() > 1
     assert tab.locator("main svg:visible").count() == tab.locator("main svg.broad").count() > 0
     assert_drawn(tab)
@@ -302,7 +302,7 @@ def test_a_number_says_where_it_comes_from(site, tab):
 
 
 def test_numbers_are_one_stop_and_the_arrows_go_on(site, tab):
-    open_page(tab, site / "evidence.html")
+    open_page(tab, site / "cause.html")
     numbers = tab.locator("main data")
     assert tab.locator('main data[tabindex="0"]').count() == 1
     numbers.first.focus()

@@ -6,14 +6,15 @@ from itertools import pairwise
 
 from measured_report.changes.flips import Flip, FlipList, flips
 from measured_report.pages.chapters import Releases
-from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_most, decided
+from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
-from measured_report.values.noise import EDGES
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
+from report.sections import speed
 from report.sections.upgrade import tables
 from report.sections.upgrade.ends import Ends, change, machines_differ, noise_of, released, unchanged, up_to
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
+from report.shared.arithmetic import cell_count
 
 order = 200
 page = "releases"
@@ -40,6 +41,7 @@ def derive(results: Results, releases: Releases) -> Section:
             "turns": FlipList([flip for flip in flipped if flip.is_decided], shown, list(results.others)),
             "tried": tables.tried_table(releases),
             "speed": tables.speed_table(releases),
+            "numbers": tables.number_table(releases),
             "options": tables.option_table(releases),
         },
         figures={"slips": tables.slip_figure(releases, steps.numbers["steps"] if steps.outcome == HOLDS else [])},
@@ -87,19 +89,24 @@ def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[
 
 
 def _same_speed(results: Results, ends: Ends) -> Claim:
-    headline = tables.SPEEDS[0]
-    old, new = ends.cells(headline)
-    formula = "larger of the ranges from the 5th to the 95th percentile of a frame's time"
-    edges = [cell for end in EDGES for cell in ends.cells(replace(headline, text=headline.text + end))]
-    spread = results.value(
-        "frame_spread", formula, lambda a, b, c, d: max(c - a, d - b), *edges, unit="ms", across=True
+    """Compare the frames of all cases of one world, which one release may have slowed by little each."""
+    asked = [replace(tables.SPEEDS[0], text=f"speed.{case}.frame_ms") for case in speed.labels]
+    cells = [cell for headline in asked for cell in ends.cells(headline)]
+
+    def ratios(*times: float) -> list[float]:
+        return [after / before for before, after in zip(times[::2], times[1::2], strict=True)]
+
+    least, most = (
+        results.value(f"frame_ratio_{name}", f"{name} time of a frame over the older one", of, *cells, across=True)
+        for name, of in (("least", lambda *times: min(ratios(*times))), ("most", lambda *times: max(ratios(*times))))
     )
-    moved = change(results, "frame_change", old, new)
-    times: dict[str, Quantity] = {"before": old, "after": new, "spread": spread}
-    outcome = ends.one or unchanged(old, new, moved, spread)
-    if differ := machines_differ(ends.releases, headline.section):
-        outcome, times = differ, {time: absent("ms", differ.reason) for time in times}
-    return Claim("same_speed", outcome, {"a": ends.old, "b": ends.new, "grows": (moved.value or 0) > 0, **times})
+    count = cell_count(results, "speed_case_count", "cases of one world whose frames were timed", cells[1::2])
+    grows = greater(least, 1.0, why="as long as before")
+    moved = all_of(grows) if grows == HOLDS else greater(Quantity(1.0, "1", "", noise=0.0), most)
+    outcome = OPPOSITE if moved == HOLDS else HOLDS if None not in (least.value, most.value) else grows
+    outcome = machines_differ(ends.releases, "speed") or outcome
+    numbers = {"a": ends.old, "b": ends.new, "grows": grows == HOLDS, "least": least, "most": most, "count": count}
+    return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
 
 
 SAME = 5.0

@@ -5,11 +5,13 @@ from collections.abc import Mapping, Sequence
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
+from measured_report.changes.history import points
 from measured_report.changes.query import Query
 from measured_report.files.config import config
 from measured_report.pages.chapters import Releases
 from measured_report.parts.figures import INK, new_figure, tick_125
 from measured_report.parts.section import Figure, Table
+from measured_report.values.format import unit_label
 from measured_report.values.quantities import Quantity
 from report.shared import drawing as colours
 from report.shared.arithmetic import table_of
@@ -109,3 +111,20 @@ def _draw_slips(releases: Releases) -> Drawing:
     axes.set(xlim=(-0.3, len(releases) - 0.5), xlabel="Newton release", ylabel="slip [mm]")
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing
+
+
+def number_table(releases: Releases) -> Table:
+    """Show how the headlines moved from release to release, marked where one differs from the one before."""
+    labels: list[Markup] = []
+    columns: dict[str, list[Markup]] = {name: [] for name in releases}
+    for headline in HEADLINES:
+        if found := points(releases, headline):
+            labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
+            marks = {point.release: point.mark for point in found}
+            for name, column in columns.items():
+                column.append(_marked(headline.cell(releases[name], name).bare, marks.get(name, "")))
+    return table_of("number", labels, columns)
+
+
+def _marked(number: Markup, mark: str) -> Markup:
+    return Markup('{} <span class="moved {}">{}</span>').format(number, mark, mark) if mark else number
