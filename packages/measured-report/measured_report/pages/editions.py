@@ -49,8 +49,7 @@ class Edition:
         """Return its pages with what each shows; one that would show nothing is not there."""
         chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
-        always = {page for page in PAGES if page == FRONT or (page.compares and len(self.project.releases) > 1)}
-        return {page: found for page, found in shown.items() if found or page in always}
+        return {page: found for page, found in shown.items() if found or page == FRONT}
 
     @property
     def uncompared(self) -> Chapters:

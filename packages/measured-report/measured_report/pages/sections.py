@@ -1,8 +1,7 @@
 """Section modules and the pages that they are on: a module is found, asked what it is, and given its results.
 
 ``report.toml`` has the pages of a release in their order. Each is a table with a ``name``, the ``label`` of what leads
-to it (without one its name), its ``texts`` (without any ``pages/NAME.md.j2``), and ``compares`` for one that shows all
-editions side by side, where there are several, and no section.
+to it (without one its name), and its ``texts`` (without any ``pages/NAME.md.j2``).
 """
 
 from collections.abc import Iterator, Mapping
@@ -31,7 +30,6 @@ class Page:
     label: str = ""
     texts: tuple[str, ...] = ()
     """Its templates of prose; the first begins with the title of the page."""
-    compares: bool = False
 
     @property
     def file(self) -> str:
@@ -49,7 +47,7 @@ def _page(**fields: Any) -> Page:
 
 PAGES = tuple(_page(**fields) for fields in config().pages)
 FRONT = PAGES[0]
-OF_SECTIONS = {page.name: page for page in PAGES[1:] if not page.compares}
+OF_SECTIONS = {page.name: page for page in PAGES[1:]}
 
 
 @dataclass(frozen=True)
