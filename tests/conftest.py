@@ -144,7 +144,7 @@ class Toy:
     @property
     def page_path(self) -> Path:
         """The page of its section; the front page where that is left out."""
-        path = self.project.site / "evidence.html"
+        path = self.project.site / "cause.html"
         return path if path.is_file() else self.project.site / "index.html"
 
     @property

@@ -61,9 +61,9 @@ def test_the_matrix_has_a_column_for_each_release(toy, newer):
 def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for_is_first(toy, newer):
     toy.build()
     site = toy.project.site
-    other = (site / "newton-1.8.0/evidence.html").read_text()
-    assert 'href="newton-1.8.0/evidence.html#toy"' in toy.page and 'href="newton-1.8.0/index.html"' in toy.front
-    assert 'href="../evidence.html#toy"' in other
+    other = (site / "newton-1.8.0/cause.html").read_text()
+    assert 'href="newton-1.8.0/cause.html#toy"' in toy.page and 'href="newton-1.8.0/index.html"' in toy.front
+    assert 'href="../cause.html#toy"' in other
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
     assert 'data-claim="toy.helps" data-outcome="fails"' in other
     assert 'data-src="newton-1.8.0/toy.json#/rows/1/slip_mm"' in other
@@ -72,11 +72,11 @@ def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for
     assert check_site(site) == []
     newer.build()
     assert "<b>Newton 1.8.0</b>" in newer.page.replace(' aria-current="true"', "")
-    assert 'href="newton-1.4.0/evidence.html"' in newer.page
+    assert 'href="newton-1.4.0/cause.html"' in newer.page
     assert check_site(site) == []
-    path = site / "newton-1.4.0/evidence.html"
+    path = site / "newton-1.4.0/cause.html"
     path.write_text(path.read_text().replace('id="toy"', 'id="other"').replace('href="#toy"', 'href="#other"'))
-    assert "evidence.html: newton-1.4.0/evidence.html#toy leads nowhere" in check_site(site)
+    assert "cause.html: newton-1.4.0/cause.html#toy leads nowhere" in check_site(site)
 
 
 def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy):

@@ -25,7 +25,7 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
     assert lines[0] == "toy.gain: 20 (20.0), noise not known", "stiff has no percentiles"
     for line in (
         "is          soft over stiff",
-        "printed at  evidence.html#toy",
+        "printed at  cause.html#toy",
         "decides     toy.helps: holds",
         "from newton-1.4.0/toy.json",
         "row 1, case stiff (the scene as shipped, but for pad_ke 250000.0): slip_mm = 0.30 mm (0.3), noise not known",
@@ -38,7 +38,7 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
 
 def test_a_number_is_found_by_its_pointer_and_by_section_case_and_column(toy):
     pointed, of_row = text(toy, "newton-1.4.0/toy.json#/rows/1/slip_mm"), text(toy, "toy.stiff.slip_mm")
-    assert "printed at  evidence.html#toy-way" in pointed, "in the caption of a figure"
+    assert "printed at  cause.html#toy-way" in pointed, "in the caption of a figure"
     assert "row 1, case stiff" in pointed
     assert text(toy, "values.json#/toy/gain").partition(": ")[2] == text(toy, "toy.gain").partition(": ")[2]
     assert of_row.startswith("toy.stiff.slip_mm: 0.31 mm (0.3124)")

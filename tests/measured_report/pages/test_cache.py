@@ -65,7 +65,7 @@ CHANGES: dict[str, Callable[[Toy], None]] = {
     "what it draws": rewritten('label="x"', 'label="y"'),
     "what it derives": rewritten("a / b", "a / b + 1"),
     "its place": rewritten("order = 1", 'order = 1\npage = "limits"'),
-    "a page": lambda toy: toy.write("templates/pages/evidence.md.j2", "# Other suspects\n"),
+    "a page": lambda toy: toy.write("templates/pages/cause.md.j2", "# Other suspects\n"),
     "a block of a layout": lambda toy: toy.write("templates/base.html.j2", EXTENDED),
     "a number": lambda toy: toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}]),
     "its trace": lambda toy: toy.measure(end_mm=0.7),

@@ -58,7 +58,7 @@ END = "{% endtable %}\n"
         (END, END + "{% include 'other.md.j2' %}", "there is no templates/other.md.j2$"),
         ("order = 1", "", "toy.py has no line such as order = 125"),
         ("order = 1", "order = 'x'", "toy.py has no line such as order = 125"),
-        ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: evidence"),
+        ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: cause"),
         ("order = 1", "order = (", "cannot read report/sections/toy.py: "),
         ("order = 1", "order = 1\nimport nothing", r"toy.py: No module named 'nothing' \(toy.py:\d+\)"),
         ("def derive", "def other", r"toy.py has no function derive\(results\)"),

@@ -33,7 +33,7 @@ def test_publishing_replaces_the_folder_that_was_published(toy, place):
     (place / "old.html").write_text("old")
     change(toy)
     publish(toy.project.site, f"dir:{place}")
-    assert (place / "evidence.html").read_text() == toy.page and not (place / "old.html").exists()
+    assert (place / "cause.html").read_text() == toy.page and not (place / "old.html").exists()
     assert check_site(place) == [] and [path.name for path in place.parent.iterdir() if "www" in path.name] == ["www"]
 
 
@@ -121,7 +121,7 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remo
     assert before == after
     there = tmp_path / "there"
     git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), str(there))
-    assert (there / "evidence.html").read_text() == toy.page and check_site(there) == []
+    assert (there / "cause.html").read_text() == toy.page and check_site(there) == []
 
 
 def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origin(toy, remote, tmp_path):

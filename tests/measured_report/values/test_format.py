@@ -151,13 +151,6 @@ def test_a_bound_is_written_outward_and_no_less_than_the_noise(value, noise):
     assert most >= Decimal(f"{value:.12g}") and (abs(value) > 0.999 * (noise or 0.0) or most >= Decimal(repr(noise)))
     assert least <= max(Decimal(f"{value:.12g}"), Decimal(0))
     assert format_most(0.020000000000000462) == format_least(0.02) == "0.020"
-<<<<<<< HEAD
-
-
-def test_numbers_of_one_line_have_the_digits_of_the_one_that_has_the_fewest():
-    numbers = [Quantity(value, "mm", "a.json#/x", noise=0.0059) for value in (6.3612, 0.3168, 0.0012, None)]
-    assert [number.striptags() for number in alike(numbers)] == ["6.4", "0.32", "< 0.006", "n/a"]
-    assert [number.striptags() for number in alike([numbers[0], *numbers[2:]])] == ["6.36", "< 0.006", "n/a"]
 
 
 LABELS = {"as-shipped": "shipped pads", "ke-#-1": "ke {}, 1 step", "ke-#-#": "ke {}, {} steps", "kd-#-#": "kd {1}"}
@@ -177,5 +170,3 @@ LABELS = {"as-shipped": "shipped pads", "ke-#-1": "ke {}, 1 step", "ke-#-#": "ke
 )
 def test_a_case_is_called_by_the_first_label_that_fits_or_by_its_own_name(case, label):
     assert label_of(case, LABELS) == label
-=======
->>>>>>> 1a597dbc (A number keeps a digit more where rounding moved it by more than half its noise, and 'up to' is a bound)

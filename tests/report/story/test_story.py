@@ -59,7 +59,7 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
 @pytest.mark.parametrize(
     ("section", "claim", "gone"),
     [
-        ("reproduction", "slips", "which slides"),
+        ("reproduction", "slips", "The cube slides"),
         ("stiffness", "cause", "leave out that the arm turns"),
         ("stiffness", "cause", "A turning arm accelerates"),
         ("reproduction", "stiff_pads_hold", "shape_material_ke"),
