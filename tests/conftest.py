@@ -294,20 +294,12 @@ def editions(site) -> Mapping[str, Edition]:
 
 
 @pytest.fixture(scope="session")
-def poses_path(tmp_path_factory, kernels) -> Path:
-    """The record of a quick measurement of section poses, with its traces, as they would be kept."""
-    from experiments.poses import measure
-    from experiments.simulation.measurement import Conditions
-
-    def make(folder: Path) -> None:
-        measurement = measure(Conditions(device="cpu", quick=True))
-        rows, identity = measurement.rows, identity_of("poses", "quick")
-        record = Record(section="poses", identity=identity, units=units_of(rows), rows=rows, **BY_HAND)
-        path = folder / "poses.json"
-        write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
-
-    results = tmp_path_factory.mktemp("project") / f"results/newton-{INSTALLED['newton']}"
-    shutil.copytree(made_once(tmp_path_factory, "poses", make), results)
+def poses_path(tmp_path_factory) -> Path:
+    """A copy of the tracked record of section poses, with its traces."""
+    results = tmp_path_factory.mktemp("project") / f"results/newton-{own_release()}"
+    results.mkdir(parents=True)
+    for path in Project(own_release()).results.glob("poses.*"):
+        shutil.copy(path, results)
     return results / "poses.json"
 
 

@@ -85,37 +85,6 @@ class Survey:
             if not ({pointer} <= claim.outcome.reads or set(self.measured(pointer)) <= claim.outcome.reads)
         }
 
-    def unread_captions(self) -> set[str]:
-        """What captions, and the words for those who can't see a figure, name that no test of the section has read."""
-        section = self.perturbation.releases[self.release][self.section].section
-        read = frozenset().union(*(claim.outcome.reads for claim in section.claims))
-        return {
-            f"{self.section}.{name} {named}"
-            for name, thing in _captioned(section).items()
-            for named in sorted(thing.wording.names & set(thing.numbers))
-            for pointer in named_pointers(thing.numbers[named])
-            if (leaves := set(self.measured(pointer))) and pointer not in read and not leaves <= read
-        }
-
-    def fixed_titles(self) -> set[str]:
-        """Figures whose captions say the same whatever of what they draw is changed, numbers left out."""
-        section = self.perturbation.releases[self.release][self.section].section
-
-        def title(section: Section, name: str) -> str:
-            return NUMBER.sub("#", str(section.figures[name].wording("caption", section.figures[name].numbers)))
-
-        found = set()
-        for name, figure in section.figures.items():
-            before = title(section, name)
-            leaves = sorted({leaf for source in figure.sources for leaf in self.measured(source.source)})
-            changed = (
-                self.perturbation.of(self.release, self.section, map(Pointer, some), change)
-                for some, change in (changes(leaves) if leaves else ())
-            )
-            if leaves and "<b>" in before and all(title(other, name) == before for other in changed):
-                found.add(f"{self.section}.{name}")
-        return found
-
     def inert(self) -> set[str]:
         """Numbers of which no factor of ``FACTORS`` at their origin changes a claim's outcome or words."""
         before = _shapes(self.perturbation.section(self.release, self.section, {}))
@@ -132,11 +101,6 @@ class Survey:
             if not any(moves(claim.name, *change) for change in changes(self.measured(pointer))):
                 found.add(f"{self.section}.{claim.name} {name}")
         return found
-
-
-def _captioned(section: Section) -> dict[str, Any]:
-    """Figures and tables, which have words of their own."""
-    return {name: thing for name, thing in {**section.figures, **section.tables}.items() if hasattr(thing, "numbers")}
 
 
 def _shapes(section: Section) -> dict[str, tuple[str, str]]:

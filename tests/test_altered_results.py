@@ -82,18 +82,6 @@ def test_no_words_name_what_their_test_has_not_read(perturbation):
     assert set().union(*(survey.unread() for survey in surveys(perturbation))) == listed("unread.txt")
 
 
-def test_captions_name_what_a_test_of_their_section_has_read(perturbation):
-    """Each line of the list is a plain value of what is drawn, of which nothing else is said."""
-    found = set().union(*(survey.unread_captions() for survey in surveys(perturbation)))
-    assert found == listed("captions.txt")
-
-
-@pytest.mark.slow
-def test_titles_of_figures_change_with_what_they_draw(perturbation):
-    own = [survey for survey in surveys(perturbation) if survey.release == "1.4.0"]
-    assert set().union(*(survey.fixed_titles() for survey in own)) == listed("fixed.txt")
-
-
 @pytest.mark.slow
 def test_no_number_in_a_claim_or_a_passage_could_be_anything(perturbation):
     """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""
@@ -118,7 +106,7 @@ def test_what_a_scenario_does_not_show_does_not_hold(name, claims):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["reversed", "moving-x-minus-1", "failing"])
+@pytest.mark.parametrize("name", ["reversed", "failing"])
 def test_the_site_of_a_scenario_passes_its_check(name):
     """Every bound stands on its side, and every number is the record's."""
     assert problems_of(BY_NAME[name]) == []
@@ -132,13 +120,16 @@ def test_words_outside_sentences_that_stand_whatever_is_measured_assert_nothing(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("column", ["integrator", "shake_amplitude_m", "shake_duration_s"])
-def test_a_parameter_that_every_record_lacks_stops_no_build(column):
-    """It has a reason in its place; sections that are about it may be left out."""
+def test_parameters_that_every_record_lacks_stop_no_build():
+    """They have a reason in their place; sections that are about them may be left out."""
+    columns = ("integrator", "shake_amplitude_m", "shake_duration_s")
 
     def rows(records, place):
-        lost = {column: None, column + REASON: "as a test"}
-        return [{**row, **(lost if column in row else {})} for row in as_measured(records, place)]
+        def lost(row):
+            there = [column for column in columns if column in row]
+            return dict.fromkeys(there) | {column + REASON: "as a test" for column in there}
+
+        return [{**row, **lost(row)} for row in as_measured(records, place)]
 
     with project_of(Scenario("lacking", rows), [own_release()]) as project:
         editions = editions_of(project, templates := Templates(project.templates))
@@ -180,7 +171,7 @@ def lost_pointers(results: Results, record: Record) -> set[str]:
 def test_a_damaged_record_takes_nothing_down(perturbation):
     chance = random.Random(0)
     pairs = [(release, name) for release, chapters in perturbation.releases.items() for name in chapters]
-    for _ in range(500):
+    for _ in range(200):
         release, name = chance.choice(pairs)
         chapter = perturbation.releases[release][name]
         results, held = chapter.results, {claim.name for claim in chapter.section.claims if claim.outcome == HOLDS}

@@ -97,15 +97,6 @@ def generator_files() -> dict[str, str]:
     return {path.relative_to(GENERATOR).as_posix(): path.read_text(encoding="utf-8", errors="ignore") for path in files}
 
 
-@pytest.mark.parametrize(
-    ("text", "is_named"),
-    [("slip_mm", True), ("padWidth", True), ("two pads", True), ("MuJoCo", True), ("PAD_KE", True), ("aCube", True)]
-    + [("padding: 0", False), ("PADDING", False), ("warping", False), ("'7'.padStart(2)", False), ("slipper", False)],
-)
-def test_what_counts_as_a_name_of_the_subject(text, is_named):
-    assert bool(SUBJECT.search(OF_LANGUAGES.sub("", text))) == is_named
-
-
 def test_the_generator_names_no_subject():
     for path, text in generator_files().items():
         text = OF_SKELETON.sub("", text) if "/skeleton/" in path else text

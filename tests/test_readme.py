@@ -1,11 +1,9 @@
 """The README: what it says to type exists, and the section that it shows how to add works."""
 
 import re
-import shutil
 import textwrap
 
 import pytest
-from conftest import program
 
 from experiments.facts.case import differences
 from measured_report.files.root import ROOT
@@ -59,20 +57,3 @@ def test_the_section_that_is_added_works(toy, files):
     assert "weight" in labels, "a section is named nowhere but in its own files"
     assert len(set(labels)) == len(labels), "two sections are called alike"
     assert 'data-claim="toy.heavier_slips_more" data-outcome="unknown"' in toy.page, "there is no section on noise"
-
-
-@pytest.mark.slow
-def test_left_in_the_tree_it_passes_the_tests(tmp_path, files):
-    """As it lies there before anything of it is measured, whether it was left in this tree as well or not."""
-    for path in ROOT.glob("[!.]*"):
-        if path.name in files or path.name in ("tests", "docs"):
-            shutil.copytree(path, tmp_path / path.name, ignore=shutil.ignore_patterns("__pycache__"))
-        elif path.name != "site":
-            (tmp_path / path.name).symlink_to(path)
-    if not any(text_of(section) == files["report"] for section in sections()):
-        for name in ("experiments/heavy.py", "report/sections/heavy.py", "templates/sections/heavy.md.j2"):
-            (tmp_path / name).write_text(files[name.partition("/")[0]], encoding="utf-8")
-    tests = ["tests/test_architecture.py", "tests/test_readme.py"]
-    chosen = ["-k", "not left_in_the_tree and not picture"]
-    done = program("-m", "pytest", "-n0", "-p", "no:cacheprovider", *tests, *chosen, cwd=tmp_path)
-    assert done.returncode == 0, done.stdout[-2000:]

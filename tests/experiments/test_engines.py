@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from experiments import engines
-from experiments.engines import laws, newton_solvers, scenes
-from experiments.scenes import capsule
+from experiments.engines import laws, scenes
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
@@ -95,31 +94,3 @@ def test_what_goes_wrong_in_one_run_leaves_the_others(tmp_path):
     places = [tmp_path / name for name in ("run.py", "asked", "answer")]
     subprocess.run([sys.executable, ROOT / engines.APART, *places], check=True)
     assert json.loads((tmp_path / "answer").read_text()) == [{"reason": "division by zero"}, 0.5]
-
-
-def test_scenes_say_what_the_engines_are_told():
-    pads = scenes.pinch(1.0)["supports"]
-    assert [pad["force_n"] for pad in pads] == [scenes.PRESS_N, -scenes.PRESS_N]
-    reach = [abs(pad["place"][0]) - pad["half_size"][0] for pad in pads]
-    assert reach == pytest.approx([capsule.RADIUS_M] * 2)
-    foot = scenes.turntable(1.0)["body"]
-    assert foot["place"][2] + foot["feet"][0][2] - foot["foot_m"] == pytest.approx(0.05)  # where the table ends
-
-
-@pytest.mark.parametrize("engine", dict.fromkeys(each.engine for each in engines.MODELS), ids=lambda each: each.name)
-def test_each_engine_is_locked_and_its_script_is_there(engine):
-    assert (ROOT / engine.script).is_file()
-    assert all("==" in requirement for requirement in engine.requirements)
-    assert engine.release.split()[-1] in engine.requirements[0]
-
-
-def test_in_newton_the_box_starts_in_rest_on_the_table_and_stays_or_is_lost():
-    model = newton_solvers.build("cpu")
-    assert model.joint_qd.numpy()[[0, 2]] == pytest.approx([2.0, 0.4])
-    assert model.body_q.numpy().shape == (2, 7)
-    time_s = np.arange(41) * engines.SAMPLE_S
-    walking = np.stack([0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    row = newton_solvers.columns(walking)
-    assert row["stays"] and row["growth_per_s"] == pytest.approx(0.01)
-    assert newton_solvers.columns(walking - [[0.0, 0.0, 0.1 * (each > 3.0)] for each in time_s])["stays"] is False
-    assert newton_solvers.columns(np.nan * walking)["growth_per_s"] is None

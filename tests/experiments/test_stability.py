@@ -11,9 +11,8 @@ from experiments.facts.classes import classify
 from experiments.facts.trace import FRAME_COLUMNS, Trace
 from experiments.simulation import limits
 from experiments.simulation.scene import CUBE_IN_HAND
-from experiments.simulation.simulation import is_due, simulate
-from experiments.stability import worst
-from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
+from experiments.simulation.simulation import simulate
+from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, closed_m
 from report.sections.stability.claims import MU
 
 STIFF = replace(BASE, **PADS["stiff"])
@@ -47,22 +46,6 @@ def test_demand_leaves_out_what_the_pads_carry_by_pressing():
     poses[:, metrics.TCP, 1] = 0.5 * 50.0 * time**2
     trace = Trace(1.0 / 60.0, np.full(121, metrics.SHAKE), poses, np.zeros((121, len(FRAME_COLUMNS))))
     assert limits.demand_m_s2(replace(BASE, gravity_m_s2=4.0), trace) == pytest.approx(5.0, rel=1e-6)
-
-
-@pytest.mark.parametrize(("count", "longest"), [(7, 7), (3, 7), (1, 7), (7, 8)])
-def test_a_shorter_run_is_spread_over_a_longer_and_ends_with_it(count, longest):
-    due = [frame for frame in range(longest) if is_due(frame, count, longest)]
-    assert len(due) == count - 1  # the first frame is run before
-    assert max(np.diff(due), default=0) <= -(-longest // count)
-
-
-def test_the_worst_repeat_is_shown():
-    runs = [{"class": "creeping", "creep_mm_s": 1.0}, {"class": "dropped", "creep_mm_s": None}]
-    runs += [{"class": "creeping", "creep_mm_s": 2.0}]
-    row = worst(Probe("steps", BASE, {"substeps": 16}), runs)
-    assert (row["class"], row["classes"], row["repeat_count"]) == ("dropped", "dropped, creeping, creeping", 3)
-    row = worst(Probe("steps", BASE, {"substeps": 16}), runs[::2])
-    assert row["creep_mm_s"] == 2.0
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,6 @@ from pathlib import Path
 import pytest
 
 from newton_lint.command import main
-from newton_lint.fix import edited
-from newton_lint.prescribe import Prescription, Setting, Trial
 from tests.newton_lint.cases import Case
 
 
@@ -62,18 +60,6 @@ def test_what_is_asked_for_is_simulated_too(written, capsys):
     assert "no hinge about the vertical" in capsys.readouterr().err
 
 
-def test_the_mildest_of_what_is_as_good_and_as_cheap_is_prescribed():
-    mild, harsh = (Setting(impratio=impratio) for impratio in (100.0, 1000.0))
-    trials = [
-        Trial(Setting(), 5.0, 4.0, 1.0, 1.0),
-        Trial(mild, 0.02, 0.01, 1.0, 1.0),
-        Trial(harsh, 2e-3, 0.03, 1.0, 1.0),
-    ]
-    assert Prescription(None, trials).best(0.1).setting == mild
-    assert Prescription(None, trials).best(0.02).setting == mild
-    assert Prescription(None, trials).best(0.001) is None
-
-
 def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
     """As fast as it is simulated to, where all points bear alike, between fingers and on a slope."""
     for kind, changes in (("pinch", {"grip": 60}), ("incline", {"cone": "pyramidal", "solref": "0.05 1"})):
@@ -90,16 +76,6 @@ def test_what_nothing_holds_is_said(written, capsys):
     assert "larger μ or a firmer grip" in capsys.readouterr().out
     with pytest.raises(SystemExit):
         main(["prescribe", written("pinch")])
-
-
-def test_an_edit_changes_what_it_has_to(tmp_path):
-    text = b"<mujoco  model='a>b'>\n <geom\n  solref = '1 1' name=\"x\"/><geom name='y'/></mujoco>"
-    first, second = text.index(b"<geom"), text.rindex(b"<geom")
-    tags = {first: {"solref": "2 1"}, second: {"priority": "1"}, 0: {"cone": "elliptic"}}
-    assert edited(text, tags, root=0) == (
-        b'<mujoco  model=\'a>b\'>\n  <option cone="elliptic"/>\n <geom\n  solref = "2 1" name="x"/>'
-        b"<geom name='y' priority=\"1\"/></mujoco>"
-    )
 
 
 def test_a_page_shows_what_was_tried(written, tmp_path, capsys):

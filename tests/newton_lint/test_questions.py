@@ -60,15 +60,7 @@ QUESTIONS = {
         0.6,
     ),
     "turns-in-the-fingertips": (TIPS, {}, "condim", "turn", 0.1),
-    "sinks-into-the-floor": (FLOOR, {"geom": 'friction="8"'}, "pyramid", "sink", 0.1),
     "falls-through-the-floor": (FLOOR, {"default": 'conaffinity="0"'}, "lost", "sink", 0.1),
-    "slides-down-with-more-friction": (
-        FLOOR,
-        {"geom": 'friction="1000" solref="0.001 1" solimp="0.998 0.998 0.001"', "slope": 5},
-        "slip",
-        "creep",
-        0.1,
-    ),
     "solimp-in-the-wrong-order": (FLOOR, {"default": 'solimp="0.95 0.5 0.0001"', "slope": 8}, "solimp", "creep", 0.2),
     "solref-below-the-time-step": (FLOOR, {"dt": 0.01, "default": 'solref="0.004 1"'}, "timeconst", "sink", 0.1),
 }

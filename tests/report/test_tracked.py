@@ -3,9 +3,7 @@
 import random
 import re
 import shutil
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from conftest import link
@@ -14,10 +12,8 @@ from markupsafe import escape
 from measured_report.changes.flips import flips_between
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
-from measured_report.pages.cache import READ_BY_NAME, files_of
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
-from measured_report.pages.sections import derive_section, outline_of
 from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.parts.section import Figure
 from measured_report.records.record import write_record
@@ -103,32 +99,3 @@ def test_no_claim_flips_by_noise_alone(release, tmp_path):
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
     assert [flip.text for flip in flips_between(before, after)] == []
-
-
-def test_what_is_derived_has_read_no_file_that_it_is_not_kept_by(editions):
-    """What a section reads besides its own record and traces, those of others, and modules."""
-    opened: set[Path] = set()
-    read: set[str] = set()
-    is_watching = True
-
-    def watch(event: str, arguments: tuple) -> None:
-        if is_watching and event == "open" and isinstance(arguments[0], str | Path):
-            opened.add(Path(arguments[0]).absolute())
-
-    sys.addaudithook(watch)
-    releases = {edition.project.release: edition.chapters for edition in editions}
-    for edition in editions:
-        for chapter in edition.chapters.values():
-            opened.clear()
-            derive_section(replace(chapter.results, derived={}), releases).tabled()
-            inside = {path.relative_to(ROOT).as_posix() for path in opened if path.is_relative_to(ROOT)}
-            outline = outline_of(chapter.name)
-            read_for_order = {
-                outline_of(name).file.relative_to(ROOT).as_posix() for name in {*edition.chapters, *outline.reads}
-            }
-            known = {*files_of(outline.file), *READ_BY_NAME, *read_for_order}
-            others = {name for name in inside if not name.startswith((".venv", "results/")) and ".pyc" not in name}
-            assert others <= known, f"{chapter.name} reads {sorted(others - known)}"
-            read |= others
-    assert "experiments/simulation/contact_bias.py" in read
-    is_watching = False

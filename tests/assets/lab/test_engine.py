@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from experiments.facts.case import LEAN
-from experiments.facts.classes import CLASSES, STABLE
+from experiments.facts.classes import CLASSES
 from experiments.simulation.reference import DoubleShake
 from measured_report.files.root import ROOT
 from report import lab_check
@@ -19,7 +19,7 @@ from report.lab_check import QUERIES, SHAKE_FRAME_COUNT, rows_in_node
 
 pytestmark = pytest.mark.skipif(not shutil.which("node"), reason="there is no node to run the page's engine with")
 RECORD = str(ROOT / "results/newton-1.4.0/lab.json")
-RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "20"))
+RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "8"))
 """Settings that are tried; 1000 take some minutes."""
 NUMBERS = {
     "ke": (1e2, 1e7),
@@ -56,7 +56,7 @@ def test_it_slips_as_the_tracked_runs_and_ends_in_their_class():
 @pytest.mark.slow
 def test_it_plans_the_arm_as_python_does():
     """Targets of all joints, over set-up and shake, of a shake that is not tracked."""
-    case = replace(LEAN, shake_amplitude_m=0.05, shake_frequency_hz=0.8, frame_count=330)
+    case = replace(LEAN, shake_amplitude_m=0.05, shake_frequency_hz=0.8, frame_count=250)
     run = DoubleShake(case, has_midphase=False)
     targets = []
     frame = run.frame
@@ -64,7 +64,7 @@ def test_it_plans_the_arm_as_python_does():
     run.run()
     [row] = rows_in_node(RECORD, ["amplitude_mm=50&frequency_hz=0.8"], 100, TARGETS="1")
     count = min(len(targets), len(row["targets"]))
-    assert count > 300
+    assert count > 240
     assert np.abs(np.array(targets[:count]) - np.array(row["targets"][:count])).max() < 1e-4
 
 
@@ -79,11 +79,6 @@ def test_it_ends_whatever_it_is_asked():
     rows = rows_in_node(RECORD, queries, 60)
     assert len(rows) == RANDOM_COUNT and {row["class"] for row in rows} <= set(CLASSES)
     assert all(row["reason"] or row["slip_mm"] is not None for row in rows)
-
-
-def test_a_cube_that_is_shaken_slower_than_it_was_lifted_has_not_exploded():
-    [row] = rows_in_node(RECORD, ["amplitude_mm=0.5"], 60)
-    assert row["class"] in STABLE
 
 
 def test_what_an_address_says_badly_is_as_shipped_or_in_range():

@@ -7,7 +7,7 @@ import pytest
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED
-from experiments.facts.classes import classify, creep_mm_s, drive_peak_m_s, excess_energy, is_energy_growing
+from experiments.facts.classes import classify, creep_mm_s, drive_peak_m_s, is_energy_growing
 from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
 
 FRAME_DT = 1.0 / 60.0
@@ -111,18 +111,6 @@ def test_the_speed_is_that_of_the_drive_of_the_case_and_of_the_shake_as_shipped_
 )
 def test_border_of_the_growing_energy(before_m, after_m, growing):
     assert is_energy_growing(AS_SHIPPED, make_trace(swinging(before_m, after_m))) is growing
-
-
-def test_what_has_energy():
-    fall = along(2, -0.5 * 9.81 * TIME_S**2)
-    np.testing.assert_allclose(excess_energy(fall, 9.81, FRAME_DT), 0.0, atol=1e-6)
-    # Across at 1 m/s: 1/2 J/kg more than the fall, but for g² dt² / 8 of the frames being straight lines.
-    np.testing.assert_allclose(excess_energy(fall + along(0, TIME_S), 9.81, FRAME_DT), 0.5, atol=0.004)
-    # Upward gravity drops things upwards.
-    np.testing.assert_allclose(excess_energy(-fall, -9.81, FRAME_DT), 0.0, atol=1e-6)
-    # A rise is not made up for.
-    np.testing.assert_allclose(excess_energy(along(2, 2.0 * TIME_S), 9.81, FRAME_DT), 2.0, rtol=1e-6)
-    assert not is_energy_growing(AS_SHIPPED, make_trace(swinging(0.005, 0.03) + (0.0, 0.0, 0.1)))
 
 
 def test_creep_is_the_change_over_the_last_period_or_all_of_a_short_shake():

@@ -88,22 +88,3 @@ def test_the_first_failure_counts():
     early, late = (Failure("overflow", frame, "the contact buffer overflowed") for frame in (4, 5))
     assert first_failure(poses, early) is early
     assert first_failure(poses, late).kind == "non-finite"
-
-
-def shifted(vector_mm) -> metrics.Displacement:
-    vector = 1e-3 * np.asarray(vector_mm, dtype=float)
-    return metrics.Displacement(np.arange(len(vector)) / 60.0, vector, vector[:, 0])
-
-
-def test_cycle_drift_takes_pairs_of_cycles_after_the_first_and_distance_the_root_mean_square():
-    seconds = np.arange(241) / 60.0
-    # The first cycle moves by 9 mm and the others by 3 and 4 mm in x and z; what returns every two cycles cancels.
-    steady = np.where(seconds < 1.0, 9.0 * seconds, 9.0 + 3.0 * (seconds - 1.0))
-    returning = np.sin(np.pi * seconds)
-    drift = metrics.cycle_drift_mm(shifted(np.stack([steady, returning, 4.0 * seconds], axis=1)), 1.0)
-    assert drift == pytest.approx(5.0)
-    for frame_count in (0, 121, 180):
-        assert np.isnan(metrics.cycle_drift_mm(shifted(np.zeros((frame_count, 3))), 1.0)), "no pair of cycles"
-    path = np.zeros((2, 3))
-    other = np.array([[0.003, 0.0, 0.004], [0.0, 0.001, 0.0]])
-    assert metrics.distance_rms_mm(path, other) == pytest.approx(np.sqrt((25.0 + 1.0) / 2.0))

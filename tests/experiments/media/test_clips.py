@@ -7,16 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import link
-from markupsafe import Markup
 
-from experiments.facts.clip_record import CLIPS, FIRST, RUNS, clips_identity, clips_state
+from experiments.facts.clip_record import CLIPS, FIRST, RUNS, clips_state
 from experiments.facts.kept import kept_run
 from experiments.media.clips import FRAME_RATE, LEAD_S, STAY_S, Clip, bodies
 from experiments.media.stage import Camera, Stage, display
 from measured_report.editions.project import Project, own_release
 from measured_report.records.record import load_record, trace_path
 from measured_report.records.traces import load_trace
-from report.media.clips import Clips
 
 OWN = Project(own_release())
 
@@ -53,32 +51,6 @@ def test_a_picture_has_each_cube_where_it_is(clip):
     assert red[0] > 2 * red[2] and blue[2] > 2 * blue[0]
     away = Camera(cube + np.array([0.3, -0.05, 0.02]), cube + np.array([0.0, 0.2, 0.0]), 20.0)
     assert np.ptp(display(stage.picture(away, 33, 25))[0, 12, 16]) < 0.2
-
-
-def test_the_clips_are_stale_when_a_mesh_or_the_kept_poses_change(tmp_path):
-    link(tmp_path, "experiments", "report", "pyproject.toml")
-    project = Project(own_release(), root=tmp_path)
-    pose = trace_path(project.record_path("poses"), RUNS[FIRST][0])
-    mesh = tmp_path / "assets/visual/hand.0.obj"
-    found = set()
-    for path in (pose, mesh, mesh):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(b"x" * (len(found) + 1))
-        found.add(clips_identity(project).config)
-    assert len(found) == 3
-
-
-@pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
-def test_a_page_says_what_the_clips_read_out_and_fetches_nothing_that_is_not_asked_for():
-    clips = Clips(OWN, clips_state(OWN))
-    readout = load_trace(trace_path(OWN.record_path(CLIPS), FIRST)).iloc[-1]
-    video = clips.video(FIRST, Markup("{}").format(clips.results.row[FIRST].as_shipped_mm))
-    assert f'<data value="{readout["as-shipped_mm"]:.4f}' in video
-    assert f"shipped pads {clips.results.row[FIRST].as_shipped_mm}" in video
-    assert 'preload="none"' in video and " muted " in video and " controls " in video and "autoplay" not in video
-    assert {path.name for path in clips.files} >= set(
-        re.findall(r'clips\.[^"]+\.(?:mp4|jpg)', video + clips.still("", Markup()))
-    )
 
 
 @pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")

@@ -6,7 +6,6 @@ import pytest
 
 from experiments.scenes.capsule import PAD_MASS_KG, Pinch, sink
 from experiments.simulation.mjcf_engines import InC, ThroughNewton
-from newton_lint.newton_models.compat import warp_has_noslip
 
 RECIPE = Pinch("recipe")
 
@@ -33,10 +32,3 @@ def test_newton_sets_the_capsule_up_as_it_is_authored_but_for_the_pads_inverse_m
     assert newton.opt.impratio == pytest.approx(plain.opt.impratio)
     assert plain.body_invweight0[1, 0] == pytest.approx(1.0 / PAD_MASS_KG)
     assert newton.body_invweight0[1, 0] == pytest.approx(1.0 / PAD_MASS_KG / 3.0)
-
-
-def test_newton_runs_no_noslip_that_the_file_asks_for_and_so_the_law_has_a_creep():
-    if not warp_has_noslip():
-        pytest.skip("the section measures no such run")
-    row = sink(replace(RECIPE, engine="newton", noslip_iterations=10), 0.1, "cpu")
-    assert row["steady_creep_mm_s"] == pytest.approx(row["predicted_creep_mm_s"], rel=0.01)

@@ -1,16 +1,14 @@
 """A Panda's shake, and a box on a slope: what is set up, what is counted, and the law."""
 
-from dataclasses import replace
 from unittest.mock import Mock
 
-import mujoco
 import numpy as np
 import pytest
 
 from experiments.scenes import pick, slope
 from experiments.scenes.pick import Pick, hold, shake
 from experiments.simulation.c_warnings import RunFailed
-from experiments.simulation.mjcf_engines import InC, ThroughNewton
+from experiments.simulation.mjcf_engines import InC
 from measured_report.measuring.measurement import Conditions
 
 
@@ -54,16 +52,3 @@ def test_shakes_are_counted_or_have_a_reason(monkeypatch):
     row = pick.shaken(Pick(""), Conditions("cpu", quick=True))
     assert row["held_count"] is row["lifted_count"] is row["median_drop_s"] is None
     assert row["held_count_reason"] == "reset"
-
-
-def test_every_grasp_is_a_case_of_its_own():
-    cases = pick.cases()
-    assert len({case.name for case in cases}) == len({replace(case, name="") for case in cases}) == len(cases)
-
-
-def test_both_engines_have_the_integrator_of_the_file():
-    """Newton takes one of its own where a file names none."""
-    model = InC(Pick("").mjcf()).model
-    assert (
-        ThroughNewton(Pick("").mjcf()).engine.opt.integrator == model.opt.integrator == mujoco.mjtIntegrator.mjINT_EULER
-    )

@@ -48,11 +48,3 @@ def test_joints_are_those_of_newton_s_solver(scene):
         ours.step(found, AS_SHIPPED.ik_iterations)
         theirs.step(expected, expected, iterations=AS_SHIPPED.ik_iterations)
     assert found.numpy() == pytest.approx(expected.numpy(), abs=3e-5)
-
-
-def test_a_joint_that_slides_is_refused(scene):
-    finger = scene.robot.joint_child.numpy()[
-        [kind == newton.JointType.PRISMATIC for kind in scene.robot.joint_type.numpy()]
-    ][0]
-    with pytest.raises(ValueError, match="neither turns nor is fixed"):
-        ArmSolver(scene.robot, int(finger), wp.transform(), wp.zeros(1, dtype=wp.vec3), wp.zeros(1, dtype=wp.vec4))

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from experiments.simulation.paired_timing import BATCH_COUNT, LOOK_COUNT, PairedTimes, pool_builds, time_in_turn
+from experiments.simulation.paired_timing import BATCH_COUNT, LOOK_COUNT, PairedTimes, time_in_turn
 
 RUN_COUNT = 300
 RATIO = 1.02
@@ -63,33 +63,3 @@ def test_quiet_times_are_looked_at_once_and_a_known_case_no_more():
     reference, known, unknown = time_in_turn(blocks, cap_s=float("inf"))
     assert (len(known.times), len(unknown.times)) == (BATCH_COUNT, BATCH_COUNT << (LOOK_COUNT - 1))
     assert len(reference.times) == len(unknown.times) and reference.resolution == 0.0
-
-
-def test_the_cap_leaves_the_resolution_that_was_reached():
-    seconds = iter(range(99))
-    noise = noises(0.0, 0.1, 0.0, 3)
-    block = lambda _: float(np.exp(next(noise)))  # noqa: E731
-    _, found = time_in_turn([block, block], cap_s=1.0, clock=lambda: float(next(seconds)))
-    assert len(found.times) == BATCH_COUNT and found.resolution > 0.01
-
-
-@pytest.mark.parametrize("build_count", [1, 2, 3])
-def test_what_builds_differ_by_is_in_the_interval(build_count):
-    """The reference has two builds, each of three cases so many, and a build takes 1 % more or less than another."""
-    covered, narrow = [], []
-    for seed in range(RUN_COUNT):
-        generator = np.random.default_rng(seed)
-
-        def block(ratio, generator=generator):
-            own = ratio * np.exp(0.01 * generator.normal())
-            return lambda _: own * float(np.exp(1e-3 * generator.normal()))
-
-        counts = [2, *[build_count] * 3]
-        found = iter(
-            time_in_turn([block(RATIO if case else 1.0) for case, count in enumerate(counts) for _ in range(count)])
-        )
-        cases = [[next(found) for _ in range(count)] for count in counts]
-        for case, each in zip(cases[1:], pool_builds(cases)[1:], strict=True):
-            covered.append(abs(np.log(each.ratio / RATIO)) <= np.log1p(each.resolution))
-            narrow.append(abs(np.log(case[0].ratio / RATIO)) <= np.log1p(case[0].resolution))
-    assert np.mean(covered) >= 0.93 and np.mean(narrow) < 0.5

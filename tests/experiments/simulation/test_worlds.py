@@ -9,7 +9,7 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, LEAN
 from experiments.simulation import scene, worlds
-from experiments.simulation.worlds import NOT_EXTENDED, UnequalWorlds, model_of
+from experiments.simulation.worlds import NOT_EXTENDED
 
 CASES = {"as-shipped": AS_SHIPPED, "lean": LEAN, "mesh": replace(AS_SHIPPED, pad_shape="convex-mesh")}
 
@@ -45,16 +45,3 @@ def test_a_model_that_is_worked_out_is_the_one_that_is_built(name, monkeypatch):
     assert np.count_nonzero(extended.shape_source_ptr.numpy()) == np.count_nonzero(built.shape_source_ptr.numpy())
     pairs = [model.shape_collision_filter_pairs for model in (extended, built)]
     assert set(pairs[0]) == set(pairs[1])
-
-
-def test_worlds_that_differ_are_refused():
-    def build(world_count: int) -> newton.Model:
-        builder = newton.ModelBuilder()
-        for world in range(world_count):
-            other = newton.ModelBuilder()
-            other.add_shape_box(other.add_body(), hx=0.1 * (world + 1))
-            builder.add_world(other)
-        return builder.finalize(device="cpu")
-
-    with pytest.raises(UnequalWorlds, match=r"shape_scale|body_|shape_"):
-        model_of(5, build)

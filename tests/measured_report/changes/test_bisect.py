@@ -1,11 +1,10 @@
 """Bisect and history: on records that are there already, and on a small repository."""
 
-import shutil
 from argparse import Namespace
 from dataclasses import replace
 
 import pytest
-from conftest import MODULE, ROWS, Toy, git
+from conftest import ROWS, Toy, git
 
 from measured_report.changes import bisect as module
 from measured_report.changes.bisect import Bisection, first_change, points_between
@@ -73,16 +72,6 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
     assert found[0].startswith("toy.soft.slip_mm changes between 1.5.9")
 
 
-def test_or_another_package_of_it_in_a_section_that_compares_editions_with_records_kept_aside(toy, search):
-    toy.write("report/sections/toy.py", MODULE.replace("def derive(results):", "def derive(results, releases):"))
-    keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
-    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", WORSE, NEW)
-    for release in ("1.5.9", "1.6.9", "1.7.9", "1.8.9"):
-        own = toy.project.of(release)
-        shutil.move(own.results, replace(own, aside=module.ASIDE).results)
-    assert searched(search)[1].startswith("mujoco-warp and mujoco did it: 1.5.9+warp-1.16.0 is as before")
-
-
 def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_ends_that_agree_do(search, monkeypatch):
     """And does not begin one with full runs, which take hours."""
 
@@ -128,21 +117,6 @@ def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     said = {tuple(names): claim.outcome.said for names, claim in flip.said}
     assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "not shown"}
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
-
-
-def test_a_history_has_the_noise_of_each_number_and_says_why_there_is_none(toy):
-    reason = {"ms_per_s": None, "ms_per_s_reason": "it ended before"}
-    for release, cells in (("1.4.0", {"ms_per_s": 100.0}), ("1.5.9", {"ms_per_s": 101.0}), ("1.6.9", reason)):
-        spread = {"ms_per_s_p5": 98.0, "ms_per_s_p95": 102.0}
-        toy.of(release).measure([{**ROWS[0], **cells, **spread}, ROWS[1]])
-    editions = editions_of(toy.project, Templates(toy.project.templates))
-    releases = {release: edition.uncompared for release, edition in editions.items()}
-    lines = history(releases, Query("toy.soft.ms_per_s")).splitlines()[1:]
-    assert [" ".join(line.split()) for line in lines] == [
-        "1.4.0 100 ± 5",
-        "1.5.9 101 ± 5",
-        "1.6.9 cannot tell soft: it ended before",
-    ]
 
 
 def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search):

@@ -1,6 +1,5 @@
 """Several releases: judged, shown and compared without any of them being installed."""
 
-import shutil
 from argparse import Namespace
 from dataclasses import replace
 
@@ -34,19 +33,6 @@ def test_a_release_is_judged_without_being_installed(toy, newer):
     assert newer.state().kind == "fresh"
     write_record(newer.record_path, newer.record(BETTER, identity=toy.record().identity))
     assert newer.state().notes == ("packages: newton 1.4.0 → 1.8.0",)
-
-
-def test_the_newest_record_of_a_release_says_which_packages_belong_to_it(toy):
-    newer = toy.of("99.0.0")  # one that is installed nowhere
-    newer.measure()
-    newer.write("report/sections/other.py", "order = 2\n")
-    newer.write("experiments/other.py", "")
-    shutil.copy(newer.record_path, newer.project.record_path("other"))
-    identity = replace(newer.record().identity, packages={**newer.packages, "warp-lang": "9.9"})
-    later = {**newer.record().measured, "date": "2026-06-07T00:00:00+00:00"}
-    write_record(newer.project.record_path("other"), newer.record(identity=identity, section="other", measured=later))
-    assert newer.state().summary == "stale: packages"
-    assert newer.state().notes[0].endswith("→ 9.9")
 
 
 def test_the_matrix_has_a_column_for_each_release(toy, newer):
@@ -134,19 +120,6 @@ def test_what_may_be_chance_has_not_moved(toy, newer, before, after, moved):
     toy.measure([SOFT, {**STIFF, **before}])
     newer.measure([SOFT, {**STIFF, **before, **after}])
     assert len(compared(toy.project, newer.project).moves) == moved
-
-
-def test_speed_is_compared_on_one_machine_only(toy, newer):
-    rows = [{**SOFT, "frame_ms": 10.0}, {**STIFF, "frame_ms": 5.0}]
-    toy.measure(rows)
-    newer.measure([{**row, "frame_ms": row["frame_ms"] / 2} for row in rows])
-    assert [move.column for move in compared(toy.project, newer.project).moves] == ["frame_ms"] * 2
-    record = load_record(newer.record_path)
-    write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": "Another"}))
-    found = compared(toy.project, newer.project)
-    assert found.moves == []
-    cores = "an unknown number of cores"
-    assert found.notes == [f"speed and cost in toy: measured on A processor, {cores} and on Another, {cores}"]
 
 
 def test_rows_of_different_releases_or_machines_are_not_compared_by_accident(toy, newer):

@@ -9,10 +9,9 @@ from dataclasses import replace
 import pytest
 from conftest import Toy, git
 
-from measured_report.commands import page
 from measured_report.editions import environment
-from measured_report.editions.environment import environment_of, python_of
-from measured_report.editions.project import Manifest, Project, write_manifest
+from measured_report.editions.environment import environment_of
+from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import read_label, release_of
 from measured_report.editions.status import expected_packages
 from measured_report.files.config import config
@@ -40,20 +39,6 @@ def test_a_label_is_read(text, label):
     assert str(read_label(text)) == label
     for wrong in ("new", "", "1", "1.8.0+", "1.8.0@", "1.8.0+warp", "../1.8.0", "1.8.0+g1", "1.8.0@A/B"):
         assert read_label(wrong) is None
-
-
-def test_editions_stand_in_the_order_of_their_versions_and_dates(tmp_path):
-    there = ["1.10.0", "1.8.0", "1.8.0@cpu", "1.9.0", "1.9.0.dev0+gaaaaaaa", "1.9.0.dev0+gbbbbbbb", "1.9.0rc1"]
-    project = Project("1.4.0", root=tmp_path)
-    for release in there:
-        folder = project.of(release).results
-        folder.mkdir(parents=True)
-        (folder / "gap.json").touch()
-        dates = {"1.9.0.dev0+gaaaaaaa": "2026-11-20", "1.9.0.dev0+gbbbbbbb": "2026-11-13"}
-        write_manifest(folder, Manifest(release, dates.get(release, "")))
-    assert project.releases == [
-        *("1.4.0", "1.8.0", "1.8.0@cpu", "1.9.0.dev0+gbbbbbbb", "1.9.0.dev0+gaaaaaaa", "1.9.0rc1", "1.9.0", "1.10.0")
-    ]
 
 
 def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
@@ -97,20 +82,6 @@ def test_with_names_packages(tmp_path):
     for bad in ("warp", "numpy==1.0", "warp-lang>=1", "warp-lang==1.0;x"):
         with pytest.raises(UsageError, match="WITH="):
             release_of("1.8.0", bad)
-
-
-def test_packages_that_nobody_named_are_those_of_the_day(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(environment, "release_date", lambda release: "2026-06-11")
-    release, rest = release_of("1.3.0", "warp-lang==1.19.0"), ["pandas>=2", "warp-lang==1.19.0"]
-    asked = environment._asked_for(release, rest, tmp_path)
-    assert asked[asked.index("--exclude-newer") + 1] == "2026-06-12"
-    assert asked[asked.index("--exclude-newer-package") + 1].startswith("warp-lang=")
-    assert asked[-3:] == [*rest, "newton[sim]==1.3.0"]
-
-
-def test_code_must_be_somewhere(tmp_path):
-    with pytest.raises(UsageError, match="does not say where its code is"):
-        python_of(release_of("1.9.0.dev0+g1a2b3c4"), {}, tmp_path)
 
 
 def test_a_measurement_refuses_what_is_not_installed():
@@ -166,48 +137,6 @@ def test_one_machine_never_takes_the_place_of_another(toy, capsys):
         measure.kept_by(apart, "cpu", ["toy"])
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
     assert machine.machine_of(record) == "nvidia-h100-80gb-hbm3"
-
-
-def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of(toy, monkeypatch, capsys):
-    def hint(side: Project) -> str:
-        page.build_site(side)
-        return next(line for line in capsys.readouterr().out.splitlines() if line.startswith("make rerun"))
-
-    monkeypatch.setattr(page, "gpus", lambda: False)
-    stale = toy.record().identity
-    toy.write("experiments/scene.py", "def slip():\n    return 2.0\n")  # which makes the record stale
-    assert hint(toy.project) == "make rerun SECTION=toy DEVICE=cpu measures one of them"
-    gpu = {"device": "cuda", "gpu": "NVIDIA H200", "driver": "1", "cpu": "A processor", "python": "3.12.1"}
-    on_gpu = "make rerun SECTION=toy measures one of them on a GPU"
-    for release, said in {
-        "1.4.0": on_gpu,
-        "1.4.0@nvidia-h200": on_gpu.replace("toy", "toy NEWTON=1.4.0@nvidia-h200"),
-    }.items():
-        side = toy.of(release) if "@" in release else toy
-        write_record(side.record_path, side.record(machine=gpu, identity=stale, traces={}))
-        assert hint(side.project) == said
-    assert measure.kept_by(toy.project, "cpu", ["toy"]).release == "1.4.0@cpu"
-
-
-def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy):
-    assert machine.needs_gpu("toy", toy.project.root)
-    module = toy.project.root / "experiments/toy.py"
-    module.with_name("other.py").write_text(module.read_text())
-    module.write_text(f"{module.read_text()}\nNEEDS_GPU = False\n")
-    assert not machine.needs_gpu("toy", toy.project.root)
-    assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
-    # Its record of a CPU does not keep those of a GPU from the release.
-    assert measure.kept_by(toy.project, "nvidia-h200", ["toy", "other"]) == toy.project
-
-
-def test_the_command_that_is_shown_names_what_make_can_find(toy):
-    side = toy.project.of("1.9.0+g1234567.edited")
-    write_manifest(side.results, Manifest("/a place/newton"))
-    assert side.rerun("toy") == "make rerun SECTION=toy 'NEWTON=/a place/newton'"
-    assert toy.project.of("1.8.0@cpu").rerun("toy") == "make rerun SECTION=toy DEVICE=cpu NEWTON=1.8.0@cpu"
-    assert toy.project.rerun("toy", "cpu") == "make rerun SECTION=toy DEVICE=cpu"
-    other = Project("99.0", "quick", own_release="1.4.0").rerun("gap", "cpu")
-    assert other == "make rerun SECTION=gap DEVICE=cpu NEWTON=99.0 PROFILE=quick"
 
 
 def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages(monkeypatch):

@@ -12,7 +12,7 @@ from conftest import MODULE, ROWS
 
 from measured_report.changes.compare import faults_of
 from measured_report.commands import page
-from measured_report.editions.project import Manifest, read_manifest, write_manifest
+from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import RecordError, recover
 from measured_report.files.errors import ReportError
@@ -34,13 +34,6 @@ def test_a_site_that_is_a_link_costs_nothing_where_it_leads(toy, tmp_path):
         toy.measure(end_mm=end_mm)
         toy.build()
     assert check_site(tmp_path / "mine") == []
-
-
-def test_a_link_in_the_place_of_what_is_just_being_written_leads_to_nothing_that_is_written(toy, tmp_path):
-    (tmp_path / "letter.txt").write_text("dear")
-    (toy.record_path.parent / ".edition.toml.part").symlink_to(tmp_path / "letter.txt")
-    write_manifest(toy.record_path.parent, Manifest("1.4.0"))
-    assert (tmp_path / "letter.txt").read_text() == "dear" and read_manifest(toy.record_path.parent).asked == "1.4.0"
 
 
 TIMES = {"started": "soon", "ended": "2026-01-02T03:04:05", "date": "0001-01-01T00:00:00+00:00"}
@@ -130,14 +123,6 @@ def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_i
     [line] = capsys.readouterr().err.splitlines()
     assert line.startswith("damaged: front: nothing can be said (templates/front.md.j2: 'str object' has no attribute")
     assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page
-
-
-def test_finding_4_a_link_to_a_section_that_is_left_out_leads_to_the_front_page(toy):
-    toy.write("templates/front.md.j2", "# A report\n\nMore is [there](#toy).\n")
-    toy.record_path.write_text("{")
-    toy.build()
-    assert 'More is <a href="index.html">there</a>' in toy.front
-    assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
 
 
 WHOLE_DAMAGES = {

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import batches
 import pytest
-from batches import begun, rows_of, section_of, spans
+from batches import rows_of, section_of, spans
 
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
@@ -100,13 +100,6 @@ def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, 
     with pytest.raises(ReportError, match=reason) as error, cluster_pools(scheduler, device, processor, 1):
         pass
     assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
-
-
-def test_a_worker_that_comes_late_with_other_code_measures_nothing(toy, log, scheduler, capsys):
-    with cluster_pools(scheduler, "cpu", None, 1) as pools:
-        pools[0]._digest = "0" * 64
-        assert Loop([section_of(toy, batches.plan(str(log), "a"))], *pools).run()
-    assert f"{os.uname().nodename} has other code or packages" in capsys.readouterr().err and not begun(log)
 
 
 def test_workers_for_what_is_exclusive_are_asked_for_and_a_scheduler_that_ends_is_noticed(plain, toy, monkeypatch):

@@ -96,14 +96,6 @@ def test_a_module_that_the_section_imports_counts(toy):
     assert ">y</text>" in toy.page and ">x</text>" not in toy.page
 
 
-def test_a_file_that_the_section_names_counts(toy):
-    """The file is the checkout's, for it is where modules of this side look."""
-    code = toy.project.root / "report/sections/toy.py"
-    assert "assets/fix/fix.patch" not in derived.files_of(code)
-    toy.write("report/sections/toy.py", MODULE + '\nNAMED = "assets/fix/fix.patch"\n')
-    assert "assets/fix/fix.patch" in derived.files_of(code)
-
-
 def test_what_is_installed_counts(monkeypatch):
     before = derived.installed()
     derived.installed.cache_clear()
@@ -219,16 +211,6 @@ def test_an_entry_that_is_damaged_is_made_again(built, damage):
     (built.project.root / "templates" / "unused.md.j2").write_text("new")
     built.build()
     assert files(built.project.site) == before
-
-
-def test_where_nothing_can_be_kept_the_site_is_built(toy):
-    Cache(toy.project.root).folder.parent.mkdir(exist_ok=True)
-    Cache(toy.project.root).folder.write_text("no folder")
-    toy.build()
-    before = files(toy.project.site)
-    CHANGES["a number"](toy)
-    toy.build()
-    assert files(toy.project.site) != before
 
 
 def test_the_same_commit_gives_the_same_bytes_anywhere(tmp_path):

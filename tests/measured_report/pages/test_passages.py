@@ -104,12 +104,3 @@ def test_the_search_for_inert_numbers_sees_passages(toy, place):
     templates = Templates(toy.project.templates)
     found = inert_passages(of_editions(editions_of(toy.project, templates), templates), "1.4.0")
     assert found == {"toy.stands holds toy.json#/rows/0/slip_mm"}
-
-
-def test_a_front_page_that_names_a_section_which_was_not_measured_says_nothing_of_it(toy):
-    toy.write("report/sections/other.py", "order = 2\n\ndef derive(results):\n    return None\n")
-    toy.write("experiments/other.py", "")
-    page = built(toy, 'So: {{ sections.toy.claim("helps") }}\n\n{{ sections.other.claim("is_there") }}')
-    assert "<p>So: " in page and 'data-claim="toy.helps"' in page
-    with pytest.raises(ReportError, match=r"there is no report/sections/nosuch\.py"):
-        built(toy, '{{ sections.nosuch.claim("is_there") }}')

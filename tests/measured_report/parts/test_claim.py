@@ -1,7 +1,6 @@
 """Values and claims: numbers that say where they come from, and sentences that follow the data."""
 
 import math
-from dataclasses import replace
 
 import pytest
 from markupsafe import Markup
@@ -68,19 +67,6 @@ def test_what_is_nearer_to_a_bound_than_its_noise_cannot_tell():
     assert at_most(quantity(0.01, noise=0.3), 0.2, why="hardly any").said == "cannot tell", "no bound below the noise"
 
 
-def test_a_number_that_is_not_there_says_of_which_run(toy):
-    rows = [{"case": "soft-pads", "slip_mm": None, "slip_mm_reason": "not finite"}, {"case": "stiff", "slip_mm": 1.0}]
-    results = Results(toy.record(rows), toy.record_path, labels={"soft-pads": "shipped pads"})
-    assert results.row["soft-pads"].slip_mm.reason == "shipped pads: not finite"
-    assert results.row["stiff"].slip_mm.reason == ""
-
-
-def test_what_is_not_there_is_not_explained():
-    for effect, is_said in ((HOLDS, True), (FAILS, False), (Outcome("unknown"), False)):
-        html = replace(make_claim(HOLDS), effect=effect).html("toy")
-        assert ("Since it is soft." in html) == is_said
-
-
 def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
     found = at_most(quantity(0.4), 0.5, why="hardly any")
     assert found == HOLDS and found.bounds == ("0.5 mm (hardly any)",)
@@ -90,16 +76,6 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
     assert greater(quantity(3.0), quantity(1.0), noise=NOISE).bounds == ()
     with pytest.raises(AssertionError, match="needs its why"):
         at_least(quantity(0.4), 0.5)
-
-
-@pytest.mark.parametrize(
-    ("values", "said"),
-    [((1.0, 2.0, 3.0), "holds"), ((1.0, 3.0, 2.95), "holds"), ((1.0, 3.0, 2.0), "not shown")]
-    + [((3.0, 2.0, 1.0), "the opposite"), ((1.0, 5.0, 1.05), "cannot tell"), ((1.0,), "cannot tell")],
-)
-def test_a_trend_turns_nowhere_by_more_than_the_noise(values, said):
-    sequence = [quantity(value) for value in values]
-    assert claims.decreases(sequence[::-1], noise=NOISE).said == said
 
 
 def test_an_outcome_without_numbers_is_unknown_and_says_why():

@@ -1,7 +1,6 @@
 """Figures for broad and for narrow screens."""
 
 import re
-from functools import partial
 
 import pytest
 
@@ -27,11 +26,3 @@ def test_names_of_a_legend_stand_one_below_the_other_where_it_is_narrow():
     assert [float(WIDTH.search(svg)[1]) for svg in (broad, narrow)] == [7.2 * 72, pytest.approx(NARROW_WIDTH * 72)]
     places = [re.findall(r'x="([\d.]+)" y="([\d.]+)"[^>]*>a(?:nother one| label)', svg) for svg in (broad, narrow)]
     assert [len({y for _, y in each}) for each in places] == [1, 2]
-
-
-def test_panels_beside_one_another_stand_one_above_the_other_where_it_is_narrow():
-    def draw(columns):
-        return new_figure(ncols=columns)[0]
-
-    low, high = (draw_svgs(partial(draw, count), name="toy")[1].size[1] for count in (1, 2))
-    assert high == pytest.approx(2 * low, abs=1)

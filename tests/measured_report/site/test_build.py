@@ -8,7 +8,6 @@ from conftest import MODULE, ROWS, TEMPLATE, program
 
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.parts.figures import SERIES, draw_svgs, new_figure
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
@@ -118,22 +117,6 @@ def test_a_figure_links_only_the_data_that_is_there_and_is_one_line_without(toy)
     assert "<svg" not in toy.page
     assert str(toy.project.root) not in toy.page
     assert check_site(toy.project.site) == []
-
-
-def test_a_figure_follows_the_page_and_hides_nothing():
-    def draw():
-        drawing, axes = new_figure()
-        axes.plot([0, 1], label="<b>")
-        return drawing
-
-    svgs = draw_svgs(draw, name="toy-way")
-    for svg, kind, prefix in zip(svgs, ("broad", "narrow"), ("toy-way-", "narrow-toy-way-"), strict=True):
-        assert svg.html("", ()).startswith(f'<svg class="{kind}" viewBox="')
-        content = svg.content
-        assert "currentColor" in content and "var(--series-1)" in content
-        assert not any(colour in content for colour in SERIES)
-        assert all(part.startswith(prefix) for part in (chunk.split('"')[0] for chunk in content.split(' id="')[1:]))
-    assert svgs == draw_svgs(draw, name="toy-way")
 
 
 def test_quick_results_are_shown_as_such(toy):

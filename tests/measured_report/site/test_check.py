@@ -1,9 +1,6 @@
 """The check of a site: what it finds in pages, numbers, links and drawings."""
 
-import pytest
-
 from measured_report.site.check import check_site
-from measured_report.site.check_numbers import TYPED
 
 LABEL, SOURCE = 'aria-label="It moves 0.31 mm."', "newton-1.4.0/toy.json#/rows"
 ADDRESSES = (
@@ -103,8 +100,3 @@ def test_no_bound_errs_against_its_own_value(toy):
     for words, errs in (("at most 0.31 mm", True), ("at most 0.32 mm", False), ("at least 0.32 mm", True)):
         toy.page_path.write_text(page.replace(LABEL, f'aria-label="It moves {words}."'), encoding="utf-8")
         assert bool(check_site(toy.project.site)) == errs, words
-
-
-@pytest.mark.parametrize("label", ["1.8.0", "1.9.0.dev0+g1a2b3c4.edited", "1.8.0+warp-1.19.0@nvidia-h100", "1.8.0@cpu"])
-def test_the_label_of_an_edition_is_no_number(label):
-    assert TYPED.sub("", f"Newton {label}: 6.36 mm") == ": 6.36 mm"

@@ -1,7 +1,5 @@
 """The lint: each rule on a model of two boxes, and all of them on the shake test as the solver really has it."""
 
-import time
-
 import mujoco
 import newton
 import numpy as np
@@ -9,27 +7,12 @@ import pytest
 import warp as wp
 from newton.solvers import SolverMuJoCo
 
-import experiments.lint
 from experiments.facts.case import AS_SHIPPED
-from experiments.lint import as_shipped, columns, measure
-from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
-from newton_lint.findings import Buffer, alike, grouped
+from newton_lint.findings import Buffer
 from newton_lint.newton_models.compat import kf_is_read
-from newton_lint.newton_models.contacts import (
-    CONDIM,
-    CONES,
-    CONVERTED,
-    DEFAULT_SOLREF,
-    FORCE_SPACE,
-    RAW,
-    SOLIMP,
-    Shapes,
-    contacts_of,
-)
-from newton_lint.newton_models.report import predictions
-from newton_lint.newton_models.rules import Engine, lint, read
-from newton_lint.prediction import Load
+from newton_lint.newton_models.contacts import DEFAULT_SOLREF, FORCE_SPACE, RAW, SOLIMP, Shapes, contacts_of
+from newton_lint.newton_models.rules import Engine, lint
 
 DT = 1.0 / 960.0
 ENGINE = Engine(DT)
@@ -169,13 +152,6 @@ def test_a_ke_without_kd_is_not_read(material, parameter):
         assert found(two_boxes(material, material, solref=[DEFAULT_SOLREF] * 2, solref_mode=(mode, mode))) == []
 
 
-def test_a_kd_taken_for_a_share_of_ke_makes_a_timeconst_of_many_seconds():
-    """As in Newton 1.4.0's franka_cable_ik_pick_place, which gives all its shapes ke 1e4 and kd 1e-5 ke."""
-    [finding] = lint(two_boxes(*[{"ke": 1e4, "kd": 0.1}] * 2), ENGINE)
-    assert (finding.rule, finding.value) == ("dampratio", pytest.approx(5e-4))
-    assert "timeconst is 20 s" in finding.message
-
-
 def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
     model = two_boxes({"kf": 50.0}, {})
     unread = [("kf", PAIR[:1], "kf", 50.0, None)]
@@ -190,30 +166,6 @@ def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
         assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * weight)))
     else:
         assert (rule, shapes, used) == ("kf", PAIR[:1], None)
-
-
-@pytest.mark.parametrize("kf", [0.0, 50.0])
-def test_a_kf_of_0_that_is_read_takes_the_friction_and_the_creep(kf):
-    model = two_boxes({"kf": kf}, {}, geom_priority=(1, 0))
-    engine = Engine(DT, contacts="newton", cone="elliptic")
-    gone = kf == 0.0 and kf_is_read()
-    assert [finding.parameter for finding in lint(model, engine) if "friction away" in finding.message] == ["mu"] * gone
-    assert len(predictions(read(model, engine), Load(load_n=1.0))) == 1 - gone
-
-
-@pytest.mark.parametrize(("condim", "unread"), [(3, 2), (4, 1), (6, 0)])
-def test_spinning_and_rolling_take_rows_of_their_own(condim, unread):
-    """The larger condim of a pair counts, unless the other one outranks it."""
-    spinning = {"mu_torsional": 0.1, "mu_rolling": 0.01}
-    assert [rule for rule, *_ in found(two_boxes(spinning, {}, condim=(3, condim)))] == ["unused"] * unread
-    ranked = found(two_boxes(spinning, {}, condim=(3, condim), geom_priority=(1, 0)))
-    assert [rule for rule, *_ in ranked].count("unused") == 2
-
-
-@pytest.mark.parametrize(("capacity", "says"), [(9, "smaller"), (10, None), (40, None), (41, "larger")])
-def test_a_buffer_is_compared_with_the_measured_peak(capacity, says):
-    findings = lint(two_boxes({}, {}), ENGINE, buffers=[Buffer("contacts", capacity, 10)])
-    assert [(finding.rule, says in finding.message) for finding in findings] == ([("buffer", True)] if says else [])
 
 
 MJCF = """
@@ -247,20 +199,6 @@ def test_models_without_shapes_or_the_solvers_attributes_and_an_engine_without_r
     assert found(two_boxes(STIFF, STIFF), refsafe=False) == [], "nothing is clamped"
 
 
-def test_600_shapes_in_under_a_second():
-    builder = newton.ModelBuilder()
-    for index in range(600):
-        builder.add_shape_sphere(builder.add_body(label=f"ball_{index}"), cfg=ShapeConfig(ke=1e5, kd=2e3, gap=None))
-    builder.shape_gap[0] = 0.001
-    model = builder.finalize(device="cpu")
-    start = time.process_time()
-    findings = lint(model, ENGINE)
-    assert time.process_time() - start < 1.0
-    assert sum(len(finding.against) for finding in findings if finding.rule == "timeconst") == 600 * 599 / 2
-    assert sum(finding.rule == "default-gap" for finding in findings) == 599
-    assert len(alike(findings)) == 2
-
-
 def test_shapes_that_cannot_touch_are_left_alone():
     builder = builder_of_the_solver()
     body = builder.add_body(label="body")
@@ -270,26 +208,6 @@ def test_shapes_that_cannot_touch_are_left_alone():
             custom_attributes={"mujoco:geom_priority": priority},
         )  # fmt: skip
     assert lint(builder.finalize(device="cpu"), ENGINE) == []
-
-
-def test_the_constants_are_newtons():
-    from newton._src.solvers.mujoco import constants
-
-    modes = (constants.SOLREF_MODE_FORCE_SPACE, constants.SOLREF_MODE_RAW, constants.SOLREF_MODE_MJCF_DEFAULT)
-    assert modes == (FORCE_SPACE, RAW, CONVERTED)
-    builder = builder_of_the_solver()
-    assert builder.custom_attributes["mujoco:condim"].default == CONDIM
-    assert CONES[int(builder.custom_attributes["mujoco:cone"].default)] == "pyramidal"
-    np.testing.assert_allclose(builder.custom_attributes["mujoco:geom_solimp"].default, SOLIMP)
-
-
-def test_the_real_scene():
-    groups = grouped(lint(as_shipped(), experiments.lint.ENGINE))
-    groups = {(group.first.rule, group.subject, group.first.parameter): group for group in groups}
-    stiffness = groups["priority", "cube", "ke"]
-    assert (stiffness.against, stiffness.count) == ("fr3_leftfinger, fr3_rightfinger", 8)
-    assert columns(stiffness)["used"] == 2.5e3
-    assert ("default-gap", "cube", "gap") in groups
 
 
 def test_the_contacts_are_those_that_the_solver_has():
@@ -307,9 +225,3 @@ def test_the_contacts_are_those_that_the_solver_has():
     np.testing.assert_allclose(contacts.solimp[where], data.contact.solimp.numpy()[:count], rtol=1e-5)
     np.testing.assert_allclose(contacts.mu[where], data.contact.friction.numpy()[:count, 0], rtol=1e-5)
     np.testing.assert_array_equal(contacts.condim[where], data.contact.dim.numpy()[:count])
-
-
-def test_the_section_has_a_row_for_each_finding():
-    rows = measure(Conditions(device="cpu", quick=True)).rows
-    buffers = [row for row in rows if row["rule"] == "buffer"]
-    assert buffers and all(row["used_count"] < row["authored_count"] for row in buffers)

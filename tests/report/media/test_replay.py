@@ -15,10 +15,10 @@ from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
-from measured_report.records.record import load_record, trace_path
+from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.media.packed import packed_runs
-from report.media.replay import REPLAY, SHAKES, replay_page, script
+from report.media.replay import SHAKES, replay_page, script
 
 SOURCES = ROOT / "assets/replay"
 MOST_BYTES = 900_000
@@ -47,19 +47,6 @@ def test_the_page_runs_its_one_script_fetches_nothing_and_says_without_it_what_w
     still = page.partition("<script>")[0]
     for row in load_record(poses_path).rows:
         assert f'value="{json.dumps(row["slip_mm"])}"' in still
-
-
-def test_a_damaged_trace_leaves_the_replay_out_and_no_more(project):
-    templates = Templates(project.templates)
-    edition = derive_edition(project, templates)
-    assert REPLAY in edition.plugins.pages(templates)
-    trace = trace_path(project.record_path("poses"), "hold-60s")
-    whole = trace.read_bytes()
-    try:
-        trace.write_bytes(whole[:1000])
-        assert derive_edition(project, templates).plugins.replay is None
-    finally:
-        trace.write_bytes(whole)
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="node is not there")

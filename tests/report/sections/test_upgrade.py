@@ -1,6 +1,5 @@
 """The section on releases: what changed between them, and its cause."""
 
-import json
 import shutil
 
 import pytest
@@ -12,7 +11,6 @@ from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
-from report.sections.upgrade.ends import released
 
 SOFT, STIFF = ROWS
 
@@ -103,24 +101,6 @@ def test_claims_that_turned_are_said_as_other_releases_say_them(upgraded):
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in said
 
 
-def test_what_one_release_cannot_tell_is_counted_by_itself(upgraded):
-    measure_upgrade(upgraded, ENDS)
-    newer = upgraded.of("1.8.0")
-    newer.measure([SOFT, {**STIFF, "slip_mm": None, "slip_mm_reason": "as a test"}])
-    measure_noise(newer)  # without it a section is missing
-    upgraded.build()
-    assert "None." in turned(upgraded)
-    values = json.loads((upgraded.project.site / "data/values.json").read_text())["upgrade"]
-    assert (values["turned_count"]["value"], values["undecided_count"]["value"]) == (0, 1)
-
-
-def test_one_release_alone_tells_nothing(upgraded):
-    measure_upgrade(upgraded, {"1.4.0": "1.4.0"})
-    assert set(outcomes(upgraded.project).values()) == {"unknown"}
-    upgraded.build()
-    assert check_site(upgraded.project.site) == []
-
-
 def test_the_page_of_an_edition_speaks_of_that_edition(upgraded):
     measure_upgrade(upgraded, {**ENDS, "1.6.0": "1.8.0"})
     editions = editions_of(upgraded.project, Templates(upgraded.project.templates))
@@ -129,10 +109,3 @@ def test_the_page_of_an_edition_speaks_of_that_edition(upgraded):
         claims = {claim.name: claim for claim in edition.chapters["upgrade"].section.claims}
         ends[release] = tuple(claims["slip_is_the_same"].numbers[side] for side in "ab")
     assert ends == {"1.4.0": ("1.4.0", "1.8.0"), "1.6.0": ("1.4.0", "1.6.0"), "1.8.0": ("1.4.0", "1.8.0")}
-
-
-def test_a_trial_with_other_packages_is_compared_on_its_own_page_alone():
-    trial = "1.8.0+mujoco-4.0.0"
-    releases = dict.fromkeys(["1.4.0", "1.8.0", trial])
-    assert list(released(releases, "1.8.0")) == ["1.4.0", "1.8.0"]
-    assert list(released(releases, trial)) == ["1.4.0", "1.8.0", trial]

@@ -6,32 +6,14 @@ import pytest
 
 from measured_report.editions.project import Project
 from measured_report.records.record import load_record
-from measured_report.values.quantities import Quantity, absent
+from measured_report.values.quantities import absent
 from measured_report.values.results import Results
 from report.shared import arithmetic
-
-
-def quantity(value, reason="") -> Quantity:
-    return Quantity(value, "mm", "newton-1.4.0/toy.json#/rows/0/slip_mm", reason, noise=0.01)
 
 
 @pytest.fixture
 def results(toy) -> Results:
     return Results(toy.record(), toy.record_path)
-
-
-def test_ratios_shares_and_differences(results):
-    cells = [quantity(value) for value in (2.0, 8.0, 5.0)]
-    quarter = arithmetic.ratio(results, "a", "", *cells[:2])
-    assert (quarter.value, quarter.unit) == (0.25, "1")
-    assert str(arithmetic.share(results, "c", "", *cells[:2])) == "25.0 %"
-    assert str(arithmetic.spread(results, "d", "", cells, unit="mm")) == "6.00 mm"
-    assert arithmetic.spread(results, "e", "", cells[:1]).value == 0.0
-    assert arithmetic.spread(results, "none", "", []).value is None
-    assert arithmetic.size_share(results, "g", "", quantity(-1.0), quantity(4.0)).value == 25.0
-    assert arithmetic.departure(results, "h", "", quantity(3.0), quantity(4.0)).value == 25.0
-    assert arithmetic.difference(results, "i", "", quantity(3.0), quantity(4.0)).value == -1.0
-    assert arithmetic.ratio(results, "f", "", cells[0], quantity(0.0)).value is None
 
 
 def test_a_cell_that_is_not_there_says_why(results):
