@@ -35,8 +35,8 @@ CALIBRATED = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
 """Where the cases were measured besides, by how their names end."""
 SCENE: tuple[tuple[str, float, str], ...] = (
-    ("cube_edge", 40, "mm"),
-    ("cube_mass", 32, "g"),
+    ("cube_edge", round(1e3 * AS_SHIPPED.cube_edge_m), "mm"),
+    ("cube_mass", round(1e3 * AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3), "g"),
     ("cube_friction", AS_SHIPPED.cube_mu, "1"),
     ("pad_friction", AS_SHIPPED.pad_mu, "1"),
     ("pad_ke", AS_SHIPPED.pad_ke, "1"),
@@ -46,7 +46,7 @@ SCENE: tuple[tuple[str, float, str], ...] = (
     ("iterations", AS_SHIPPED.iterations, "1"),
     ("impratio", AS_SHIPPED.impratio, "1"),
 )
-"""Name, value and unit of what the scene sets; a test compares those that are typed with the scene."""
+"""Name, value and unit of what the scene sets."""
 
 
 def derive(results: Results) -> Section:

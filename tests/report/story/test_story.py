@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 
+from experiments.simulation.task import FRAME_RATE
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import Edition
 from measured_report.pages.prose import Templates
@@ -14,6 +15,7 @@ from measured_report.site.check import check_site
 from measured_report.site.pages import contents_of
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
+from report.sections.reproduction import SCENE
 from report.story.story import _advice
 from report.story.story import derive as story_of
 
@@ -114,17 +116,10 @@ def test_a_run_that_failed_is_not_one_that_was_not_measured(editions):
     assert {claim.name: claim.outcome for claim in story_of(chapters, "1.4.0").claims}["fine_since"].name == "unknown"
 
 
-<<<<<<< HEAD
-def test_the_scene_that_is_told_is_the_one_that_is_simulated():
-    edge_m, density = AS_SHIPPED.cube_edge_m, AS_SHIPPED.cube_density_kg_m3
-    told = {name: value for name, value, _ in SCENE}
-    assert told["cube_edge"] == pytest.approx(1e3 * edge_m)
-    assert told["cube_mass"] == pytest.approx(1e3 * density * edge_m**3)
-    assert told["frame_rate"] == FRAME_RATE
+def test_the_frame_rate_that_is_told_is_that_of_the_simulation():
+    assert {name: value for name, value, _ in SCENE}["frame_rate"] == FRAME_RATE
 
 
-=======
->>>>>>> a67221c0 (Tests: near-copies, copies of code and what cheaper tests say are gone, and what simulated long is asked of tracked records)
 def test_without_the_shake_test_there_is_a_title_alone(toy):
     for name in ("front.md.j2", "story.md.j2", "fix_block.md.j2", "sources.toml"):
         toy.write(f"templates/{name}", (ROOT / "templates" / name).read_text(encoding="utf-8"))
