@@ -25,50 +25,75 @@ def draw_numerical(points: Points) -> Drawing:
     rows = [row for row in points.settings if counts(row) and row[ERROR].value is not None]
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
         axes.set_title(title)
-        _set_axes(axes, rows)
-        axes.set_xlabel("numerical error [mm]")
-        floor = points.floors[pads].value
-        if floor is not None:
-            axes.axvspan(LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
-            place = {"xycoords": ("data", "axes fraction"), "ha": "right", "va": "top"}
-            axes.annotate("Warp's rounding ", (floor, 0.97), fontsize=8, **place)
+        _set_axes(axes, rows, points.worlds[-1:])
+        axes.set_xlabel("run time [ms per simulated s]")
+        if (floor := points.floors[pads].value) is not None:
+            axes.axhspan(LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
+            _say_level(axes, floor, " Warp's rounding", "top")
+        if (creep := points.converged(pads).value) is not None:
+            axes.axhline(creep, color=INK, linewidth=0.8, linestyle=":", marker="")
+            _say_level(axes, creep, " creep in a cycle", "bottom")
         for backend in points.engines:
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
             if mine:
                 _draw_engine(axes, mine, points.backend_front, backend)
             _mark_shipped(axes, points.shipped(pads, backend))
-    panels[0][0].set_ylabel("run time [ms per simulated s]")
+        if pads == "stiff":
+            _mark_worlds(axes, points)
+    panels[0][0].set_ylabel("numerical error [mm]")
     return drawing
 
 
-def _set_axes(axes: Axes, rows: Sequence[Row]) -> None:
-    times = [row[TIME].value for row in rows]
+def _say_level(axes: Axes, level: float, text: str, side: str) -> None:
+    axes.annotate(text, (0.01, level), xycoords=("axes fraction", "data"), va=side, fontsize=8)
+
+
+def _set_axes(axes: Axes, rows: Sequence[Row], worlds: Sequence[Row]) -> None:
+    times = [row[TIME].value for row in rows] + [_time_per_world(row) for row in worlds if row[TIME].value]
     axes.set(xscale="log", yscale="log")
-    axes.set(xlim=(LEAST_ERROR_MM, 4.0 * max(row[ERROR].value for row in rows)))
-    axes.set(ylim=(0.4 * min(times), 4.0 * max(times)))
+    axes.set(xlim=(0.4 * min(times), 4.0 * max(times)))
+    axes.set(ylim=(LEAST_ERROR_MM, 4.0 * max(row[ERROR].value for row in rows)))
     axes.minorticks_off()
     axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
 
 
+def _time_per_world(row: Row) -> float:
+    return row[TIME].value / row.worlds.value
+
+
 def _place(row: Row) -> tuple[float, float]:
-    return max(row[ERROR].value, LEAST_ERROR_MM), row[TIME].value
+    return row[TIME].value, max(row[ERROR].value, LEAST_ERROR_MM)
 
 
 def _draw_engine(axes: Axes, rows: Sequence[Row], front: frozenset[str], backend: str) -> None:
     colour = COLOURS[backend]
-    best = sorted((row for row in rows if row.case in front), key=lambda row: row[ERROR].value)
+    best = sorted((row for row in rows if row.case in front), key=lambda row: row[TIME].value)
     if best:
         x, y = zip(*(_place(row) for row in best), strict=True)
         style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
         axes.step([*x, axes.get_xlim()[1]], [*y, y[-1]], where="post", **style)
         axes.scatter(x, y, s=14, color=colour, linewidths=0, clip_on=False)
-        for row in (row for row in best if row.method in NAMED):
+        for row in (row for row in best if row.method in NAMED and row[ERROR].value > LEAST_ERROR_MM):
             text = ("RK4 " if row.method.endswith("rk4") else "") + write(row.substeps)
             axes.annotate(text, _place(row), xytext=(3, 3), textcoords="offset points", fontsize=7, color=colour)
-    top = _place(max(rows, key=lambda row: row[TIME].value))
-    is_left = top[0] <= 10 * LEAST_ERROR_MM
-    above: dict[str, Any] = {"xytext": (4 if is_left else 0, 14), "ha": "left" if is_left else "center"}
-    axes.annotate(NAMES[backend], top, **above, textcoords="offset points", color=colour, fontsize=9)
+        side = "right" if backend == "mujoco-c" else "left"  # the faster engine stands to the left
+        above: dict[str, Any] = {"xytext": (0, 12), "textcoords": "offset points", "ha": side, "fontsize": 9}
+        axes.annotate(NAMES[backend], _place(best[0]), color=colour, **above)
+
+
+def _mark_worlds(axes: Axes, points: Points) -> None:
+    """Mark the most worlds at the run time of each, with the error of one as shipped, whose settings they have."""
+    one = points.shipped("stiff", points.engines[0])
+    for row in points.worlds[-1:]:
+        if one and one[ERROR].value and row[TIME].value:
+            place = (_time_per_world(row), one[ERROR].value)
+            axes.scatter(
+                *place, s=130, marker="*", color=COLOURS[one.backend], edgecolors=INK, linewidths=0.7, zorder=5
+            )
+            text = f"{write(row.worlds)} worlds, each"
+            axes.annotate(
+                text, place, xytext=(-4, -16), textcoords="offset points", fontsize=8.5, color=COLOURS[one.backend]
+            )
 
 
 def _mark_shipped(axes: Axes, row: Row | None) -> None:
