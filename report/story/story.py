@@ -92,7 +92,7 @@ def _setup(found: Found) -> Table:
         "grip": Markup("{} from each pad").format(next(grips, absent("N", "it was not measured"))),
         "task": Markup("approach, descend, grasp, lift, then shake for {}").format(duration),
         "shake": told("{} to either side at {}, less along the other two axes", "amplitude", "frequency"),
-        "time": told("{} frames, each of {} substeps", "frame_rate", "substeps"),
+        "time": told("frame rate {}, {} substeps a frame", "frame_rate", "substeps"),
         "solver": told("Newton, {} iterations; implicitfast; elliptic cone, impratio {}", "iterations", "impratio"),
         "contacts": Markup("found by Newton, once a frame"),
     }
@@ -114,12 +114,10 @@ def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
     if None in (before.value, bound.value):
         return FAILED if before.source else UNSEEN
     if before.value < bound.value:
-        return Markup("fine: {}").format(before)
+        return Markup("✓ {}").format(before)
     if after.value is None:
-        return Markup("slips: {}").format(before)
-    if after.value >= bound.value:
-        return Markup("slips either way: {}").format(before)
-    return Markup("set ke and kd: {}").format(before)
+        return Markup("✗ {}").format(before)
+    return Markup("✗ {}, with the fix {} {}").format(before, "✗" if after.value >= bound.value else "✓", after)
 
 
 def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:

@@ -92,10 +92,10 @@ def test_what_the_story_claims_can_be_said_with_every_outcome(editions, template
     ("slips", "said"),
     [
         ([None, 0.3], "not measured"),
-        ([0.3, 0.3], "fine: 0.3"),
-        ([6.0, 0.3], "set ke and kd: 6.0"),
-        ([6.0, None], "slips: 6.0"),
-        ([6.0, 5.0], "slips either way: 6.0"),
+        ([0.3, 0.3], "✓ 0.3"),
+        ([6.0, 0.3], "✗ 6.0, with the fix ✓ 0.3"),
+        ([6.0, None], "✗ 6.0"),
+        ([6.0, 5.0], "✗ 6.0, with the fix ✗ 5.0"),
     ],
 )
 def test_the_advice_follows_the_slips(slips, said):
