@@ -153,6 +153,21 @@ def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
     assert_as_said(site, done.summary["slip_mm"])
 
 
+PADS = """<mujoco><worldbody><body name="finger"><freejoint/><geom name="pad" type="box" size=".1 .1 .1" {}/></body>
+</worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("solref", ["", 'solref="0.02 1"', 'solref="-2500 -100"'])
+def test_the_lines_of_the_front_page_reach_pads_from_mjcf(site, solref):
+    """A solref in MJCF is taken as it is, whatever ke and kd say, unless the lines take it away."""
+    builder = newton.ModelBuilder()
+    newton.solvers.SolverMuJoCo.register_custom_attributes(builder)
+    builder.add_mjcf(PADS.format(solref))
+    exec(fix_block(site / "index.html"), {"builder": builder})
+    solver = newton.solvers.SolverMuJoCo(builder.finalize(device="cpu"), use_mujoco_cpu=True)
+    assert solver.mj_model.geom_solref.tolist() == [pytest.approx([0.002, 1.0])]
+
+
 def assert_as_said(site: Path, slip_mm: float) -> None:
     """The run with stiff pads whose slip the page says had come as far by then."""
     noise = json.loads((site / "data/values.json").read_text(encoding="utf-8"))["noise"]["slip_floor"]["value"]
