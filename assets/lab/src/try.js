@@ -17,20 +17,25 @@ function begin() {
   const slip = h("output", { id: "try-slip", "aria-live": "polite" });
   const run = h("button", { id: "try-run", type: "button" }, "Run");
   const value = () => Number((least * (most / least) ** Number(kd.value)).toPrecision(2));
-  const tell = () => (said.textContent = `kd = ${value()}`);
+  const tell = () => {
+    said.textContent = `kd = ${value()}`;
+    slip.textContent = ""; // what was measured is of another kd
+  };
   kd.addEventListener("input", tell);
   tell();
   const pool = new Pool(new URL("worker.js", HERE), 1);
   run.addEventListener("click", async () => {
+    const wanted = value();
     run.disabled = true;
     slip.textContent = "shaking …";
     try {
       const { mjcf, rows } = await readTracked();
       const how = { shakeFrames: SHAKE_FRAMES, floor_mm_s: rows[0].creep_floor_mm_s };
-      const row = await pool.run({ kind: "shake", mjcf, settings: read(`kd=${value()}`), how });
+      const row = await pool.run({ kind: "shake", mjcf, settings: read(`kd=${wanted}`), how });
       slip.dataset.slipMm = row.slip_mm;
       slip.dataset.class = row.class;
-      slip.textContent = row.class === "dropped" ? "it falls out" : row.slip_mm === null ? row.reason : `slips ${written(row.slip_mm, "mm")}`;
+      const found = row.class === "dropped" ? "it falls out" : row.slip_mm === null ? row.reason : `slips ${written(row.slip_mm, "mm")}`;
+      slip.textContent = wanted === value() ? found : `kd = ${wanted}: ${found}`;
     } catch (error) {
       slip.textContent = error instanceof Error ? error.message : String(error);
     }

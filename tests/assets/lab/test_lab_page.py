@@ -97,3 +97,5 @@ def test_the_front_page_tries_it_and_is_hardly_heavier_for_it(tab, address):
     tab.click("#try-run")
     tab.wait_for_selector("#try-slip[data-slip-mm]", timeout=60_000)
     assert float(tab.get_attribute("#try-slip", "data-slip-mm")) == pytest.approx(6.3607, abs=0.02)
+    tab.locator("#try-kd").press("ArrowRight")
+    assert tab.text_content("#try-slip") == "", "what was measured is of another kd"
