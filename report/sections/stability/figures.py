@@ -1,6 +1,7 @@
 """The figures of section stability."""
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import matplotlib
@@ -12,11 +13,15 @@ from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 from matplotlib.ticker import LogLocator
 
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from measured_report.parts.figures import MAP_INK, is_narrow, new_figure, tick_at, write
 from measured_report.values.results import Row
+from report.sections.reproduction import FRAME_RATE
 from report.sections.stability.passing import CLASSES
 
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
+CREEPS = ((0.03, "#eaf3fb"), (0.1, "#d3e5f6"), (0.3, "#b7d3ef"), (1.0, "#97bfe7"), (math.inf, "#74a8dd"))
+"""Colours of creeping cells, each by what their rate [mm/s] is below."""
 MARKS = ("o", "", "v", "*", "s", "x")
 """A creeping run is marked by its rate."""
 
@@ -25,8 +30,10 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
     """Draw one map above the other. A panel is a title, its rows, a bound on the step [s] over ke, and the bound's
     name."""
     drawing, axes = new_figure(7.6, 3.5 * len(panels), nrows=len(panels), sharex=True, squeeze=False)
+    marked = {"shipped": AS_SHIPPED.pad_ke, "stiff": STIFF_PADS.pad_ke}
     for one, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):
-        _draw_map(one, rows)
+        _draw_map(one, rows, marked)
+        marked.pop("stiff", None)  # whose kd the first map alone has
         one.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
         low, high = one.get_xlim()
         ke = np.geomspace(low, high, 200)
@@ -46,17 +53,17 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
     return drawing
 
 
-def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
+def _draw_map(axes: Axes, rows: Sequence[Row], marked: Mapping[str, float]) -> None:
     ke = sorted({row.pad_ke.value for row in rows})
     steps = sorted({row.step_ms.value for row in rows})
     cells = {(row.pad_ke.value, row.step_ms.value): row for row in rows}
     grid = np.full((len(steps), len(ke)), np.nan)
     for (x, y), row in cells.items():
-        grid[steps.index(y), ke.index(x)] = CLASSES.index(row["class"])
+        grid[steps.index(y), ke.index(x)] = _colour_index(row)
     edges_x, edges_y = _edges(ke), _edges(steps)
     axes.set(xscale="log", yscale="log", xlim=edges_x[[0, -1]], ylim=edges_y[[0, -1]])
     axes.grid(False)
-    for number, colour in enumerate(COLOURS):
+    for number, colour in enumerate([*COLOURS, *(colour for _, colour in CREEPS)]):
         corners = [[(x, y), (x, y + 1), (x + 1, y + 1), (x + 1, y)] for y, x in np.argwhere(grid == number)]
         outlines = [Path([(edges_x[x], edges_y[y]) for x, y in cell], closed=False) for cell in corners]
         if outlines:  # the cells of a colour are one shape
@@ -68,15 +75,24 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
         if row["class"] == "creeping" and not is_narrow():  # where there is no room for numbers
-            behind = {
-                "facecolor": COLOURS[CLASSES.index("creeping")],
-                "linewidth": 0,
-                "pad": 0.6,
-            }  # the line stops there
+            facecolor = CREEPS[_colour_index(row) - len(COLOURS)][1]
+            behind = {"facecolor": facecolor, "linewidth": 0, "pad": 0.6}  # the line stops there
             text = write(row.creep_mm_s, is_short=True)
             axes.text(x, y, text, ha="center", va="center", fontsize=7, color=MAP_INK, bbox=behind)
+    for name, pad_ke in marked.items():
+        place = (pad_ke, 1e3 / (FRAME_RATE * AS_SHIPPED.substeps))
+        axes.scatter(*place, marker="s", s=170, facecolors="none", edgecolors=MAP_INK, linewidths=1.8, zorder=4)
+        axes.annotate(name, place, xytext=(0, 10), textcoords="offset points", ha="center", fontsize=8.5, color=MAP_INK)
     axes.xaxis.set_major_locator(LogLocator(numticks=12))  # whole decades
     tick_at(axes.yaxis, steps, digits=2)
+
+
+def _colour_index(row: Row) -> int:
+    """Return the place of a cell's colour among ``COLOURS`` and then ``CREEPS``."""
+    rate = row.creep_mm_s.value
+    if row["class"] != "creeping" or rate is None:
+        return CLASSES.index(row["class"])
+    return len(COLOURS) + next(place for place, (bound, _) in enumerate(CREEPS) if abs(rate) < bound)
 
 
 def _edges(centres: Sequence[float]) -> np.ndarray:
