@@ -92,7 +92,7 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     [
         (
             {"slip_mm": None, "slip_mm_reason": "ValueError: no such array"},
-            "slip 0.33 mm → n/a (shipped pads: ValueError",
+            "slip 0.326 mm → n/a (shipped pads: ValueError",
         ),
         ({"dropped": True}, "dropped no → yes worse"),
     ],
