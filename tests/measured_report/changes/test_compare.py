@@ -65,13 +65,22 @@ def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for
     assert "cause.html: newton-1.4.0/cause.html#toy leads nowhere" in check_site(site)
 
 
-def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy):
-    toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows[5:]; rows[0]"))
+@pytest.mark.parametrize(
+    ("bug", "said"),
+    [
+        ("results.rows[5:]; rows[0]", "IndexError: list index"),
+        ("results.row['stiff'].slap_mm", "toy: stiff has no column"),
+    ],
+)
+def test_a_bug_of_derive_is_no_damage_and_has_its_line_and_no_advice_to_measure(toy, bug, said, capsys):
+    toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", f"rows = {bug}"))
     assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
-    assert "newton-1.4.0/toy.json: its record lacks what the section is about (IndexError: list index" in toy.page
+    found = capsys.readouterr()
+    assert found.err.startswith(f"not shown: newton-1.4.0/toy.json: report/sections/toy.py:20: {said}")
+    assert "report/sections/toy.py:20" in toy.page and "rerun" not in toy.page + found.out
     toy.write("experiments/scene.py", "def slip():\n    return 2\n")
     toy.build()
-    assert "<b>toy</b> is left out" in toy.page and "IndexError" in toy.page
+    assert "<b>toy</b> is left out" in toy.page and said in toy.page
 
 
 def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, newer, capsys):

@@ -3,6 +3,7 @@
 import gzip
 import json
 import os
+import re
 import resource
 import shutil
 from argparse import Namespace
@@ -110,7 +111,7 @@ def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_
     toy.measure(rows)
     assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
     [line] = capsys.readouterr().err.splitlines()
-    assert line.startswith("damaged: newton-1.4.0/toy.json: its record lacks what the section is about")
+    assert re.match(r"not shown: newton-1.4.0/toy.json: report/sections/toy.py:23: \w+Error", line)
     assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
 
 
@@ -121,7 +122,7 @@ def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_i
     toy.measure([{**row, "note": "as text"} for row in ROWS])
     assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
     [line] = capsys.readouterr().err.splitlines()
-    assert line.startswith("damaged: front: nothing can be said (templates/front.md.j2: 'str object' has no attribute")
+    assert line.startswith("not shown: templates/front.md.j2:3: 'str object' has no attribute")
     assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page
 
 

@@ -55,13 +55,15 @@ END = "{% endtable %}\n"
         (END, END + "{% if %}", "templates/sections/toy.md.j2"),
         (END, END + "It slips\n6.36 mm.", r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed"),
         (END, END + "{% include 'other.md.j2' %}", "there is no templates/other.md.j2$"),
+        ("It does not.", "It does not, by {{ 3.5 }}.", "toy.md.j2 prints 3.5, which says nothing"),
+        (END, END + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}', "prints 3.5, which"),
         ("order = 1", "", "toy.py has no line such as order = 125"),
         ("order = 1", "order = 'x'", "toy.py has no line such as order = 125"),
         ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: cause"),
         ("order = 1", "order = (", "cannot read report/sections/toy.py: "),
-        ("order = 1", "order = 1\nimport nothing", r"toy.py: No module named 'nothing' \(toy.py:\d+\)"),
+        ("order = 1", "order = 1\nimport nothing", r"report/sections/toy.py:8: .*No module named 'nothing'"),
         ("def derive", "def other", r"toy.py has no function derive\(results\)"),
-        ("return Section", "nothing; return Section", r"toy.py: name 'nothing' is not defined \(toy.py:\d+\)"),
+        ("return Section", "nothing; return Section", r"report/sections/toy.py:22: NameError: name 'nothing'"),
         ("return Section", "Section", "toy.py: derive returns a NoneType, and not a Section"),
     ],
 )
@@ -75,10 +77,18 @@ def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_s
     assert built.page == before
 
 
-def test_nothing_is_left_behind_when_drawing_fails(built):
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("raise OSError('no ink')", "report/sections/toy.py:12: OSError: no ink"),
+        ("1 / 0", "report/sections/toy.py:12: ZeroDivisionError: division by zero"),
+        ("return trace.value", "it draws a pandas"),
+    ],
+)
+def test_a_figure_that_throws_where_all_of_it_is_there_stops_the_build_and_nothing_is_left_behind(built, line, said):
     before = built.page
-    built.write("report/sections/toy.py", MODULE.replace("axes.legend()", "raise OSError('no ink')"))
-    with pytest.raises(OSError, match="no ink"):
+    built.write("report/sections/toy.py", MODULE.replace("axes.legend()", line))
+    with pytest.raises(ReportError, match=f"the figure toy-way can't be drawn: .*{said}"):
         built.build()
     assert built.page == before
     assert not list(built.project.root.glob(".site-*"))

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
-from measured_report.editions.status import State
+from measured_report.editions.status import NOT_SHOWN, State
 from measured_report.measuring.machine import gpus, needs_gpu
 from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections
@@ -26,7 +26,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     releases = build(project, address)
     built, measurable = releases[project.release], sections(project.root)
     missing = [state.section for state in built.left_out if state.kind == "missing"]
-    others = [state.section for state in built.left_out if state.kind != "missing"]
+    others = [state.section for state in built.left_out if state.kind not in ("missing", NOT_SHOWN)]
     lacking = [name for name in (*missing, *others, *built.stale) if name in measurable]
     for words, names in (("not measured", missing), ("stale", built.stale)):
         if names:
@@ -41,8 +41,8 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
 
 
 def say_damage(states: Iterable[State]) -> bool:
-    """Name each record that can't be trusted; return whether there is one."""
-    damaged = [state for state in states if state.kind == "damaged"]
-    for state in damaged:
-        print(f"damaged: {state.words}", file=sys.stderr)
-    return bool(damaged)
+    """Name each record that can't be trusted, or not be shown; return whether there is one."""
+    faulty = [state for state in states if state.kind in ("damaged", NOT_SHOWN)]
+    for state in faulty:
+        print(f"{state.kind}: {state.words}", file=sys.stderr)
+    return bool(faulty)

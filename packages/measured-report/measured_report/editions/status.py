@@ -13,6 +13,9 @@ from measured_report.records.identity import changes, identity_of, sections
 from measured_report.records.provenance import EDITED, MISSING, code_in, package_versions
 from measured_report.records.record import Record, load_record
 
+NOT_SHOWN = "not shown"
+"""Kind of what is whole, and that code or words can't do with."""
+
 
 @dataclass(frozen=True)
 class State:
@@ -20,7 +23,7 @@ class State:
 
     section: str
     kind: str
-    """``fresh``, ``stale``, ``missing`` or ``damaged``."""
+    """``fresh``, ``stale``, ``missing`` or ``damaged``; of what is left out of a page also ``not shown``."""
     record: Record | None = None
     notes: tuple[str, ...] = ()
     """Changes since the measurement, or faults of the record."""

@@ -1,7 +1,10 @@
 """Errors: what a command says in one line, in place of a traceback."""
 
+import sys
 from collections.abc import Iterable
 from difflib import get_close_matches
+from pathlib import Path
+from traceback import extract_tb
 
 
 class ReportError(Exception):
@@ -16,3 +19,16 @@ def suggestion(name: str, names: Iterable[str]) -> str:
     """Say ``; near it: `` and the names that are like a mistyped one; nothing where none is."""
     found = get_close_matches(name, list(names), n=4, cutoff=0.5)
     return f"; near it: {', '.join(found)}" if found else ""
+
+
+def bug_of(error: BaseException) -> str:
+    """Write an error of a report's own code in one line: file and line of what raised it there, kind and text."""
+    generator = Path(__file__).parents[1]
+    frames = [(Path(frame.filename), frame.lineno) for frame in extract_tb(error.__traceback__)]
+    installed = (generator, Path(sys.base_prefix), Path(sys.prefix))
+    own = [(file, line) for file, line in frames if not any(map(file.is_relative_to, installed))]
+    file, line = (own or frames or [(Path("?"), 0)])[-1]
+    parts = file.parts
+    name = "/".join(parts[max((place for place, part in enumerate(parts) if part == "report"), default=-1) :])
+    kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "
+    return f"{name}:{line}: {kind}{' '.join(str(error).split())}"

@@ -11,10 +11,10 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.editions.project import MANIFEST, Project, read_manifest
-from measured_report.editions.status import State, states_of
+from measured_report.editions.status import NOT_SHOWN, State, states_of
 from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, bug_of
 from measured_report.pages.cache import Derivation, DerivedCache
 from measured_report.pages.chapters import Chapter, Chapters, Releases, stale_mark
 from measured_report.pages.passages import teller
@@ -91,11 +91,11 @@ class Edition:
             try:
                 said.append(self._prose(level, anchor, text, told, names))
             except ReportError as error:
-                is_damaged = any(state.kind == "damaged" for state in self.left_out)
-                if not (is_damaged or isinstance(error, ResultsError)):
+                is_lacking = any(state.kind in ("damaged", NOT_SHOWN) for state in self.left_out)
+                if not (is_lacking or isinstance(error, ResultsError)):
                     raise
                 if all(state.section != anchor for state in self.left_out):
-                    self.left_out.append(State(anchor, "damaged", notes=(f"{anchor}: nothing can be said ({error})",)))
+                    self.left_out.append(State(anchor, NOT_SHOWN, notes=(str(error),)))
                 bare = {**told, anchor: _worded(anchor, text, Section())}
                 said.append(replace(self, chapters={})._prose(level, anchor, text, bare, names))
         return said
@@ -138,9 +138,8 @@ class Edition:
         place = (self.project.profile, self.project.release, name)
         try:
             return self.cache.derived(place, file, _digests(places), derive).section
-        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
-            words = " ".join(f"{name}: nothing can be told ({type(error).__name__}: {error})".split())
-            self.left_out.append(State(name, "damaged", notes=(words,)))
+        except Exception as error:
+            self.left_out.append(State(name, NOT_SHOWN, notes=(bug_of(error),)))
             return Section()
 
 
@@ -276,14 +275,14 @@ def results_digest(results: Results) -> str:
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """Say why a section can't be shown, for the rest of the page stands without it.
 
-    A record may lack anything, or have what nobody thought of. What is wrong with a section's code or its words,
-    whatever was measured, stops the build where the record is fresh and the project's own.
+    Damaged is what is not as it was measured: all else is a fault of code, which has a line. What is wrong with a
+    section's code or its words, whatever was measured, stops the build where the record is fresh and the project's own.
     """
     is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError | LostError)
     if is_wrong and state.kind == "fresh" and project.is_own:
         raise error
-    words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
-    kind = "damaged" if state.kind == "fresh" or isinstance(error, RecordError) else state.kind
+    words = str(error) if isinstance(error, ReportError) else bug_of(error)
+    kind = "damaged" if isinstance(error, RecordError) else NOT_SHOWN if state.kind == "fresh" else state.kind
     place = "" if isinstance(error, RecordError) else f"{short_path(project.record_path(state.section))}: "
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 

@@ -115,13 +115,18 @@ def teller(find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[s
         printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
         said, stale, start = None, Markup(""), len(printed)
         there = {need: claim for need, claim in claims.items() if claim}
-        if all(need.is_met(claim) for need, claim in claims.items()):
+        if len(there) == len(claims):  # rendered as well where another story is told: with other numbers it is this
             said = caller(*_numbers(there))
-            if any(isinstance(each, Markup) and LOST.search(each) for each in printed[start:]):
+            is_lost = any(isinstance(each, Markup) and LOST.search(each) for each in printed[start:])
+            if is_lost or not all(need.is_met(claim) for need, claim in claims.items()):
                 said = None
                 del printed[start:]
         stands = said is not None
         if stands:
+            if otherwise:
+                behind = len(printed)
+                otherwise()
+                del printed[behind:]
             stale = mark(frozenset().union(*(claim.outcome.reads for claim in there.values())))
         elif otherwise:
             return otherwise()

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
+from traceback import extract_tb
 from typing import Any
 
 import jinja2
@@ -159,7 +160,8 @@ def _named(template: str) -> Iterator[None]:
     except jinja2.TemplateError as error:
         # What is asked of a text or of nothing, as if it were a number, a record has otherwise than was thought.
         kind = ResultsError if PLAIN.match(error.message or "") else ReportError
-        raise kind(f"templates/{template}: {error.message}") from None
+        own = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
+        raise kind(f"templates/{template}{f':{own[-1]}' if own else ''}: {error.message}") from None
 
 
 @jinja2.pass_context

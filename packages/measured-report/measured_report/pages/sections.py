@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from traceback import extract_tb
 from typing import Any
 
+from measured_report.files.atomic import RecordError
 from measured_report.files.config import FILE, config
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
 from measured_report.values.results import Results
@@ -134,18 +134,12 @@ def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
     try:
         derive = import_module(f"report.sections.{results.record.section}").derive
         section = derive(results, releases) if outline.compares else derive(results)
-    except (ReportError, OSError):
+    except RecordError:
         raise
     except (ImportError, NameError) as error:  # whatever was measured, this is none of it
-        raise ReportError(f"{outline.source}: {' '.join(str(error).split())} ({_line_of(error)})") from error
+        raise ReportError(bug_of(error)) from error
     except Exception as error:
-        what = f"{type(error).__name__}: {' '.join(str(error).split())}, {_line_of(error)}"
-        raise LostError(f"its record lacks what the section is about ({what})") from error
+        raise LostError(bug_of(error)) from error
     if not isinstance(section, Section):
         raise ReportError(f"{outline.source}: derive returns a {type(section).__name__}, and not a Section")
     return section
-
-
-def _line_of(error: Exception) -> str:
-    where = extract_tb(error.__traceback__)[-1]
-    return f"{Path(where.filename).name}:{where.lineno}"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from markupsafe import Markup
 
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import workers
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import Picture, macros
@@ -148,15 +148,16 @@ class Figure(_Captioned):
         return replace(self, draw=None, sources=sources, pictures=pictures)
 
     def drawn(self) -> Pictures:
-        """Draw it; where what was measured can't be drawn, that is said in its place, once."""
+        """Draw it; where what it takes is not all there, that is said in its place, once."""
         from measured_report.parts.figures import draw_svgs
 
         assert self.draw, f"the figure {self.anchor} is drawn already"
         try:
             return draw_svgs(self.draw, name=self.anchor)
-        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
-            reason = " ".join(str(error).split())
-            return macros().left_out(UNDRAWN, reason), Markup("")
+        except Exception as error:
+            if all(source.value is not None for source in self.sources):
+                raise ReportError(f"the figure {self.anchor} can't be drawn: {bug_of(error)}") from None
+            return macros().left_out(UNDRAWN, " ".join(str(error).split())), Markup("")
 
     def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
         """Show the figure as it is drawn, where anything of it exists.
@@ -247,6 +248,8 @@ class Section:
                 return thing
             words[kind, name].refuse_unknown(f"{kind} {name}", thing.numbers)
             thing = replace(thing, wording=words[kind, name])
+            for part in words[kind, name].blocks:  # those as well that are not said now: with other numbers they are
+                words[kind, name](part, thing.numbers)
             if kind == "figure":
                 thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by, command=command)
             return thing.checked() if kind == "claim" else thing
