@@ -131,7 +131,8 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
     names = first_change(points_between(first, last), lambda asked: is_first(release_of(asked)))
     before, after = map(release_of, names[:2])
     told = [f"{search.query.text} changes between {before} and {after}: {said(ends[0])} → {said(ends[1])}"]
-    told += [f"between them cannot tell: {', '.join(names[2])}"] if names[2] else []
+    if names[2]:  # each may be the one that differs
+        told += [f"no answer from {', '.join(names[2])}: the first that answers otherwise is one of these and {after}"]
     return "\n".join([*told, _which_package(search, before, after, is_first)])
 
 
@@ -152,4 +153,4 @@ def _which_package(
     low, high, skipped = first_change(steps, is_first)
     found = [*groups, (config().package,)][steps.index(low) : steps.index(high)]
     names = " or ".join(" and ".join(names) for names in found)
-    return f"{names} did it: {low} is as before, {high} is not" if not skipped else f"it is one of {names}"
+    return f"it is one of {names}" if skipped else f"{names} did it: {low} is as before, {high} is not"

@@ -4,7 +4,7 @@ import argparse
 
 from measured_report.changes.alarm import diff_text
 from measured_report.changes.compare import compare
-from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.options import refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
@@ -17,6 +17,7 @@ OPTIONS = {
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print what differs; 1 when one edition can't be trusted or a claim flipped."""
+    refuse_itself(str(arguments.a), str(arguments.b))
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]

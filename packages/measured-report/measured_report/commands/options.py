@@ -28,7 +28,7 @@ def read_address(address: str) -> str:
     return f"{address.rstrip('/')}/" if address else ""
 
 
-EDITION = config().package or "edition"  # the option that names an edition
+EDITION = config().option.lower().replace("_", "-") or "edition"  # the option that names one, as its variable of make
 FORMATS = ("text", "markdown", "json")
 SHARED: dict[str, dict[str, Any]] = {
     EDITION: {
@@ -66,3 +66,10 @@ def refuse_unmeasured(project: Project, asked: str) -> None:
         there = ", ".join(release for release in project.releases if release != project.release) or "none"
         asked = f"{config().option}={asked}"
         raise UsageError(f"{asked} has no results (there are: {there}); make upgrade {asked} measures what decides")
+
+
+def refuse_itself(before: str, after: str) -> None:
+    """Refuse to compare an edition with itself, which differs in nothing."""
+    if before == after:
+        name, option = config().name_of(after), config().option
+        raise UsageError(f"{name} would be compared with itself; {option}= names another edition, as make newest does")

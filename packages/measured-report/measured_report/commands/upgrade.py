@@ -9,7 +9,7 @@ from functools import partial
 from measured_report.changes.alarm import upgrade_text
 from measured_report.changes.compare import Fault, compare
 from measured_report.changes.upgrade import base_of, deciding, lacking, verdict
-from measured_report.commands.options import shared
+from measured_report.commands.options import refuse_itself, shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import measure_what_can
 from measured_report.editions.project import Project
@@ -35,6 +35,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     """Measure the few sections that decide, say what changed, largest first, and build the site; 1 for an alarm."""
     device = measuring_device(arguments.device, project.profile)
     base = arguments.since or release_of(base_of(project) or project.own_release)
+    refuse_itself(str(base), project.release)
     answer = sys.stdout if arguments.format == "text" else _apart()
     # What may not install goes first: a base would be measured for nothing.
     after = _with_deciding(project, arguments.release, device, renews=True)
@@ -46,8 +47,8 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
     found = replace(found, faults=[*absent, *found.faults])
     print(upgrade_text(found, verdict(found, *compared), arguments.format), file=answer, flush=True)
-    if arguments.format == "text":
-        build_site(after)
+    if arguments.format == "text":  # the front page stays that of the project's own edition
+        build_site(project.of(project.own_release or project.release))
     return int(found.is_alarm)
 
 

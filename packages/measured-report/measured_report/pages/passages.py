@@ -124,9 +124,9 @@ def teller(find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[s
         stands = said is not None
         if stands:
             if otherwise:
-                behind = len(printed)
+                count = len(printed)
                 otherwise()
-                del printed[behind:]
+                del printed[count:]
             stale = mark(frozenset().union(*(claim.outcome.reads for claim in there.values())))
         elif otherwise:
             return otherwise()

@@ -232,9 +232,8 @@ def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
             with own_style({"svg.hashsalt": name}):
                 drawing = draw()
                 if not isinstance(drawing, Drawing):
-                    raise ReportError(
-                        f"it draws a {type(drawing).__module__}.{type(drawing).__name__}, not a new_figure()"
-                    )
+                    kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
+                    raise ReportError(f"it draws a {kind}, and not a new_figure()")
                 _trimmed(drawing)
                 if is_narrow():
                     _fit_narrow(drawing)
