@@ -4,7 +4,12 @@ Packaging alone: a small repository that is named newton stands for a checkout, 
 """
 
 import json
+import os
+import shutil
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from conftest import Toy, git
@@ -82,6 +87,20 @@ def test_with_names_packages(tmp_path):
     for bad in ("warp", "numpy==1.0", "warp-lang>=1", "warp-lang==1.0;x"):
         with pytest.raises(UsageError, match="WITH="):
             release_of("1.8.0", bad)
+
+
+@pytest.mark.skipif(not shutil.which("uv", path=Path(sys.executable).parent), reason="there is no uv")
+def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_of_it_measures(tmp_path):
+    """So that an edition of any day can be measured, and weighs no more than it must."""
+    environment._make(folder := tmp_path / ".venv-numpy-1.26.4", "NUMPY=1.26.4", ["--requirement", os.devnull])
+    environment._lend(folder)
+    environment._lend(folder)
+    (tmp_path / "report.toml").write_text('edition = "numpy"\n')
+    code = "import measured_report.measuring.run, measured_report.records.traces, sys; print('pandas' in sys.modules)"
+    bare = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    done = subprocess.run([folder / "bin/python", "-c", code], cwd=tmp_path, env=bare, capture_output=True, text=True)
+    assert done.stdout == "False\n", done.stderr
+    assert sum(path.stat().st_size for path in folder.rglob("*") if not path.is_symlink()) < 1 << 20
 
 
 def test_a_measurement_refuses_what_is_not_installed():

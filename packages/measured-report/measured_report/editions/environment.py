@@ -9,6 +9,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import date, timedelta
+from importlib.util import find_spec
 from pathlib import Path
 
 from measured_report.editions.release import Release, release_date
@@ -18,6 +19,8 @@ from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
 from measured_report.records.provenance import MISSING, package_versions
 
+MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")
+"""What measuring imports of the generator and of the packages that it takes."""
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
 FILTER = "UV_EXCLUDE_NEWER"
@@ -30,6 +33,12 @@ def add_group(group: str, root: Path = ROOT) -> None:
     """Install a group of pyproject.toml into ``.venv`` as the lock says; another Python is left as it is."""
     if Path(sys.prefix) == root / ".venv":
         _add(group, root, "--group")
+
+
+def add_group_to(python: Path, group: str, root: Path = ROOT) -> None:
+    """Install a group of pyproject.toml beside what an edition was measured with; ``.venv`` has it."""
+    if python.parents[1] not in (root / ".venv", Path(sys.prefix)):
+        _run(["pip", "install", "--python", str(python), "--group", f"{root / 'pyproject.toml'}:{group}"], group)
 
 
 def add_cluster(python: Path, root: Path = ROOT) -> None:
@@ -66,8 +75,26 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path = ROOT) 
         rest = requirements(root, {package: MISSING, **others, **dict(release.pins)})
         edits = (release.checkout / "pyproject.toml").read_text(encoding="utf-8") if release.checkout else ""
         pins = [f"{name}=={version}" for name, version in release.pins]
-        _make(folder, f"{option}={release.asked}", _asked_for(release, rest, root), pins, edits)
+        _make(folder, f"{option}={release.asked}", _asked_for(release, rest), pins, edits)
+    _lend(folder)
     return folder / "bin" / "python"
+
+
+def _lend(folder: Path) -> None:
+    """Let an environment import, behind all that is in it, what measuring takes of the generator's own.
+
+    Only what is measured is installed there: of whatever day that is, the generator is the one that asks.
+    """
+    lent = folder / "lent"
+    lent.mkdir(exist_ok=True)
+    for name in MEASURING:
+        if found := find_spec(name):
+            link, there = lent / name, Path(str(found.origin)).parent
+            if not link.exists() or link.resolve() != there.resolve():
+                link.unlink(missing_ok=True)
+                link.symlink_to(there)
+    for packages in folder.glob("lib/python*/site-packages"):
+        (packages / "measured-report.pth").write_text(f"{lent}\n", encoding="utf-8")
 
 
 def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Path:
@@ -105,9 +132,9 @@ def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
     return own + [f"{config().requirement_of(name)}=={version}" for name, version in known.items()]
 
 
-def _asked_for(release: Release, rest: Sequence[str], root: Path) -> list[str]:
+def _asked_for(release: Release, rest: Sequence[str]) -> list[str]:
     """Write what ``uv pip install`` is told: packages that nobody named are those of the day on which it came out."""
-    options = ["--group", f"{root / 'pyproject.toml'}:dev"]
+    options = []
     named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
     if not os.environ.get(FILTER) and (day := release_date(release)):
         lifted = f"{FILTER}={date.today()} takes later ones"

@@ -5,13 +5,14 @@ import gzip
 import io
 import re
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from hashlib import sha256
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path
-from measured_report.records.columns import PLAIN, column_of, number_problem, text_problem
+from measured_report.records.columns import PLAIN, column_of, is_number, number_problem, text_problem
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
@@ -25,15 +26,28 @@ NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
 
 def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, bytes]:
-    """Pack a trace as it is kept beside ``record``, with its seal; a number that can't be kept is left empty."""
-    import pandas as pd
+    """Pack a trace as it is kept beside ``record``, with its seal; a number that can't be kept is left empty.
 
-    frame = pd.DataFrame(table)
-    for column in frame.select_dtypes("number"):
-        frame[column] = frame[column].where([not number_problem(column, value) for value in frame[column].tolist()])
-    # Without a time in the header the same numbers give the same bytes.
-    content = gzip.compress(frame.to_csv(index=False, lineterminator="\n", float_format=f"%{DIGITS}").encode(), mtime=0)
-    return Seal(sha256(content).hexdigest(), len(_read(content, trace_path(record, case)))), content
+    It takes no pandas, which what is measured need not go with.
+    """
+    text, place = io.StringIO(), short_path(trace_path(record, case))
+    plain = {name: [getattr(cell, "item", lambda cell=cell: cell)() for cell in cells] for name, cells in table.items()}
+    for name, cells in plain.items():
+        lost = [cell is None or (is_number(cell) and bool(number_problem(name, cell))) for cell in cells]
+        cells[:] = [None if gone else cell for cell, gone in zip(cells, lost, strict=True)]
+        numbers, texts = list(filter(is_number, cells)), [cell for cell in cells if isinstance(cell, str)]
+        if problem := _problem(name, numbers, dict.fromkeys(texts)):
+            raise RecordError(f"{place} is no whole trace: {name!r:.80} {problem}")
+    try:
+        lines = list(zip(*plain.values(), strict=True))
+        _check_cells(iter([[*plain], *([str(cell) for cell in line] for line in lines)]))
+    except ValueError as error:
+        raise RecordError(f"{place} is no whole trace: {error}") from None
+    write = csv.writer(text, lineterminator="\n").writerow
+    for line in ([*plain], *lines):
+        write([f"{cell:{DIGITS}}" if isinstance(cell, float) else cell for cell in line])
+    content = gzip.compress(text.getvalue().encode(), mtime=0)  # with no time in its header: the same gives the same
+    return Seal(sha256(content).hexdigest(), len(lines)), content
 
 
 def load_trace(path: Path) -> "pd.DataFrame":
@@ -56,7 +70,10 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
         exact: dict[str, Any] = {} if int(pd.__version__.partition(".")[0]) > 2 else {"float_precision": "round_trip"}
         frame = pd.read_csv(io.BytesIO(text), index_col=False, keep_default_na=False, na_values=[""], **exact)
         for column in frame:
-            if problem := _problem(column, frame[column].dropna()):
+            cells = frame[column].dropna()
+            is_numeric = cells.dtype.kind in "iuf"
+            numbers, texts = cells.tolist() if is_numeric else [], [] if is_numeric else cells.unique()
+            if problem := _problem(column, numbers, [text for text in texts if isinstance(text, str)]):
                 raise ValueError(f"{column!r:.80} {problem}")
     except (ValueError, csv.Error, zlib.error) as error:
         raise RecordError(f"{short_path(path)} is no whole trace: {' '.join(str(error).split()):.300}") from None
@@ -79,20 +96,19 @@ def _check_cells(lines: Iterator[list[str]]) -> None:
         raise ValueError("it has no rows")
 
 
-def _problem(column: str, cells: "pd.Series") -> str:
-    """Say what is wrong with a column of a trace; empty when nothing is."""
+def _problem(column: str, numbers: Sequence[float], texts: Iterable[str]) -> str:
+    """Say what is wrong with a column of a trace that has these; empty when nothing is."""
     if not HEAD.fullmatch(column):
         return "is no column name"
-    if cells.empty:
-        return ""
-    if cells.dtype.kind in "iuf":
-        if column == "time_s" and not cells.is_monotonic_increasing:
-            return "runs backwards"
-        return next(filter(None, (number_problem(column, end) for end in (cells.min(), cells.max()))), "")
-    if column_of(column).unit != PLAIN:
-        return "is not all numbers"
-    texts = [text for text in cells.unique() if isinstance(text, str)]
-    return next(filter(None, (text_problem(text) or _mixed(text) for text in texts)), "")
+    if column == "time_s" and any(later < earlier for earlier, later in pairwise(numbers)):
+        return "runs backwards"
+    ends = (min(numbers), max(numbers)) if numbers else ()
+    for text in texts:
+        if numbers or column_of(column).unit != PLAIN:
+            return "is not all numbers"
+        if problem := text_problem(text) or _mixed(text):
+            return problem
+    return next(filter(None, (number_problem(column, end) for end in ends)), "")
 
 
 def _mixed(text: str) -> str:
