@@ -70,6 +70,7 @@ def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for
     [
         ("results.rows[5:]; rows[0]", "IndexError: list index"),
         ("results.row['stiff'].slap_mm", "toy: stiff has no column"),
+        ("results.chosen('x', 'so', 1.0, 'furlong')", "the value x has the unit furlong, which units in report.toml"),
     ],
 )
 def test_a_bug_of_derive_is_no_damage_and_has_its_line_and_no_advice_to_measure(toy, bug, said, capsys):
@@ -137,7 +138,7 @@ def test_rows_of_different_releases_or_machines_are_not_compared_by_accident(toy
     refused = results.value("gain", "one over the other", lambda a, b: a / b, *slips)
     assert refused.value is None
     assert refused.reason == "it would compare Newton 1.4.0 on A processor with Newton 1.8.0 on A processor"
-    asked = results.value("change", "one less the other", lambda a, b: b - a, *slips, across=True)
+    asked = results.value("change", "one less the other", lambda a, b: b - a, *slips, unit="mm", across=True)
     assert asked.value == pytest.approx(0.4 - 6.3617)
     noise = results.value("noise", "chosen", lambda: 0.1, unit="mm")
     assert greater(*slips, noise=noise).reason == refused.reason

@@ -2,11 +2,14 @@
 
 import math
 
+import pandas as pd
 import pytest
 from markupsafe import Markup
 
+from measured_report.files.errors import ReportError
 from measured_report.parts import claim as claims
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater, within
+from measured_report.parts.section import Table
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, ResultsError
@@ -45,6 +48,27 @@ def test_what_is_near_the_noise_cannot_tell(test, pairs):
         assert found == expected if expected else found.name == "unknown"
         assert found.is_inconclusive == (expected is None and test in (within, claims.beyond))
         assert ("data-src" in found.reason) == found.is_inconclusive, "its numbers lead back to where they are from"
+
+
+IN_MS, IN_S, COUNT = (Quantity(value, unit, "", noise=0.0) for value, unit in ((1500.0, "ms"), (2.0, "s"), (3, "1")))
+
+
+@pytest.mark.parametrize("other", [IN_S, COUNT])
+@pytest.mark.parametrize("test", [greater, at_least, at_most, within, claims.beyond])
+def test_numbers_of_several_units_are_refused_and_never_compared(test, other):
+    for pair in ((IN_MS, other), (other, IN_MS)):
+        with pytest.raises(ReportError, match=r"a test compares .*: derive them in one unit"):
+            test(*pair)
+    for test in (claims.decreases, claims.equal_within):
+        with pytest.raises(ReportError, match=r"1.*500 ms with"):
+            test([IN_MS, IN_MS], noise=other)
+    assert claims.decided(True, IN_MS, other) == HOLDS
+    table = Table(pd.DataFrame({"time": [IN_MS, other]}))
+    if other == IN_S:
+        with pytest.raises(ReportError, match="the column time of a table has ms and s: give it one unit"):
+            table.kept()
+    else:  # what stands beside each other need not be compared
+        assert "ms" in table.kept().frame
 
 
 @pytest.mark.parametrize("noise", [0.0, None])

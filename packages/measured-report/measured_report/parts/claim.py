@@ -11,6 +11,7 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
 from measured_report.values.format import ABSENT
@@ -126,7 +127,7 @@ class Claim:
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
     """Hold or fail by a condition that was computed from these; cannot tell where one of them is missing."""
-    return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities)
+    return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities, compares=False)
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
@@ -209,6 +210,7 @@ def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
 
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     """Return the opposite for a difference beyond the noise; what is only little more, either way, can't tell."""
+    _refuse_units(difference, noise)
     found = _absent(difference, noise)
     if not found:
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
@@ -218,19 +220,28 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     return found.having_read(difference, noise)
 
 
-def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "") -> Outcome:
+def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", compares: bool = True) -> Outcome:
     """Return what ``judge`` says of them where all are there and may be compared; having read them in any case.
 
-    A plain number has the unit of those that are quantities, and was chosen for ``why``.
+    A plain number has the unit of those that are quantities, and was chosen for ``why``. What ``compares`` numbers
+    refuses those of several units.
     """
     unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
     assert why or all(isinstance(number, Quantity) for number in numbers), "a bound that is a number needs its why"
     quantities = [
         number if isinstance(number, Quantity) else Bound(number, unit, "", noise=0.0, why=why) for number in numbers
     ]
+    if compares:
+        _refuse_units(*quantities)
     reason = mixed(*(quantity.origins for quantity in quantities))
     found = _absent(*quantities) or (Outcome("unknown", reason) if reason else judge(*quantities))
     return found.having_read(*quantities)
+
+
+def _refuse_units(*quantities: Quantity) -> None:
+    first, *others = quantities
+    if other := next((each for each in others if each.unit != first.unit), None):
+        raise ReportError(f"a test compares {first} with {other}: derive them in one unit")
 
 
 def _absent(*quantities: Quantity) -> Outcome | None:

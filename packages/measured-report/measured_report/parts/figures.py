@@ -20,7 +20,6 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
 
-from measured_report.files.errors import ReportError
 from measured_report.parts.macros import Picture
 from measured_report.values.format import format_number, format_power, format_short, whole
 from measured_report.values.quantities import Quantity
@@ -230,11 +229,7 @@ def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
             _told.clear()
             _screen.is_narrow = kind == "narrow"
             with own_style({"svg.hashsalt": name}):
-                drawing = draw()
-                if not isinstance(drawing, Drawing):
-                    kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
-                    raise ReportError(f"it draws a {kind}, and not a new_figure()")
-                _trimmed(drawing)
+                drawing = _trimmed(draw())
                 if is_narrow():
                     _fit_narrow(drawing)
                 found.append(_svg(drawing, kind, f"{prefix}{name}"))

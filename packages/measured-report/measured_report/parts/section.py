@@ -15,6 +15,7 @@ from measured_report.files.processes import workers
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.words import Wording
+from measured_report.records.columns import column_of, unlike
 from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import ResultsError, Series
@@ -26,6 +27,8 @@ if TYPE_CHECKING:  # these take long to import, and what is kept from before nee
 
 Pictures = Sequence[Picture | Markup]
 """A figure as drawn for broad screens and for narrow ones; the stylesheet shows one of them."""
+AXIS = re.compile(r"\[([^\[\]]+)\]$")
+"""The unit at the end of what an axis is called."""
 TAG = re.compile("<[^>]*>")
 UNDRAWN = "This cannot be drawn from what was measured"
 """Said in the place of a figure; no figure of the tracked results may say it."""
@@ -104,6 +107,8 @@ class _Column(NamedTuple):
 def _column(name: str, cells: "pd.Series") -> _Column:
     numbers = [cell for cell in cells if isinstance(cell, Quantity)]
     units = {cell.unit for cell in numbers}
+    if apart := unlike(sorted(units)):
+        raise ResultsError(f"the column {name} of a table has {' and '.join(apart)}: give it one unit")
     places = max(map(_place_count, numbers), default=0)
     return _Column(name, bool(numbers), units.pop() if len(units) == 1 else "", places)
 
@@ -153,11 +158,30 @@ class Figure(_Captioned):
 
         assert self.draw, f"the figure {self.anchor} is drawn already"
         try:
-            return draw_svgs(self.draw, name=self.anchor)
+            return draw_svgs(self._checked, name=self.anchor)
         except Exception as error:
             if all(source.value is not None for source in self.sources):
                 raise ReportError(f"the figure {self.anchor} can't be drawn: {bug_of(error)}") from None
             return macros().left_out(UNDRAWN, " ".join(str(error).split())), Markup("")
+
+    def _checked(self) -> "Drawing":
+        """Draw it; ReportError for what is no drawing, or an axis in another unit of a kind than what is drawn."""
+        from matplotlib.figure import Figure as Drawing
+
+        assert self.draw
+        drawing = self.draw()
+        if not isinstance(drawing, Drawing):
+            kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
+            raise ReportError(f"it draws a {kind}, and not a new_figure()")
+        units = {source.unit for source in self.sources if isinstance(source, Quantity)}
+        tables = (source.value for source in self.sources if isinstance(source, Series))
+        units |= {column_of(column).unit for table in tables if table is not None for column in table}
+        for axes in drawing.axes:
+            for label in (axes.get_xlabel(), axes.get_ylabel()):
+                found = AXIS.search(label)
+                if found and found[1] not in units and (apart := [unit for unit in units if unlike([unit, found[1]])]):
+                    raise ReportError(f"its axis {label!r} has another unit than what it draws, {apart[0]}")
+        return drawing
 
     def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
         """Show the figure as it is drawn, where anything of it exists.

@@ -9,7 +9,7 @@ The name ends in their unit; all else is declared in ``report.toml``, for column
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
 from importlib import import_module
@@ -24,6 +24,9 @@ _OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", 
 UNITS = _LENGTHS | _TIMES | _OTHERS | dict(config().units)
 """Unit by the end of a column's name; the longest end that fits counts."""
 
+SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|min|h|°C?|%|1|dB)[²³]?")
+"""A unit that nobody has to declare; several make one with ``/`` and ``·``. Numbers are compared in one unit or not at
+all, and never converted: they stand as they were measured, so that no library for units is needed."""
 PLAIN = "1"
 """The unit of a number whose column names none."""
 LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}
@@ -107,6 +110,21 @@ def parameters() -> Mapping[str, Any]:
     """Return the parameters of a case and their defaults, ``MISSING`` for one that has none."""
     module, _, name = config().case.partition(":")
     return {each.name: each.default for each in fields(getattr(import_module(module), name))} if module else {}
+
+
+def is_unit(text: str) -> bool:
+    """Tell whether a text is a unit: one of a column's, or made of symbols."""
+    return text in UNITS.values() or all(map(SYMBOL.fullmatch, re.split("[/·]", text)))
+
+
+def unlike(units: Iterable[str]) -> list[str]:
+    """Return two units of one kind that are not the same, as ms and s are; nothing where there are none."""
+    kinds: dict[str, str] = {}
+    for unit in units:
+        kind = re.sub(r"(?<![^/·])[nµmkMGT](?=(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)(?![a-zA-Z]))", "", unit)
+        if kinds.setdefault(kind, unit) != unit:
+            return [kinds[kind], unit]
+    return []
 
 
 def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import REASON, column_of
+from measured_report.records.columns import REASON, column_of, is_unit
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
 from measured_report.values.format import label_of
@@ -205,6 +205,8 @@ class Results:
         """
         if name in self.derived:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
+        if not is_unit(unit):
+            raise ResultsError(f"the value {name} has the unit {unit}, which units in report.toml does not declare")
         origins = [source.origins for source in sources]
         refusal = "" if across else mixed(*origins)
         value, reason = (None, refusal) if refusal else _evaluate(function, sources)
