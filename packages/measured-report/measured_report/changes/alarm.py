@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from measured_report.changes.compare import Comparison, faults_of
-from measured_report.changes.moves import Move
+from measured_report.changes.moves import NAMED, Move, few
 from measured_report.files.config import config
 from measured_report.pages.editions import Edition
 from measured_report.parts.claim import NEAR_NOISE, Claim
@@ -21,8 +21,6 @@ from measured_report.values.quantities import Quantity
 SCHEMA = 1
 LINES = 5
 """Chosen: so many of the largest moves are told."""
-NAMED = 4
-"""Chosen: so many claims, and twice as many settings, are named in a line."""
 MARKDOWN_LIMIT = 60_000
 """Characters; a comment on GitHub holds 65,536."""
 
@@ -174,11 +172,6 @@ def settings_text(settings: Sequence[Move]) -> str:
         if lone := [move.place["case"] for move in settings if move.values[index] is None]:
             told.append(f"{word}: {', '.join(lone)}")
     return "; ".join(told) or "all as they were"
-
-
-def few(names: Sequence[str], count: int = NAMED) -> str:
-    more = f"; and {len(names) - count} more" if len(names) > count else ""
-    return "; ".join(names[:count]) + more
 
 
 def power(found: Comparison) -> str:

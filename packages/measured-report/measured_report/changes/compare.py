@@ -10,7 +10,7 @@ from measured_report.changes.moves import Move, cells_between
 from measured_report.files.config import config
 from measured_report.pages.editions import Edition
 from measured_report.records.columns import UNBELIEVED, column_of
-from measured_report.values.noise import NOISE, Repeats, repeats_of
+from measured_report.values.noise import NOISE, samples_of
 
 
 @dataclass(frozen=True)
@@ -72,14 +72,13 @@ class Comparison:
 def compare(before: Edition, after: Edition) -> Comparison:
     """Compare the results of two editions."""
     sides = before.chapters, after.chapters
-    known = [repeats_of(side[NOISE].results.record) if NOISE in side else None for side in sides]
-    repeats = [each or next(filter(None, known), Repeats({})) for each in known]
+    samples = [samples_of(side[NOISE].results.record) if NOISE in side else {} for side in sides]
     shared = [name for name in before.chapters if name in after.chapters]
     return Comparison(
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)])),
         flips=flips_between(*sides),
-        cells=[each for name in shared for each in cells_between(sides[0][name], sides[1][name], repeats)],
+        cells=[each for name in shared for each in cells_between(sides[0][name], sides[1][name], samples)],
         notes=[*_uncompared(before, after)],
     )
 

@@ -6,15 +6,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from measured_report.changes.query import Query
 from measured_report.files.config import config
 from measured_report.pages.chapters import Chapter
+from measured_report.pages.editions import Edition
 from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
-from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost, is_repeated
+from measured_report.values.noise import EDGES, NOISE, PAIRS, Floor, Samples, cell_noise, chance, is_beyond, is_lost
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
+NAMED = 4
+"""Chosen: so many claims, and twice as many settings, are named in a line."""
 CHOSEN_SHARE = 0.1
 """Chosen: the share of a value that counts as noise where none was measured."""
 
@@ -34,6 +38,8 @@ class Move:
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)
     """Columns that tell its row apart."""
+    chance: float | None = None
+    """How often runs of one edition come out as far apart; None where it was not repeated often enough in both."""
 
     @property
     def values(self) -> tuple[Any, Any]:
@@ -59,6 +65,8 @@ class Move:
         before, after = self.values
         if self.is_setting or None in (self.noise, before, after):
             return before != after
+        if self.chance is not None:  # samples are compared as samples
+            return self.chance <= 1 - PAIRS and is_beyond(column_of(self.column).resolution, before, after)
         return is_beyond(times * self.least, before, after)
 
     @property
@@ -115,6 +123,7 @@ class Move:
     def text(self) -> str:
         name = " ".join(map(str, self.place.values()))
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
+        noise = noise if self.chance is None else f"  (repeats come out so with a chance of {self.chance:.1g})"
         words = ["near the noise"] if self.is_inconclusive else [self.direction] if self.direction else []
         return "  ".join([f"{name}  {self.column}: {self.ends}{noise}", *words])
 
@@ -126,11 +135,13 @@ class Move:
         return f"{_said(self.before)} → {_said(self.after)}"
 
 
-def cells_between(before: Chapter, after: Chapter, repeats: Sequence[Repeats]) -> Iterator[Move]:
+def cells_between(before: Chapter, after: Chapter, samples: Sequence[Samples] = ({}, {})) -> Iterator[Move]:
     """Yield the values of a section that compare between two editions, moved or not, and settings that one lacks.
 
-    ``repeats`` say how far apart runs of each come out.
+    ``samples`` are what runs of one case gave in each.
     """
+    floors = [one.results.floors or other.results.floors for one, other in ((before, after), (after, before))]
+    is_sampled = before.name in (NOISE, *config().changes.same_runs)
     rules, records = config().changes, (before.results.record, after.results.record)
     old, new = _rows_by_key(before), _rows_by_key(after)
     for key in dict.fromkeys((*old, *new)):
@@ -145,8 +156,10 @@ def cells_between(before: Chapter, after: Chapter, repeats: Sequence[Repeats]) -
             for column in cells[0]:
                 if column in cells[1] and _compares(column, *cells, has_same_terms=has_same_terms):
                     are_numbers = all(is_number(cell[column]) for cell in cells)
-                    noise, is_chosen = _noise(column, before.name, cells, repeats) if are_numbers else (None, False)
-                    yield Move(column, a[column], b[column], noise, is_chosen, before.name, place)
+                    noise, is_chosen = _noise(column, cells, floors) if are_numbers else (None, False)
+                    runs = [each.get((a["case"], column), ()) for each in samples] if is_sampled and noise else ()
+                    seen = chance(*runs) if runs else None
+                    yield Move(column, a[column], b[column], noise, is_chosen, before.name, place, seen)
 
 
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
@@ -171,25 +184,43 @@ def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> b
 
 
 def _noise(
-    column: str, section: str, cells: Sequence[Mapping[str, Any]], repeats: Sequence[Repeats]
+    column: str, cells: Sequence[Mapping[str, Any]], floors: Sequence[Mapping[str, Floor]]
 ) -> tuple[float, bool]:
-    """Return the noise of a number, and whether it is a chosen one."""
-    values, edges = [cell[column] for cell in cells], [column + edge for edge in EDGES]
-    chosen = CHOSEN_SHARE * max(map(abs, values))
-    if all(cell.get(column_of(column).trials) for cell in cells):
-        return max(cell_noise(column, cell, {}) or 0.0 for cell in cells), False
-    if all(column_of(column).is_exact(cell) for cell in cells):
-        return 0.0, False
+    """Return the noise of a number, which is the larger of both editions', and whether it is a chosen one."""
+    edges = [column + edge for edge in EDGES]
+    chosen = CHOSEN_SHARE * max(abs(cell[column]) for cell in cells)
     if all(cell.get(edge) is not None for edge in edges for cell in cells):
         measured = max(cell[edges[1]] - cell[edges[0]] for cell in cells)
         # Of two machines of one kind one may be faster, and nothing in a record tells one from the other.
         return (chosen, True) if chosen > NEAR_NOISE * measured else (measured, False)
-    if all(is_repeated(column, cell) for cell in cells) and not any(each.knows(column) for each in repeats):
-        return 0.0, False
-    case = cells[0]["case"] if section in config().changes.same_runs else ""
-    found = [each.noise(case, column, value) for each, value in zip(repeats, values, strict=True)]
+    found = [cell_noise(column, cell, each) for cell, each in zip(cells, floors, strict=True)]
     known = [noise for noise in found if noise is not None]
-    return (chosen, True) if known != found or "cost" in column_of(column).kinds else (max(known), False)
+    is_cost = "cost" in column_of(column).kinds and any(known)  # what was counted is exact
+    return (chosen, True) if known != found or is_cost else (max(known), False)
+
+
+def blind_spots(edition: Edition) -> list[str]:
+    """Say of which columns no noise is known, and which thresholds ring later than they say, or never."""
+    unknown: dict[str, None] = {}
+    for chapter in edition.chapters.values():
+        for row in chapter.results.rows:
+            numbers = {column: row[column] for column in row.columns if isinstance(row[column], Quantity)}
+            there = (column for column, number in numbers.items() if number.value is not None and number.noise is None)
+            unknown |= dict.fromkeys(each for each in there if column_of(each).kinds.isdisjoint(("chance", "cost")))
+    late = []
+    for name, threshold in config().changes.thresholds.items():
+        number = Query(name).quantity(edition.chapters)
+        if isinstance(number, Quantity) and number.value:
+            least = NEAR_NOISE * (CHOSEN_SHARE if number.noise is None else number.noise / abs(number.value))
+            late += [f"{name} from {100 * least:.2g} %"] if least > threshold else []
+    said = [f"no noise is known of {few(list(unknown), 8)}"] if unknown else []
+    return said + ([f"thresholds that ring later than they say, for the noise: {few(late)}"] if late else [])
+
+
+def few(names: Sequence[str], count: int = NAMED) -> str:
+    """Name no more than so many, and say how many more there are."""
+    more = f"; and {len(names) - count} more" if len(names) > count else ""
+    return "; ".join(names[:count]) + more
 
 
 def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:

@@ -4,8 +4,9 @@ import shlex
 from collections.abc import Sequence
 from dataclasses import replace
 
-from measured_report.changes.alarm import few, largest, power, settings_text
+from measured_report.changes.alarm import largest, power, settings_text
 from measured_report.changes.compare import Comparison
+from measured_report.changes.moves import few
 from measured_report.changes.query import Query
 from measured_report.editions.project import Project
 from measured_report.files.config import config

@@ -36,6 +36,8 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
         takes_gpu = needs_gpu(lacking[0], project.root) and any(machines_besides(project, "cpu"))
         device = None if gpus() or takes_gpu else "cpu"
         print(f"{project.rerun(lacking[0], device)} measures one of them{' on a GPU' if takes_gpu else ''}")
+    for note in built.notes:
+        print(note)
     print(f"built {project.site / 'index.html'}")
     return say_damage(state for release in releases.values() for state in release.left_out), bool(lacking)
 

@@ -9,6 +9,7 @@ from functools import partial
 from importlib import metadata
 from pathlib import Path
 
+from measured_report.changes.moves import blind_spots
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.cache import Cache
@@ -39,6 +40,8 @@ class Built:
 
     stale: Sequence[str]
     left_out: Sequence[State]
+    notes: Sequence[str] = ()
+    """Said of what no comparison with it will see."""
 
 
 def build(project: Project, address: str = "") -> dict[str, Built]:
@@ -70,6 +73,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             release: Built(
                 [name for name, chapter in edition.chapters.items() if chapter.state.notes],
                 [*edition.left_out, *edition.plugins.left_out],
+                blind_spots(edition) if edition.project.is_own else (),
             )
             for release, edition in editions.items()
         }

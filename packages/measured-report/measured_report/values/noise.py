@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from statistics import NormalDist, fmean, median, stdev
+from functools import cache
+from statistics import NormalDist, fmean, stdev
 from typing import Any
 
 from measured_report.files.config import config
@@ -96,56 +96,44 @@ def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
     return floors
 
 
-@dataclass(frozen=True)
-class Repeats:
-    """Holds the noise of one edition, by the runs of its section on noise."""
-
-    own: Mapping[tuple[str, str], Floor]
-    """Noise by the case that was repeated and the column."""
-
-    def noise(self, case: str, column: str, value: float) -> float | None:
-        """Return the noise of a number: that of its case where it was repeated, or a share of it; None without any.
-
-        The share is the largest that the column has, or else the middle one of the columns of its unit, or of all. What
-        has a sign passes through zero, where a share says nothing: it has the largest noise of its column.
-        """
-        if (case, column) in self.own:
-            return self.own[case, column].at(value)
-        if column_of(column).is_count:
-            return 0.0
-        if (found := self._columns.get(column)) and column_of(column).least < 0.0:
-            return found.at(value)
-        share = self._shares.get(column)
-        if share is None:
-            unit = column_of(column).unit
-            alike = [share for name, share in self._shares.items() if column_of(name).unit == unit]
-            share = median(alike or self._shares.values()) if self._shares else None
-        return None if share is None else share * abs(value)
-
-    def knows(self, column: str) -> bool:
-        """Tell whether the column itself was repeated."""
-        return column in self._columns
-
-    @cached_property
-    def _columns(self) -> Mapping[str, Floor]:
-        return noisiest({column: floor} for (_, column), floor in self.own.items())
-
-    @cached_property
-    def _shares(self) -> Mapping[str, float]:
-        """Return shares by column; what was set or counted is exact, and no share of anything."""
-        shares: dict[str, float] = {}
-        for (_, column), floor in self.own.items():
-            about = column_of(column)
-            if floor.magnitude and not (about.kinds or about.is_count):
-                shares[column] = max(shares.get(column, 0.0), floor.spread / floor.magnitude)
-        return shares
+Samples = Mapping[tuple[str, str], Sequence[float]]
+"""What runs of one and the same case gave, by case and column."""
 
 
-def repeats_of(record: Record) -> Repeats:
-    """Measure how far apart runs of the section on noise come out; those that were lost take no part."""
-    runs = runs_of(row for row in record.rows if not is_lost(row))
-    found = {case: floors_of(rows, record.units) for case, rows in runs.items()}
-    return Repeats({(case, column): floor for case, floors in found.items() for column, floor in floors.items()})
+def samples_of(record: Record) -> Samples:
+    """Collect the numbers of cases that the section on noise repeats: of the repeats, and of a case's own row."""
+    found: dict[tuple[str, str], list[float]] = {}
+    repeated = {row.get("of") for row in record.rows}
+    for row in (row for row in record.rows if not is_lost(row)):
+        case = row.get("of") or row["case"]
+        for column in record.units if case in repeated else ():
+            if (value := row.get(column)) is not None:
+                found.setdefault((case, column), []).append(value)
+    return found
+
+
+def chance(before: Sequence[float], after: Sequence[float]) -> float | None:
+    """Tell how often two samples of the same come out as far apart as these; None for fewer runs than can tell.
+
+    It is the two-sided rank test of Mann and Whitney (1947), Annals of Mathematical Statistics 18, 50-60, exact up to
+    400 pairs and by the normal distribution from there on: no outlier counts for more than its rank.
+    """
+    n, m = len(before), len(after)
+    if not n or not m or 2 / math.comb(n + m, n) > 1 - PAIRS:
+        return None
+    greater = sum((a > b) + 0.5 * (a == b) for a in before for b in after)
+    least = math.ceil(min(greater, n * m - greater))
+    if n * m > 400:
+        return min(1.0, 2 * NormalDist(n * m / 2, math.sqrt(n * m * (n + m + 1) / 12)).cdf(least))
+    return min(1.0, 2 * sum(_ways(n, m, count) for count in range(least + 1)) / math.comb(n + m, n))
+
+
+@cache
+def _ways(n: int, m: int, count: int) -> int:
+    """Count the orders of n and m numbers in which so many pairs stand the other way round."""
+    if count < 0 or not n or not m:
+        return int(count == 0)
+    return _ways(n - 1, m, count - m) + _ways(n, m - 1, count)
 
 
 def is_lost(row: Mapping[str, Any]) -> bool:
@@ -183,7 +171,8 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
         return abs(share * value)
     if column not in floors:
         return ROUNDING_SHARE * abs(value) if is_repeated(column, row) else None
-    return max(floors[column].at(value, length=row.get(about.grows_with)), about.resolution) or None
+    found = max(floors[column].at(value, length=row.get(about.grows_with)), about.resolution)
+    return found or (None if about.unit in TIMES else ROUNDING_SHARE * abs(value))  # what repeats to the last bit
 
 
 def derived_noise(
