@@ -54,6 +54,10 @@ END = "{% endtable %}\n"
         (END, END + "{{ 3.5 }}", "says nothing of where it comes from"),
         (END, END + "{% if %}", "templates/sections/toy.md.j2"),
         (END, END + "It slips\n6.36 mm.", r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed"),
+        *(
+            (END, f"{END}It is {number} so.", f"{number} is typed")
+            for number in ("37 %", "3.7 times", "4.5 GB", "2 m/s", "1.2 µm", "30 min", "5 kg/m³", "12 MPa")
+        ),
         (END, END + "{% include 'other.md.j2' %}", "there is no templates/other.md.j2$"),
         ("It does not.", "It does not, by {{ 3.5 }}.", "toy.md.j2 prints 3.5, which says nothing"),
         (END, END + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}', "prints 3.5, which"),

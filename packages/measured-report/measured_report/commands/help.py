@@ -5,13 +5,16 @@ from importlib import import_module
 
 from measured_report.commands.command_line import commands, help_of, options_of
 from measured_report.editions.project import Project
+from measured_report.files.config import config
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print all commands with the variables that each takes, and what each variable is."""
     said: dict[str, str] = {}
     for name, module in ((name, import_module(place)) for name, place in commands().items()):
-        options = options_of(module)
+        options = {
+            name: option for name, option in options_of(module).items() if name != "DEVICE" or config().needs_gpu
+        }
         print(f"make {name:9} {help_of(module)}" + (f" [{' '.join(options)}]" if options else ""))
         said |= {variable: option["help"] for variable, option in options.items()}
     print()

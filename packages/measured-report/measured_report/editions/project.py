@@ -161,6 +161,6 @@ def own_release(root: Path = ROOT) -> str:
     text = (root / "pyproject.toml").read_text(encoding="utf-8")
     found = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not found:
-        line = f'a line "{requirement}==1.4.0" does'
+        line = f'a line "{requirement}==1.2.3" does'
         raise ReportError(f"pyproject.toml asks for no {config().edition_name} release; {line}")
     return found[1]

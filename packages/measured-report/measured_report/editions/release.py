@@ -107,7 +107,7 @@ def _found(asked: str, option: str) -> Release:
     if label := read_label(asked):
         return label
     if not asked:
-        raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.8.0 does")
+        raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.2.3 does")
     path, _, reference = asked.rpartition("@")
     here = Path(asked).expanduser().resolve()
     wheel = WHEEL.fullmatch(here.name)
@@ -125,7 +125,7 @@ def _found(asked: str, option: str) -> Release:
     if path and repository.is_dir() and REFERENCE.fullmatch(reference):
         return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
     kinds = "release number, checkout, wheel or git+https://…@ref"
-    raise UsageError(f"{option}={asked} is no {kinds}; {option}=1.8.0 is one")
+    raise UsageError(f"{option}={asked} is no {kinds}; {option}=1.2.3 is one")
 
 
 def _commit(address: str, reference: str, asked: str, option: str) -> Release:
@@ -156,7 +156,7 @@ def _own_version(project: str, asked: str, option: str) -> str:
 def _read_pins(text: str) -> Sequence[tuple[str, str]]:
     pins = [word.partition("==")[::2] for word in text.split()]
     if not all(package in config().packages[1:] and VERSION.fullmatch(version) for package, version in pins):
-        example = " ".join(f"{package}==1.19.0" for package in config().packages[1:3])
+        example = " ".join(f"{package}==1.2.3" for package in config().packages[1:3])
         raise UsageError(f'WITH={text} is no list of versions; WITH="{example}" is one')
     return [(package, full_version(version)) for package, version in pins]
 

@@ -2,12 +2,14 @@
 
 import sys
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.errors import ReportError
+import msgspec
+
+from measured_report.files.errors import ReportError, suggestion
 from measured_report.files.root import ROOT
 
 FILE = "report.toml"
@@ -174,8 +176,12 @@ def config(root: Path = ROOT) -> Config:
         if "edition" in found:
             found["packages"] = [found["edition"], *found.get("packages", ())]
             found.setdefault("edition_name", found["edition"])
-        found["columns"] = [Declared(**table) for table in found.get("columns", ())]
-        found["changes"] = Changes(**found.get("changes", {}))
-        return Config(**found)
-    except (OSError, ValueError, TypeError) as error:
+        tables = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
+        for place, table, kind in [*tables, *(("columns.", each, Declared) for each in found.get("columns", ()))]:
+            names = {each.name for each in fields(kind)}
+            for name in table if isinstance(table, dict) else ():
+                if name not in names:
+                    raise ValueError(f"there is no setting {place}{name}{suggestion(name, names)}")
+        return msgspec.convert(found, Config)
+    except (OSError, ValueError, TypeError) as error:  # which msgspec's are
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None

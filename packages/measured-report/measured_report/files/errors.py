@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
 from traceback import extract_tb
+from types import TracebackType
 
 
 class ReportError(Exception):
@@ -32,3 +33,13 @@ def bug_of(error: BaseException) -> str:
     name = "/".join(parts[max((place for place, part in enumerate(parts) if part == "report"), default=-1) :])
     kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "
     return f"{name}:{line}: {kind}{' '.join(str(error).split())}"
+
+
+def _say(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+    if issubclass(kind, ReportError):
+        print(" ".join(str(error).split()), file=sys.stderr)
+    else:
+        sys.__excepthook__(kind, error, trace)
+
+
+sys.excepthook = _say  # report.toml is read as modules are imported, where no command has begun that could say it

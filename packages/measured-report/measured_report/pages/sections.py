@@ -41,7 +41,7 @@ def _page(**fields: Any) -> Page:
         name = fields["name"]
         texts = tuple(fields.get("texts", [f"pages/{name}.md.j2"]))
         return Page(**{"label": name.replace("_", " ").capitalize(), **fields, "texts": texts})
-    except (KeyError, TypeError) as error:
+    except (AttributeError, KeyError, TypeError) as error:
         raise ReportError(f"{FILE}: what it says of a page can't be read ({error})") from None
 
 

@@ -43,7 +43,10 @@ OPTIONAL = {"opposite", "because"}
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 
 TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
-TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|µm|ms|kg|Hz|[Ns%°×])(?!\w)")
+TYPED = re.compile(
+    r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?"
+    r"(?:[nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?|[mk][AV]|min|times|[%°×x])(?!\w)"
+)
 """A number with the unit of one that is measured."""
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
 """Names that Jinja has for itself, so that what is given under them is never said."""

@@ -1,0 +1,38 @@
+"""What report.toml may say: a slip of it is one line that says what to do, wherever it is met."""
+
+import subprocess
+import sys
+
+import pytest
+
+from measured_report.commands.new import SKELETON
+from measured_report.files.config import config
+from measured_report.files.errors import ReportError
+
+TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("title =", "titel =", "there is no setting titel; near it: title"),
+        ("better =", "beter =", "there is no setting columns.beter; near it: better"),
+        ("[changes.thresholds]", "[changes.tresholds]", "there is no setting changes.tresholds; near it: thresholds"),
+        ('edition = "', 'edition = 3 # "', r"Expected `str`, got `int` - at `\$.edition`"),
+        ("pages = [", 'pages = ["x",', r"Expected `object`, got `str` - at `\$.pages\[0\]`"),
+        ("title =", "title", "Expected '=' after a key"),
+    ],
+)
+def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
+    (tmp_path / "report.toml").write_text(TEXT.replace(old, new, 1))
+    with pytest.raises(ReportError, match=f"^report.toml: {said}") as error:
+        config(tmp_path)
+    assert "\n" not in str(error.value)
+
+
+def test_a_command_says_it_in_that_line_and_no_traceback(tmp_path):
+    (tmp_path / "report.toml").write_text(TEXT.replace("title =", "titel ="))
+    (tmp_path / "build.py").write_text((SKELETON / "build.py").read_text())
+    done = subprocess.run([sys.executable, "build.py", "help"], cwd=tmp_path, capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("", "report.toml: there is no setting titel; near it: title\n")
+    assert done.returncode == 1
