@@ -1,5 +1,6 @@
 """Bisect and history: on records that are there already, and on a small repository."""
 
+import shutil
 from argparse import Namespace
 from dataclasses import replace
 

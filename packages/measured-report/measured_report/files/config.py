@@ -88,7 +88,7 @@ class Config:
     on the CPU."""
     case: str = ""
     """The dataclass, as ``module:name``, whose fields are what a run was set to."""
-    noise_section: str = "noise"
+    noise_section: str = ""
     """The section that has repeats: rows that are runs of one and the same case, as ``of`` says."""
     repeating: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """What columns say of runs that repeat to the last bit, all but times."""

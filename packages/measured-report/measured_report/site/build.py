@@ -10,6 +10,7 @@ from importlib import metadata
 from pathlib import Path
 
 from measured_report.changes.moves import blind_spots
+from measured_report.changes.names import refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.cache import Cache
@@ -65,6 +66,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         with cached_sources(project.root), unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = editions_of(project, templates, derived)
+            refuse_unknown_names(editions, editions.get(project.own_release or project.release))
             site = Site(draft, project.release, editions, templates, address, citation(), derived)
             site.write(partial(write_feed, site))
             draft.write(SUMS, sums(draft.digests))

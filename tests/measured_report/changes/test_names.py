@@ -1,0 +1,55 @@
+"""Names in report.toml: one of nothing is refused in one line, before anything is built."""
+
+from dataclasses import replace
+
+import pytest
+
+from measured_report.changes import names
+from measured_report.files.config import Changes, Config, Declared
+from measured_report.files.errors import ReportError
+
+RULES = Config(
+    noise_section="toy",
+    columns=[Declared(names=["slip_mm"], grows_with="dropped")],
+    changes=Changes(
+        deciding=["toy"], thresholds={"toy.soft.slip_mm": 0.05}, headlines={"gain": "toy.gain"}, cause="toy.helps"
+    ),
+)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({}, ""),
+        ({"noise_section": "tay"}, "noise_section names tay, which is no section here; near it: toy"),
+        (
+            {"columns": [Declared(names=["slap_mm"])]},
+            "columns names slap_mm, which is no column here; near it: slip_mm",
+        ),
+        ({"repeating": {"engine": ["c"]}}, "repeating names engine, which is no column"),
+        ({"deciding": ["noise"]}, "changes.deciding names noise, which is no section"),
+        (
+            {"thresholds": {"toy.soft.slap_mm": 1.0}},
+            "changes.thresholds names toy.soft.slap_mm, which is no value here",
+        ),
+        (
+            {"thresholds": {"toy.saft.slip_mm": 1.0}},
+            "toy.saft.slip_mm, which is no value here; near it: toy.soft.slip_mm",
+        ),
+        (
+            {"headlines": {"gain": "toy.gein"}},
+            "changes.headlines names toy.gein, which is no value here; near it: toy.gain",
+        ),
+        ({"cause": "toy.help"}, "changes.cause names toy.help, which is no value here; near it: toy.helps"),
+    ],
+)
+def test_a_name_of_nothing_stops_the_build(toy, monkeypatch, wrong, said):
+    changes = {name: wrong.pop(name) for name in [*wrong] if name in vars(Changes())}
+    rules = replace(RULES, **wrong, changes=replace(RULES.changes, **changes))
+    monkeypatch.setattr(names, "ROOT", toy.project.root)
+    monkeypatch.setattr(names, "config", lambda: rules)
+    if not said:
+        toy.build()
+        return
+    with pytest.raises(ReportError, match=f"^report.toml: .*{said}"):
+        toy.build()
