@@ -90,7 +90,7 @@ class Config:
     """The dataclass, as ``module:name``, whose fields are what a run was set to."""
     noise_section: str = ""
     """The section that has repeats: rows that are runs of one and the same case, as ``of`` says."""
-    repeating: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """What columns say of runs that repeat to the last bit, all but times."""
     units: Mapping[str, str] = field(default_factory=dict)
     """Units by the end of a column's name, besides those that ``records/columns.py`` knows."""

@@ -239,8 +239,9 @@ def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", comp
 
 
 def _refuse_units(*quantities: Quantity) -> None:
-    first, *others = quantities
-    if other := next((each for each in others if each.unit != first.unit), None):
+    there = [quantity for quantity in quantities if quantity.value is not None]
+    first = next(iter(there), None)
+    if other := next((each for each in there if first and each.unit != first.unit), None):
         raise ReportError(f"a test compares {first} with {other}: derive them in one unit")
 
 
