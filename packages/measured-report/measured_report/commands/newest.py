@@ -3,6 +3,7 @@
 import argparse
 from dataclasses import replace
 
+from measured_report.commands.options import EDITION
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import releases_of
 from measured_report.editions.status import records_of
@@ -11,7 +12,7 @@ from measured_report.files.errors import ReportError
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
-    """Print ``package=release`` and ``with=pins``; nothing where nothing is new."""
+    """Print what is new, a line each, as outputs of a step; nothing where nothing is new."""
     package = config().package
     sides = (replace(project, profile=profile) for profile in PROFILES)
     known = [side.of(release) for side in sides for release in side.releases]
@@ -21,12 +22,16 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
         raise ReportError(f"the index says of no release of {package}; this takes the network")
     latest = releases[-1]
     if latest.order > newest.order:
-        print(f"{package}={latest}\nwith=")
-        return 0
+        return _say(latest, "")
     for other, *_ in config().changes.together:
         used = {record.identity.packages[other] for each in known for record in records_of(each)}
         for newer in releases_of(other)[-1:]:
             if str(newer) not in used:
-                print(f"{package}={newest.version}\nwith={other}=={newer}")
-                return 0
+                return _say(newest.version, f"{other}=={newer}")
+    return 0
+
+
+def _say(release: object, pins: str) -> int:
+    """Print what is new under the package's name, and under ``option`` and ``release``, which know no package."""
+    print(f"{config().package}={release}\nwith={pins}\noption={EDITION}\nrelease={release}")
     return 0

@@ -1,0 +1,38 @@
+"""A new report: on the package and with the title that it was asked for, everywhere."""
+
+import re
+
+import pytest
+
+from measured_report.commands.new import new, update
+from measured_report.files.config import config
+from measured_report.files.errors import UsageError
+
+
+def test_a_report_on_another_package_names_no_other_and_stays_so_when_it_is_renewed(tmp_path):
+    new(folder := tmp_path / "mine", "scikit-learn==1.5.0", "How it changes")
+    (folder / "report.mk").write_text((folder / "report.mk").read_text())
+    update(folder)
+    texts = {
+        path: path.read_text() for path in folder.rglob("*") if path.is_file() and path.suffix not in (".whl", ".json")
+    }
+    for path, text in texts.items():
+        assert not re.search("(?i)pendulum|mujoco|@[A-Z]+@", text), path
+    titled = ("CITATION.cff", "README.md", "report.toml", "templates/front.md.j2")
+    assert all("How it changes" in texts[folder / name] for name in titled)
+    assert '"scikit-learn==1.5.0"' in texts[folder / "pyproject.toml"]
+    assert config(folder).option == "SCIKIT_LEARN"
+    assert "steps.new.outputs.release" in texts[folder / ".github/workflows/upgrade.yml"]
+    compiled = [compile(text, path, "exec") for path, text in texts.items() if path.suffix == ".py"]
+    assert len(compiled) == 4
+
+
+def test_without_one_it_is_the_pendulum_and_what_is_no_package_or_title_is_refused(tmp_path):
+    new(tmp_path / "mine")
+    names = {path.name for path in (tmp_path / "mine").rglob("*") if path.is_file()}
+    assert "pendulum.py" in names and "importing.py" not in names
+    assert len(names) >= 3
+    for package, title in (("no package", ""), ("numpy==one", ""), ("numpy==2.3.0", 'A "title"')):
+        with pytest.raises(UsageError, match=r"which no title takes|names one with its release"):
+            new(tmp_path / "other", package, title)
+    assert not (tmp_path / "other").exists()
