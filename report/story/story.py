@@ -117,7 +117,7 @@ def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
         return Markup("✓ {}").format(before)
     if after.value is None:
         return Markup("✗ {}").format(before)
-    return Markup("✗ {}, with the fix {} {}").format(before, "✗" if after.value >= bound.value else "✓", after)
+    return Markup("✗ {} → {} {}").format(before.bare, "✗" if after.value >= bound.value else "✓", after)
 
 
 def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:

@@ -108,6 +108,13 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
             assert rule["impact"] not in ("serious", "critical"), (path.name, rule["id"], rule["nodes"][0]["html"][:99])
 
 
+def test_no_page_is_wider_than_a_small_phone(site, tab):
+    tab.set_viewport_size({"width": 320, "height": 640})
+    for path in pages(site):
+        open_page(tab, path)
+        assert tab.evaluate("document.documentElement.scrollWidth") <= 320, path.name
+
+
 @pytest.mark.parametrize(("tab", "screens"), [(("desk", "light"), 1), (("phone", "light"), 3)], indirect=["tab"])
 def test_answers_come_first(site, tab, screens):
     """What, why, what to paste, and who needs it, on the first screen, or on three of a phone."""

@@ -93,9 +93,9 @@ def test_what_the_story_claims_can_be_said_with_every_outcome(editions, template
     [
         ([None, 0.3], "not measured"),
         ([0.3, 0.3], "✓ 0.3"),
-        ([6.0, 0.3], "✗ 6.0 mm, with the fix ✓ 0.30"),
+        ([6.0, 0.3], "✗ 6.0 → ✓ 0.30"),
         ([6.0, None], "✗ 6.0"),
-        ([6.0, 5.0], "✗ 6.0 mm, with the fix ✗ 5.0"),
+        ([6.0, 5.0], "✗ 6.0 → ✗ 5.0"),
     ],
 )
 def test_the_advice_follows_the_slips(slips, said):
