@@ -20,7 +20,7 @@ SCENE = """
   {rest}
   <worldbody>
     <geom name="floor" type="plane" size="1 1 1"/>
-    <body name="ball"><freejoint/><geom name="skin" size="0.1" mass="2" {skin}/></body>
+    <body name="ball" pos="0 0 0.1"><freejoint/><geom name="skin" size="0.1" mass="2" {skin}/></body>
   </worldbody>
 </mujoco>
 """
@@ -169,7 +169,7 @@ def test_a_fix_edits_the_text_and_keeps_the_old(scene, tmp_path, capsys):
     old = (tmp_path / "scene.xml").read_text()
     assert main([target, "--fix"]) == 1
     new = (tmp_path / "scene.xml").read_text()
-    assert new == old.replace('<option gravity="0 0 -1"/>', '<option gravity="0 0 -1" timestep="0.0005"/>')
+    assert new == old.replace('solref="0.001 1"', 'solref="0.004 1"')
     assert (tmp_path / "scene.xml.orig").read_text() == old
     assert main([target]) == 0 and "written" in capsys.readouterr().err
 

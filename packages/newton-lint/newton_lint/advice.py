@@ -1,11 +1,19 @@
 """What to change: the attribute, its value and its place, with what it gains and costs by the law."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 from newton_lint.findings import Advice, Change
 from newton_lint.law import clamped
 from newton_lint.scene import Scene
+
+FAR = 4.0
+"""A damping ratio, or a timeconst, that is more than this many times another one is far from it."""
+MOST_SHORTER = 2.0
+"""How many times shorter a time step may be made."""
+FEW = 10
+"""Iterations of the solver with which an elliptic cone is solved."""
 
 
 def for_geom(scene: Scene, geom: int, attributes: Mapping[str, str], gain: str) -> Advice:
@@ -13,8 +21,11 @@ def for_geom(scene: Scene, geom: int, attributes: Mapping[str, str], gain: str) 
     first = next(iter(attributes))
     own = scene.source.geom(geom)
     said = scene.source.authored(geom, first)
-    subject = scene.names[geom] if said in (None, own) else f"the default of {scene.names[geom]}"
-    return Advice((Change(subject, tuple(attributes.items()), said or own),), gain)
+    items = tuple(attributes.items())
+    if said in (None, own):
+        return Advice((Change(scene.names[geom], items, own),), gain)
+    alone = Advice((Change(scene.names[geom], items, own),), "")
+    return either(Advice((Change(f"the default of {scene.names[geom]}", items, said),), gain), alone)
 
 
 def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice:
@@ -25,30 +36,99 @@ def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice
     return Advice((Change("option", tuple(attributes.items()), element),), gain)
 
 
-def resolved(*ways: Advice) -> Advice:
-    """Return several ways, of which one is enough: the first is what a fix takes."""
-    return Advice(ways[0].changes, "; or ".join([ways[0].gain, *map(str, ways[1:])]))
+@dataclass(frozen=True)
+class Ways(Advice):
+    """Several ways, of which one is enough, the mildest first; one that tells no gain is not said."""
+
+    others: tuple[Advice, ...] = ()
+
+    def __str__(self) -> str:
+        return "; or ".join([super().__str__(), *(str(other) for other in self.others if other.gain)])
+
+
+def ways_of(advice: Advice | None) -> tuple[Advice, ...]:
+    """Return each way of an advice that changes something."""
+    ways = (advice, *(advice.others if isinstance(advice, Ways) else ())) if advice else ()
+    return tuple(way for way in ways if way.changes)
+
+
+def either(first: Advice, *others: Advice) -> Advice:
+    more = (*(first.others if isinstance(first, Ways) else ()), *others)
+    return Ways(first.changes, first.gain, more)
+
+
+def for_exclude(scene: Scene, names: Sequence[str], gain: str) -> Advice:
+    """Return an ``<exclude>`` of two bodies."""
+    attributes = (("body1", names[0]), ("body2", names[1]))
+    return Advice((Change("exclude", attributes, None),), gain)
 
 
 def shorter_step(scene: Scene, timeconst_s: float) -> Advice:
     step = 0.5 * timeconst_s
     more = scene.option.timestep_s / step
     gain = f"the contact is as stiff as it says, for {more:.2g} times the steps"
+    if more > MOST_SHORTER:
+        return Advice((), f'timestep="{step:.3g}": {gain}')
     return for_option(scene, {"timestep": f"{step:.3g}"}, gain)
 
 
-def longer_solref(scene: Scene, geom: int, timeconst_s: float) -> Advice:
-    ratio = scene.model.geom_solref[geom, 1]
-    return for_geom(scene, geom, {"solref": f"{timeconst_s:.3g} {ratio:g}"}, "says what is used, and changes nothing")
+def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str | None], gain: str) -> Advice:
+    """Return a solref for the ``<pair>`` that a contact has its parameters from, or for the geoms that count in it.
+
+    Args:
+        solref: Makes the new one of an old one; None where that may stay.
+    """
+    contacts, model = scene.contacts, scene.model
+    first, second = int(contacts.first[pair]), int(contacts.second[pair])
+    if contacts.named[pair] >= 0:
+        element = scene.source.pair(*(model.geom(geom).name for geom in (first, second)))
+        said = solref(model.pair_solref[contacts.named[pair]])
+        subject = f"the pair of {scene.names[first]} and {scene.names[second]}"
+        return Advice((Change(subject, (("solref", said),), element),) if said else (), gain)
+    geoms = (first,) if contacts.outranked[pair] else (first, second)
+    each = [
+        for_geom(scene, geom, {"solref": said}, gain) for geom in geoms if (said := solref(model.geom_solref[geom]))
+    ]
+    together = tuple({(one.element, one.attributes): one for way in each for one in way.changes}.values())
+    alone = tuple(change for way in each for change in (ways_of(way)[-1].changes))
+    ways = [Advice(together, gain)] + ([Advice(alone, "")] if alone != together else [])
+    return either(*ways)
+
+
+def longer_solref(scene: Scene, pair: int, timeconst_s: float) -> Advice:
+    """Return the timeconst that is used for what is authored shorter."""
+
+    def longer(solref: Sequence[float]) -> str | None:
+        return f"{timeconst_s:.6g} {solref[1]:g}" if 0.0 < solref[0] < timeconst_s else None
+
+    return for_contact(scene, pair, longer, "says what is used, and changes nothing")
+
+
+def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:
+    """Return a direct solref that the time step bears: b h is 1, and the damping no more than critical."""
+    damping = dmax / scene.option.timestep_s
+
+    def softer(solref: Sequence[float]) -> str | None:
+        if solref[0] > 0.0 or solref[1] > 0.0:
+            return None
+        return f"{-min(-solref[0], 0.25 * damping**2):.4g} {-min(-solref[1], damping):.4g}"
+
+    return for_contact(scene, pair, softer, "as stiff as the time step bears")
 
 
 def elliptic(scene: Scene, steepest: float) -> Advice:
-    """Return an elliptic cone, with an impratio of 10 where none above 1 is said."""
-    impratio = scene.option.impratio
-    asked = impratio if impratio > 1.0 else 10.0
-    less = (1.0 + steepest**2) * asked / impratio
-    gain = f"creep under load goes down by {less:.3g} where μ is {steepest:g}"
-    return for_option(scene, {"cone": "elliptic", "impratio": f"{asked:g}"}, gain)
+    """Return an elliptic cone, then one with an impratio of 10 where none above 1 is said; with enough iterations."""
+    own, model = scene.option.impratio, scene.model
+    more = {"iterations": f"{FEW}"} if model.opt.iterations < FEW else {}
+    ways = [(more, 1.0 + steepest**2)]
+    ways += [({"impratio": "10", **more}, 10.0 * (1.0 + steepest**2) / own)] if own <= 1.0 else []
+    said = [
+        for_option(
+            scene, {"cone": "elliptic", **more}, f"creep under load goes down by {less:.3g} where μ is {steepest:g}"
+        )
+        for more, less in ways
+    ]
+    return either(*said)
 
 
 def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
@@ -63,11 +143,17 @@ def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
     return for_geom(scene, geom, attributes, gain)
 
 
-def whole_solref(scene: Scene, geom: int) -> Advice:
-    """Return a solref of one form in place of one that mixes both: as stiff as it says, and critically damped."""
-    first = float(scene.model.geom_solref[geom, 0])
-    solref = f"{first:g} 1" if first > 0.0 else f"{first:g} {-2.0 * math.sqrt(-first):.3g}" if first else "0.02 1"
-    return for_geom(scene, geom, {"solref": solref}, "as stiff as it says, and critically damped")
+def whole_solref(scene: Scene, pair: int) -> Advice:
+    """Return a solref of one form and critically damped, for one that mixes both or is far from it."""
+
+    def whole(solref: Sequence[float]) -> str | None:
+        first, second = solref
+        ratio = second if first > 0.0 else -second / (2.0 * math.sqrt(-first)) if first < 0.0 else 0.0
+        if (first > 0.0) == (second > 0.0) and 0.25 <= ratio <= FAR:
+            return None
+        return f"{first:g} 1" if first > 0.0 else f"{first:g} {-2.0 * math.sqrt(-first):.3g}" if first else "0.02 1"
+
+    return for_contact(scene, pair, whole, "as stiff as it says, and critically damped")
 
 
 def in_order(scene: Scene, geom: int) -> Advice:

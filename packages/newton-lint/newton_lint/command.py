@@ -16,9 +16,11 @@ from typing import Any, NoReturn
 CLEAN, FOUND, UNFIT, BROKEN = 0, 1, 2, 3
 """Exit status."""
 PROGRAM = "newton-lint"
-OTHERS = ("prescribe", "page")
+OTHERS = ("prescribe", "page", "pair")
 """Commands besides the lint itself, each a module."""
 SEVERITIES = ("note", "warning", "error")
+PASSES = 4
+"""Times that scenes which share files are gone over."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -29,6 +31,9 @@ class Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
     try:
         if not any(".py:" in each or given[:1] == ["page"] for each in given):
             _import_mujoco_without_windows()
@@ -40,6 +45,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _linted(parser().parse_args(given))
         except TargetError as error:
             print(error, file=sys.stderr)
+            return UNFIT
+        except OSError as error:  # a full disk, or nobody who reads
+            with contextlib.suppress(OSError, ValueError):
+                print(f"{PROGRAM}: {error}", file=sys.stderr)
             return UNFIT
     except Exception:  # a fault of the lint itself, which Python would end with the status of a finding
         traceback.print_exc()
@@ -56,26 +65,35 @@ def _import_mujoco_without_windows() -> None:
 
 
 def _linted(given: argparse.Namespace) -> int:
-    from newton_lint.output import written
+    from newton_lint.output import shown, written
     from newton_lint.report import report_of
     from newton_lint.settings import table_of
     from newton_lint.target import TargetError, found_in, read_target
 
     table = table_of(Path.cwd())
     asked = asked_of(given, table)
-    reports, unread = [], 0
-    for target in found_in(given.target):
+    form = "json" if given.json else given.format or table.get("format", "text")
+    reports, unread, fixes = [], [], []
+    targets = list(found_in(given.target, [*given.exclude, *table.get("exclude", [])]))
+    for target in targets:
         try:
-            reports.append(report_of(read_target(target), asked))
+            read = read_target(target)
+            if (given.fix or given.dry_run) and read.path and read.model is not None:
+                report, lines, why = importlib.import_module("newton_lint.mend").fixed(read, asked, given.dry_run)
+                fixes += lines
+                unread += [why] if why else []
+            else:
+                report = report_of(read, asked)
+            reports.append(report)
         except TargetError as error:
-            print(error, file=sys.stderr)
-            unread += 1
-    if reports:
-        form = "json" if given.json else given.format or table.get("format", "text")
-        with _pipe_may_close():
-            print(written(reports, form, given.all))
-    if given.fix:
-        _fixed(reports)
+            unread.append(str(error))
+    if given.fix and not given.dry_run and not unread and len(targets) > 1:
+        fixes += _fixed_again(targets, asked)
+    with _pipe_may_close():
+        if reports or form in ("json", "sarif"):
+            print(written(reports, form, given.all, unread))
+    for line in (*unread, *fixes):
+        print(shown(line), file=sys.stderr)
     if unread:
         return UNFIT
     least = given.fail_on or table.get("fail-on", "warning")
@@ -83,14 +101,19 @@ def _linted(given: argparse.Namespace) -> int:
     return FOUND if failed else CLEAN
 
 
-def _fixed(reports: Sequence[Any]) -> None:
-    from newton_lint.fix import fix
+def _fixed_again(targets: Sequence[str], asked: Any) -> list[str]:
+    """Go over scenes that may share files until none has more to write."""
+    from newton_lint.mend import fixed
+    from newton_lint.target import read_target
 
-    for report in reports:
-        advised = (finding.advice for finding in report.findings if finding.advice and finding.severity != "note")
-        if report.source:
-            for line in fix((change for advice in advised for change in advice.changes), report.source):
-                print(line, file=sys.stderr)
+    told: list[str] = []
+    for _ in range(PASSES):
+        reads = (read_target(target) for target in targets)
+        lines = [fixed(read, asked)[1] for read in reads if read.path and read.model is not None]
+        if not (wrote := [line for each in lines for line in each if line.endswith(": written")]):
+            break
+        told += wrote
+    return told
 
 
 def asked_of(given: argparse.Namespace, table: dict[str, Any]):
@@ -99,8 +122,15 @@ def asked_of(given: argparse.Namespace, table: dict[str, Any]):
     from newton_lint.report import Asked
 
     ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
-    load = Load(given.acceleration, given.load)
-    return Asked(engine_of(given, table), load, work_of(given), given.below or table.get("below"), frozenset(ignore))
+    load = Load(given.acceleration, given.load, given.press)
+    return Asked(
+        engine_of(given, table),
+        load,
+        work_of(given),
+        given.below or table.get("below"),
+        frozenset(ignore),
+        not given.no_step,
+    )
 
 
 def engine_of(given: argparse.Namespace, table: dict[str, Any]):
@@ -140,7 +170,11 @@ def parser() -> Parser:
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
     add("--ignore", metavar="RULES", help="rules that do not count, with commas between")
     add("--all", action="store_true", help="every predicted creep, not the worst five alone")
-    add("--fix", action="store_true", help="write the first change of each finding into the files")
+    add("--fix", action="store_true", help="write changes that were measured to do no harm into the files")
+    add("--dry-run", action="store_true", help="the same, and print the patch in place of writing it")
+    add("--no-step", action="store_true", help="do not simulate the scene for 0.2 s")
+    add("--exclude", action="append", default=[], metavar="PATTERN", help="files of folders that are left out")
+    add("--press", type=positive, default=0.0, metavar="N", help="normal force on each contact point: how deep it goes")
     add_work(made)
     add("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
     add("--acceleration", type=positive, default=0.0, metavar="M/S²", help="ω² r of a support that turns")

@@ -163,12 +163,18 @@ def _normal_damping(contact: Contact, option: Option, d: float) -> float:
 
 
 def settled_impedance(contact: Contact, option: Option, normal_n: float) -> float:
-    """Return the impedance at the depth to which a normal force presses one contact point.
+    """Return the impedance at the depth to which a normal force presses one contact point."""
+    return impedance(contact.solimp, settled_depth_m(contact, option, normal_n))
+
+
+def settled_depth_m(contact: Contact, option: Option, normal_n: float) -> float:
+    """Return that depth, which a body's own weight makes whatever its mass.
 
     At rest k d r balances R f, and d depends on the depth r: solved by halving.
     """
     weight = contact.weight_1_kg
-    if option.cone == "pyramidal":  # all edges of the pyramid bear it, each with the R that matches the friction
+    if option.cone == "pyramidal" and contact.condim > 1:
+        # All edges of the pyramid bear it, each with the R that matches the friction.
         weight *= (1.0 + contact.mu**2) * contact.mu**2 / option.impratio / (contact.condim - 1)
     low, high = 0.0, 1.0
     for _ in range(60):
@@ -178,7 +184,7 @@ def settled_impedance(contact: Contact, option: Option, normal_n: float) -> floa
             low = depth
         else:
             high = depth
-    return impedance(contact.solimp, 0.5 * (low + high))
+    return 0.5 * (low + high)
 
 
 def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> float:

@@ -19,18 +19,41 @@ USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "c
 """What ``used`` is called where it is not what the engine uses."""
 
 
-def written(reports: Sequence[Report], form: str, everything: bool) -> str:
-    """Return all reports as ``text``, ``json``, ``sarif`` or ``github``."""
+def shown(text: str) -> str:
+    """Return a text whose unprintable characters are escaped: a name with a newline begins no line of a log."""
+    return "".join(each if each.isprintable() else each.encode("unicode_escape", "replace").decode() for each in text)
+
+
+def written(reports: Sequence[Report], form: str, everything: bool, unread: Sequence[str] = ()) -> str:
+    """Return all reports as ``text``, ``json``, ``sarif`` or ``github``.
+
+    Args:
+        unread: What is said of targets that are unfit.
+    """
     if form == "json":
         objects = [as_json(report) for report in reports]
-        return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1, ensure_ascii=False)
+        return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1)
     if form == "sarif":
-        return json.dumps(_sarif(reports), indent=1, ensure_ascii=False)
-    told = _github if form == "github" else lambda report: _text(report, everything)
-    return "\n".join(line for report in reports for line in told(report))
+        return json.dumps(_sarif(reports, unread), indent=1)
+    told = _github if form == "github" else lambda report: text_of(report, everything)
+    lines = [line for report in reports for line in told(report)]
+    lines += summary(reports) if form == "text" and len(reports) > 1 else ()
+    return "\n".join(map(shown, lines))
 
 
-def _text(report: Report, everything: bool) -> Iterator[str]:
+def summary(reports: Sequence[Report]) -> Iterator[str]:
+    """Yield a table of what was found in how many scenes."""
+    found = [(finding.severity, finding.rule, report.target) for report in reports for finding in report.findings]
+    with_any = len({target for severity, _, target in found if severity != "note"})
+    yield f"{_counted(len(reports), 'scene')}, {with_any} with warnings or errors"
+    yield f"  {'severity':9}{'rule':16}{'findings':>9}{'scenes':>8}"
+    kinds = {(severity, rule) for severity, rule, _ in found}
+    for severity, rule in sorted(kinds, key=lambda kind: (-SEVERITIES.index(kind[0]), kind[1])):
+        hit = [target for each, name, target in found if (each, name) == (severity, rule)]
+        yield f"  {severity:9}{rule:16}{len(hit):>9}{len(set(hit)):>8}"
+
+
+def text_of(report: Report, everything: bool) -> Iterator[str]:
     groups = alike(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
     size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
@@ -85,6 +108,8 @@ def creep_line(prediction: Prediction, load: Load) -> str:
         least, most = prediction.load_mm_s
         between = rated(most) if rated(least) == rated(most) else f"{rated(least)} to {rated(most)}"
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
+    if load.press_n:
+        parts.append(f"pressed {prediction.depth_mm:.3g} mm deep by {load.press_n:g} N on a contact point")
     return f"{place}{f' ({count} pairs)' if count > 1 else ''}: {'; '.join(parts)}"
 
 
@@ -101,7 +126,7 @@ def _github(report: Report) -> Iterator[str]:
         yield f"::{LEVELS[finding.severity]} {place}title=newton-lint {finding.rule}::{said}"
 
 
-def _sarif(reports: Sequence[Report]) -> dict:
+def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
     results = [
         {
             "ruleId": group[0].rule,
@@ -113,7 +138,9 @@ def _sarif(reports: Sequence[Report]) -> dict:
         for group in alike(report.findings)
     ]
     rules = [{"id": rule} for rule in sorted({result["ruleId"] for result in results})]
-    run = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
+    run: dict = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
+    told = [{"level": "error", "message": {"text": line}} for line in unread]
+    run["invocations"] = [{"executionSuccessful": not unread, "toolExecutionNotifications": told}]
     schema = "https://json.schemastore.org/sarif-2.1.0.json"
     return {"$schema": schema, "version": "2.1.0", "runs": [run]}
 

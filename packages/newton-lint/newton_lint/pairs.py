@@ -5,6 +5,8 @@ import numpy as np
 
 PLANE, HFIELD = int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD)
 OFF = int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
+CHUNK = 512
+"""Geoms whose pairs are looked for at once."""
 UNFILTERED = int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
 
 
@@ -27,10 +29,17 @@ def collidable(model: mujoco.MjModel, pairs: np.ndarray) -> np.ndarray:
 def _unnamed(model: mujoco.MjModel) -> np.ndarray:
     """Return pairs that their bits, bodies and excludes leave, in the order of the model."""
     geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
-    first, second = (geoms[index] for index in np.triu_indices(len(geoms), k=1))
-    contype, conaffinity = model.geom_contype, model.geom_conaffinity
-    there = ((contype[first] & conaffinity[second]) | (contype[second] & conaffinity[first])) != 0
-    pairs = np.stack([first[there], second[there]], axis=1)
+    contype, conaffinity = model.geom_contype[geoms], model.geom_conaffinity[geoms]
+    own = model.body_weldid[model.geom_bodyid[geoms]]
+    rows = []
+    for begin in range(0, len(geoms), CHUNK):  # one body of many geoms is a large matrix and few pairs
+        part = slice(begin, begin + CHUNK)
+        there = ((contype[part, None] & conaffinity) | (contype & conaffinity[part, None])) != 0
+        there &= own[part, None] != own
+        there &= np.arange(begin, min(begin + CHUNK, len(geoms)))[:, None] < np.arange(len(geoms))
+        first, second = np.nonzero(there)
+        rows.append(np.stack([geoms[first + begin], geoms[second]], axis=1))
+    pairs = np.concatenate(rows) if rows else np.zeros((0, 2), dtype=int)
     body = model.geom_bodyid[pairs]
     weld = model.body_weldid[body]
     there = (weld[:, 0] != weld[:, 1]) & (model.body_dofnum[weld] > 0).any(axis=1) & collidable(model, pairs)

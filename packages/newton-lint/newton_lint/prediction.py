@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from newton_lint.grouping import alike
-from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
+from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of, settled_depth_m
 from newton_lint.scene import Scene
 
 
@@ -18,6 +18,7 @@ class Load:
     acceleration_m_s2: float = 0.0
     """Along the contact, and left out by its rows."""
     load_n: float = 0.0
+    press_n: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,8 @@ class Prediction:
     """Slide under the load, the less first: of a contact as deep as solimp's width and one that hardly touches."""
     acceleration_mm_s: float
     is_free: bool = False
+    depth_mm: float = 0.0
+    """How deep the normal force presses a contact point."""
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
@@ -77,7 +80,7 @@ def predicted(
     """Return the creep of one contact; None where nothing damps it."""
     dmax = clamped(contact.solimp[1])
     deep, shallow = response_of(contact, option), response_of(contact, option, clamped(contact.solimp[0]))
-    if not math.isfinite(deep.acceleration_s):
+    if not 0.0 <= deep.acceleration_s < math.inf:  # undamped, or too stiff for the step, which throws it off
         return None
     inverse_b = deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s
     loads = sorted(M * (each.load_m_s_n * load.load_n) for each in (deep, shallow))
@@ -90,6 +93,7 @@ def predicted(
         load_mm_s=(loads[0], loads[1]),
         acceleration_mm_s=M * deep.acceleration_s * load.acceleration_m_s2,
         is_free=is_free,
+        depth_mm=M * settled_depth_m(contact, option, load.press_n) if load.press_n else 0.0,
     )
 
 

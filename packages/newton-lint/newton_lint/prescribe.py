@@ -11,8 +11,8 @@ import numpy as np
 
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of, positive, work_of
 from newton_lint.findings import Change
-from newton_lint.fix import fix
-from newton_lint.law import IMPLICITFAST, STEP_SHARE, M
+from newton_lint.law import M
+from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
@@ -33,7 +33,6 @@ UPRIGHT = 0.99
 """Cosine to the vertical from which a hinge turns about it."""
 FLYWHEEL = 1e6
 """Armature of a hinge that nothing slows down [kg m²]."""
-INTEGRATORS = ("Euler", "RK4", "implicit", "implicitfast", "discrete")
 
 
 @dataclass(frozen=True)
@@ -44,17 +43,14 @@ class Setting:
     impratio: float | None = None
     elliptic: bool = False
     timestep_s: float | None = None
-    integrator: int | None = None
     noslip: bool = False
 
     def option(self) -> dict[str, str]:
         """Return attributes of ``<option>``."""
-        integrator = None if self.integrator is None else INTEGRATORS[self.integrator]
         said = {
             "timestep": self.timestep_s and f"{self.timestep_s:g}",
             "cone": "elliptic" if self.elliptic else None,
             "impratio": self.impratio and f"{self.impratio:g}",
-            "integrator": integrator,
             "noslip_iterations": str(NOSLIP) if self.noslip else None,
         }
         return {name: value for name, value in said.items() if value}
@@ -113,7 +109,7 @@ def main(arguments: Sequence[str]) -> int:
     print("the least that does:" if changes else "nothing has to change")
     print("\n".join(f"  {change}" for change in changes))
     if given.fix:
-        print("\n".join(fix(changes, scene.source)))
+        print("\n".join(fix(changes, scene.source, target)))
     return CLEAN
 
 
@@ -161,11 +157,7 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
     timeconsts = [None, *(each for each in TIMECONSTS_S if each < stiffest or stiffest <= 0.0)]
     impratios = [None, *(each for each in IMPRATIOS if each > option.impratio)]
     noslips = (False, True) if not option.noslip and scene.engine.name == "mujoco" else (False,)
-    adds = STEP_SHARE.get(option.integrator, 0.0) > STEP_SHARE[IMPLICITFAST]
-    integrators = (None, IMPLICITFAST) if work.turn_rad_s and adds else (None,)
-    for timeconst, impratio, share, noslip, integrator in itertools.product(
-        timeconsts, impratios, SHORTER, noslips, integrators
-    ):
+    for timeconst, impratio, share, noslip in itertools.product(timeconsts, impratios, SHORTER, noslips):
         step = option.timestep_s * share
         if timeconst is not None and option.refsafe and timeconst < 2.0 * step:
             continue
@@ -174,7 +166,6 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
             impratio,
             elliptic=option.cone == "pyramidal" and (impratio is not None),
             timestep_s=step if share < 1.0 else None,
-            integrator=integrator,
             noslip=noslip,
         )
         if setting.change_count:
@@ -203,8 +194,6 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
     opt.impratio = setting.impratio or opt.impratio
     if setting.elliptic:
         opt.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
-    if setting.integrator is not None:
-        opt.integrator = setting.integrator
     if setting.noslip:
         opt.noslip_iterations = NOSLIP
     return model
@@ -294,24 +283,12 @@ def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Cha
     return changes
 
 
-def pareto(trials: Sequence[Trial]) -> list[bool]:
-    """Return of which no other is both slower in its creep and faster to simulate."""
-    return [
-        not any(
-            (other.measured_mm_s <= trial.measured_mm_s and other.second_s < trial.second_s)
-            or (other.measured_mm_s < trial.measured_mm_s and other.second_s <= trial.second_s)
-            for other in trials
-        )
-        for trial in trials
-    ]
-
-
 def _table(trials: Sequence[Trial], bound_mm_s: float) -> Iterator[str]:
     head = f"{'':2}{'predicted':>18}{'measured':>18}{'a step':>10}{'a second':>12}"
-    yield f"{head}  setting (bound {bound_mm_s:g} mm/s; *: no other creeps less and is faster)"
-    for trial, stands in zip(trials, pareto(trials), strict=True):
+    yield f"{head}  setting (bound {bound_mm_s:g} mm/s)"
+    for trial in trials:
         predicted = "slides" if np.isinf(trial.predicted_mm_s) else rated(trial.predicted_mm_s)
         yield (
-            f"{'*' if stands else '':2}{predicted:>18}{rated(trial.measured_mm_s):>18}"
+            f"{'':2}{predicted:>18}{rated(trial.measured_mm_s):>18}"
             f"{trial.step_us:>7.0f} µs{trial.second_s:>10.3f} s  {trial.setting}"
         )

@@ -6,12 +6,15 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from newton_lint.findings import SEVERITIES, Finding
+from newton_lint.grip import SLIP_MM_S, gripped
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
 from newton_lint.settle import Hold, Work, held
 from newton_lint.source import Source
+from newton_lint.step_rules import stepped
+from newton_lint.stepped import runs_of
 from newton_lint.target import Target, newtons
 
 
@@ -25,6 +28,8 @@ class Asked:
     below_mm_s: float | None = None
     """Creep from which what is held is a finding."""
     ignore: Collection[str] = ()
+    step: bool = True
+    """Whether the scene is stepped in MuJoCo C."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +64,9 @@ def report_of(target: Target, asked: Asked) -> Report:
         return newtons(target.name, "newton_lint.newton_models.report", "report_of", target, asked)
     scene = scene_of(target, asked.engine)
     hold = held(scene, target, asked.work) if asked.work else None
-    found = lint(scene) + (hold.findings(scene, asked.below_mm_s) if hold else [])
+    found = lint(scene) + (hold.findings(scene, asked.below_mm_s or SLIP_MM_S) if hold else [])
+    runs = runs_of(scene.model, target) if asked.step else []
+    found += [*stepped(scene, target, runs), *gripped(scene, runs, asked.work.body if asked.work else "")]
     if asked.work and not hold:
         told = ("slides", asked.work.body, (), "settle", asked.work.settle_s, None, "s")
         message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
@@ -82,7 +89,7 @@ def report_of(target: Target, asked: Asked) -> Report:
 
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:
     engine = engine or Engine()
-    return Scene(engine.asked(target.model), Source.of(target.path, target.model), engine)
+    return Scene(engine.asked(target.model), Source.of(target.path, target.model, target.texts), engine)
 
 
 def as_json(report: Report) -> dict[str, Any]:

@@ -2,28 +2,30 @@
 
 from collections.abc import Iterator
 
+import mujoco
 import numpy as np
 
 from newton_lint.advice import (
+    FAR,
+    either,
     for_geom,
     in_order,
     longer_solref,
     of_higher_priority,
-    resolved,
     shorter_step,
+    softer_solref,
     whole_solref,
 )
-from newton_lint.findings import Finding
-from newton_lint.grip import gripped
+from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, findings_of, hits
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import engine, excluded, flags, lost, named_pairs, pyramid
+from newton_lint.scene_rules import engine, flags, lost, named_pairs, pyramid
 
 SAME = 1e-5
 """Relative difference up to which two parameters are the same."""
-FAR = 4.0
-"""A damping ratio, or a timeconst, that is more than this many times another one is far from it."""
+STIFF = 1.9
+"""b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
 DEFAULTS = {
     "solref": DEFAULT_SOLREF,
     "solimp": (0.9, 0.95, 0.001, 0.5, 2.0),
@@ -37,10 +39,10 @@ OVERRULED = "never reaches the solver: the other geom has the higher priority"
 
 def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
-    rules = (solref_format, solimp, timeconst, dampratio, one_sided, priority, unused, untouched)
+    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, priority, unused)
     names = scene.names
     found = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, names)]
-    of_the_whole = (gripped, lost, excluded, pyramid, named_pairs, flags, engine)
+    of_the_whole = (lost, pyramid, named_pairs, flags, engine)
     return found + [finding for rule in of_the_whole for finding in rule(scene)]
 
 
@@ -53,8 +55,14 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         *("solref-format", "solref[1]", shape, None, own[shape, 1], DEFAULT_SOLREF[1], message),
         severity="error",
         element=lambda index: scene.source.authored(int(shape[index]), "solref"),
-        advise=lambda index: whole_solref(scene, int(shape[index])),
+        advise=lambda index: _whole(scene, int(shape[index])),
     )
+
+
+def _whole(scene: Scene, geom: int) -> Advice | None:
+    contacts = scene.contacts
+    plain = (contacts.named < 0) & ((contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked)
+    return whole_solref(scene, int(np.flatnonzero(plain)[0])) if plain.any() else None
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
@@ -94,10 +102,29 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         f"is below {said}, which the engine clamps it to",
         unit="s",
         element=lambda index: _says(scene, int(below[index]), int(shape[index]), "solref"),
-        advise=lambda index: resolved(
+        advise=lambda index: either(
+            longer_solref(scene, int(below[index]), float(limit[below[index]])),
             shorter_step(scene, float(taken[below[index]])),
-            longer_solref(scene, int(shape[index]), limit[below[index]]),
         ),
+    )
+
+
+def too_stiff(scene: Scene) -> Iterator[Hits]:
+    """Yield direct solrefs that are too stiff for the time step; refsafe leaves them alone."""
+    contacts, step = scene.contacts, scene.option.timestep_s
+    dmax = np.clip(contacts.solimp[:, 1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
+    first, second = contacts.solref.T
+    far = -second / dmax * step - 0.5 * first / dmax**2 * step**2
+    there = np.flatnonzero((first <= 0.0) & (second <= 0.0) & (far >= STIFF) & (not scene.option.discrete))
+    shape, other = _stiffer_first(scene, there)
+    message = (
+        f"is too stiff for the time step, and refsafe leaves it alone: b·h + k·h²/2 from {STIFF} on throws bodies off"
+    )
+    yield hits(
+        *("stiff", "solref[1]", shape, other, second[there], np.nan, message),
+        severity="error",
+        element=lambda index: _says(scene, int(there[index]), int(shape[index]), "solref"),
+        advise=lambda index: softer_solref(scene, int(there[index]), float(dmax[there[index]])),
     )
 
 
@@ -121,7 +148,7 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
             element=lambda index, there=there, shape=shape: _says(
                 scene, int(there[index]), int(shape[index]), "solref"
             ),
-            advise=lambda index, shape=shape: whole_solref(scene, int(shape[index])),
+            advise=lambda index, there=there: whole_solref(scene, int(there[index])),
         )
 
 
@@ -185,23 +212,6 @@ def unused(scene: Scene) -> Iterator[Hits]:
                 scene, int(shape[index]), {"condim": str(least)}, f"its contacts resist {kind}"
             ),
         )
-
-
-def untouched(scene: Scene) -> Iterator[Hits]:
-    """Yield geoms whose own tag has contact parameters, and that no pair has."""
-    contacts, model, source = scene.contacts, scene.model, scene.source
-    collides = (model.geom_contype | model.geom_conaffinity) != 0
-    met = np.zeros(model.ngeom, dtype=bool)
-    met[contacts.first] = met[contacts.second] = True
-    shape = np.flatnonzero(collides & ~met) if len(contacts) else np.zeros(0, dtype=int)
-    said = [(geom, source.geom(int(geom))) for geom in shape]
-    shape = np.array([geom for geom, tag in said if tag and {"solref", "solimp", "condim"} & set(tag.attributes)], int)
-    yield hits(
-        *("untouched", "contype", shape, None, model.geom_contype[shape].astype(float), np.nan),
-        "meets no geom: bits, bodies that hang together or an exclude keep it from all others",
-        severity="note",
-        element=lambda index: source.geom(int(shape[index])),
-    )
 
 
 def _stiffer_first(scene: Scene, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -12,8 +12,6 @@ from newton_lint.law import Option
 from newton_lint.source import Source
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
-ACTUATED = (int(mujoco.mjtTrn.mjTRN_JOINT), int(mujoco.mjtTrn.mjTRN_JOINTINPARENT))
-TENDON = int(mujoco.mjtTrn.mjTRN_TENDON)
 
 
 @dataclass(frozen=True)
@@ -91,32 +89,3 @@ class Scene:
         loose = np.zeros(model.nbody, dtype=bool)
         loose[model.jnt_bodyid[model.jnt_type == FREE]] = True
         return loose[model.body_weldid]
-
-    @cached_property
-    def posed(self) -> mujoco.MjData:
-        """Return places of the bodies in the model's own pose."""
-        data = mujoco.MjData(self.model)
-        mujoco.mj_kinematics(self.model, data)
-        mujoco.mj_comPos(self.model, data)
-        return data
-
-    @cached_property
-    def driven(self) -> np.ndarray:
-        """Tell whether an actuator moves a body's own joint, directly, by a tendon or by a coupling."""
-        model = self.model
-        joints = np.zeros(model.njnt, dtype=bool)
-        for kind, target in zip(model.actuator_trntype, model.actuator_trnid[:, 0], strict=True):
-            if kind in ACTUATED:
-                joints[target] = True
-            elif kind == TENDON:
-                at = model.tendon_adr[target]
-                wrapped = slice(at, at + model.tendon_num[target])
-                is_joint = model.wrap_type[wrapped] == int(mujoco.mjtWrap.mjWRAP_JOINT)
-                joints[model.wrap_objid[wrapped][is_joint]] = True
-        coupled = model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)
-        for pair in np.stack([model.eq_obj1id, model.eq_obj2id], axis=1)[coupled]:
-            if (pair >= 0).all() and joints[pair].any():
-                joints[pair] = True
-        bodies = np.zeros(model.nbody, dtype=bool)
-        bodies[model.jnt_bodyid[joints]] = True
-        return bodies

@@ -119,17 +119,3 @@ def _whole(
 ) -> Finding:
     element = scene.source.option(parameter)
     return Finding(rule, "", (), parameter, value, used, unit, message, severity, element, advice)
-
-
-def excluded(scene: Scene) -> Iterator[Finding]:
-    """Yield bodies that move freely, and pass through what an actuator moves because of an exclude."""
-    model = scene.model
-    for signature in model.exclude_signature.tolist():
-        bodies = signature >> 16, signature & 0xFFFF
-        free = [bool(scene.free[body]) for body in bodies]
-        driven = [bool(scene.driven[model.body_weldid[body]]) for body in bodies]
-        apart = model.body_rootid[bodies[0]] != model.body_rootid[bodies[1]]
-        if apart and free[0] != free[1] and driven[free.index(False)]:
-            held, other = (scene.bodies[bodies[free.index(each)]] for each in (True, False))
-            message = f"passes through {other}: an exclude keeps them apart"
-            yield Finding("pair", held, (other,), "exclude", 1.0, None, "1", message)

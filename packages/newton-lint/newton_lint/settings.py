@@ -8,6 +8,7 @@ from typing import Any
 
 from newton_lint.findings import Finding
 from newton_lint.source import Source
+from newton_lint.target import TargetError
 
 COMMENT = re.compile(r"<!--\s*newton-lint:\s*ignore(?:=([\w,\s-]+?))?\s*-->")
 
@@ -26,7 +27,10 @@ def _toml(file: Path) -> dict[str, Any]:
         import tomllib
     except ImportError:  # Python 3.10
         import tomli as tomllib
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except (ValueError, OSError) as error:
+        raise TargetError(f"{file}: cannot be read: {error}") from error
 
 
 def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:

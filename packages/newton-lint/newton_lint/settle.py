@@ -222,7 +222,7 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
     gravity = model.opt.gravity
     down = gravity / max(float(np.linalg.norm(gravity)), 1e-12)
     flat = np.mean([np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0)
-    pairs = _pair_indices(scene)
+    pairs = pair_indices(scene)
     turning, points = np.zeros(3), []
     for touch in touches:
         contact = replace(scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg)
@@ -286,7 +286,7 @@ def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) 
     return float(np.linalg.norm(own[3:] - carried))
 
 
-def _pair_indices(scene: Scene) -> dict[tuple[int, int], int]:
+def pair_indices(scene: Scene) -> dict[tuple[int, int], int]:
     contacts = scene.contacts
     pairs = np.sort(np.stack([contacts.first, contacts.second], axis=1), axis=1)
     return {(int(one), int(other)): index for index, (one, other) in enumerate(pairs)}

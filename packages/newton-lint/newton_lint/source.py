@@ -1,6 +1,7 @@
 """Where a scene says what: the elements of MJCF and URDF with their file, line and place in the text."""
 
-from collections.abc import Iterator
+import os
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -38,14 +39,18 @@ class Element:
         return f"{self.file.name}:{self.line}"
 
 
-def parse(path: Path, root: Path | None = None) -> Element:
+Texts = Mapping[Path, bytes]
+"""What files are taken to hold, by their paths, in place of what they hold."""
+
+
+def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> Element:
     """Return a file's first element, those of the files that it includes in place of their tags.
 
     Raises:
         OSError: There is no such file.
         expat.ExpatError: It is no XML.
     """
-    root = root or path.parent
+    root, texts = root or path.parent, texts or {}
     parser = expat.ParserCreate()
     open_elements: list[Element] = []
     found: list[Element] = []
@@ -53,7 +58,7 @@ def parse(path: Path, root: Path | None = None) -> Element:
     def start(tag: str, attributes: dict[str, str]) -> None:
         element = Element(tag, attributes, path, parser.CurrentLineNumber, parser.CurrentByteIndex)
         if tag == "include" and open_elements and "file" in attributes:
-            open_elements[-1].children.extend(_included(attributes["file"], path, root))
+            open_elements[-1].children.extend(_included(attributes["file"], path, root, texts))
         elif open_elements:
             open_elements[-1].children.append(element)
         else:
@@ -62,14 +67,15 @@ def parse(path: Path, root: Path | None = None) -> Element:
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda _: open_elements.pop()
-    parser.Parse(path.read_bytes(), True)
+    parser.Parse(texts[path] if path in texts else path.read_bytes(), True)
     return found[0]
 
 
-def _included(name: str, path: Path, root: Path) -> list[Element]:
+def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
     for folder in (root, path.parent):
-        if (folder / name).is_file():
-            return parse(folder / name, root).children
+        file = Path(os.path.normpath(folder / name))
+        if file.is_file():
+            return parse(file, root, texts).children
     return []
 
 
@@ -84,9 +90,9 @@ class Source:
         self._model = model
 
     @classmethod
-    def of(cls, path: Path | None, model: mujoco.MjModel) -> "Source":
+    def of(cls, path: Path | None, model: mujoco.MjModel, texts: Texts | None = None) -> "Source":
         try:
-            return cls(parse(path) if path else None, model)
+            return cls(parse(path, texts=texts) if path else None, model)
         except (OSError, expat.ExpatError, IndexError):
             return cls(None, model)
 

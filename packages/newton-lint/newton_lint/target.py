@@ -3,9 +3,11 @@
 import contextlib
 import importlib
 import importlib.util
+import re
 import sys
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fnmatch import fnmatch
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -15,8 +17,9 @@ import mujoco
 MUJOCOS = (".xml", ".urdf", ".mjb")
 USD = (".usd", ".usda", ".usdc", ".usdz")
 ENDINGS = (*MUJOCOS, *USD)
-ROOTS = (b"<mujoco", b"<robot")
-"""One of them is in a file that a folder is searched for."""
+ROOTS = re.compile(rb"<(mujoco|robot)[\s>/]")
+"""One of them is in a file that a folder is searched for; ``<mujocoinclude>`` is no root."""
+INCLUDE = re.compile(rb"""<include\s[^>]*file\s*=\s*["']([^"']+)""")
 READER = "newton_lint.newton_models.reader"
 NEEDS_NEWTON = "takes Newton, which does not come with the lint: pip install 'newton-lint[newton]'"
 
@@ -34,30 +37,55 @@ class Target:
     """The file of MJCF or URDF."""
     data: mujoco.MjData | None = None
     """A state that a function returns beside its model."""
+    texts: Mapping[Path, bytes] = field(default_factory=dict)
+    """What files are taken to hold in place of what they do, where a change is tried."""
 
 
 class TargetError(Exception):
     """A target that cannot be linted, said in one line."""
 
 
-def found_in(names: list[str]) -> Iterator[str]:
+def found_in(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[str]:
     """Yield the targets, with folders replaced by the scenes within them.
+
+    Args:
+        exclude: Patterns of paths, or of their names, that are left out of folders.
 
     Raises:
         TargetError: A folder has none.
     """
     for name in names:
-        if not Path(name).is_dir():
+        if not Path(name).is_dir() or Path(name).suffix.lower() in ENDINGS:
             yield name
             continue
-        files = [path for path in sorted(Path(name).rglob("*")) if path.suffix.lower() in ENDINGS and _is_scene(path)]
-        if not files:
+        files = [path for path in sorted(Path(name).rglob("*")) if path.suffix.lower() in ENDINGS and path.is_file()]
+        left = [path for path in files if not any(fnmatch(str(path), each) or path.match(each) for each in exclude)]
+        scenes = [path for path in left if _is_scene(path)]
+        if not scenes:
             raise TargetError(f"{name}: has no scene")
-        yield from map(str, files)
+        pieces = {piece for path in scenes for piece in _included(path)}
+        yield from (str(path) for path in scenes if path.resolve() not in pieces or _compiles(path))
 
 
 def _is_scene(path: Path) -> bool:
-    return path.suffix.lower() not in (".xml", ".urdf") or any(root in path.read_bytes() for root in ROOTS)
+    try:
+        return path.suffix.lower() not in (".xml", ".urdf") or bool(ROOTS.search(path.read_bytes()))
+    except OSError:
+        return True  # which is said when it is read
+
+
+def _included(path: Path) -> Iterator[Path]:
+    """Yield the files that a scene includes, which may be no scenes of their own."""
+    with contextlib.suppress(OSError):
+        for match in INCLUDE.finditer(path.read_bytes()):
+            yield (path.parent / match[1].decode(errors="replace")).resolve()
+
+
+def _compiles(path: Path) -> bool:
+    try:
+        return compiled(path) is not None
+    except (ValueError, mujoco.FatalError):
+        return False
 
 
 def read_target(target: str) -> Target:
@@ -77,25 +105,46 @@ def read_target(target: str) -> Target:
 
 def _read_file(target: str, path: Path) -> Target:
     if not path.is_file():
-        raise TargetError(f"{path}: there is no such file")
+        raise TargetError(f"{path}: {'is no file' if path.exists() else 'there is no such file'}")
+    try:
+        path.open("rb").close()
+    except OSError as error:
+        raise TargetError(f"{path}: cannot be read: {error.strerror}") from error
     if path.suffix.lower() in USD:
         return Target(target, None, newtons(target, READER, "imported", path))
     try:
         return Target(target, compiled(path), path=path)
     except (ValueError, mujoco.FatalError) as error:
         raise TargetError(f"{path}: MuJoCo refuses it: {_line(error)}") from error
+    except UnicodeError as error:
+        raise TargetError(f"{path}: has a name that is no text, which MuJoCo cannot open") from error
 
 
-def compiled(path: Path) -> mujoco.MjModel:
+def tried(target: Target, texts: Mapping[Path, bytes]) -> Target:
+    """Return a target as it would be if files held other texts.
+
+    Raises:
+        ValueError: MuJoCo refuses it.
+    """
+    return replace(target, model=compiled(target.path, texts), texts=texts)
+
+
+def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> mujoco.MjModel:
     """Compile a file; without sensors and textures, which decide nothing, where those are what is amiss.
+
+    Args:
+        texts: What files are taken to hold in place of what they do.
 
     Raises:
         ValueError: MuJoCo refuses it.
     """
     try:
-        binary = path.suffix.lower() == ".mjb"
-        return (mujoco.MjModel.from_binary_path if binary else mujoco.MjModel.from_xml_path)(str(path))
+        if path.suffix.lower() == ".mjb":
+            return mujoco.MjModel.from_binary_path(str(path))
+        return mujoco.MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
     except ValueError:
+        if texts:
+            raise
         with contextlib.suppress(Exception):  # of old releases MjSpec has no such function, or cannot delete
             return _without_pictures(mujoco.MjSpec.from_file(str(path)))
         raise
@@ -114,7 +163,7 @@ def _returned(target: str) -> Any:
     sys.path.insert(0, str(Path(name).parent if name.endswith(".py") else Path.cwd()))
     try:
         return getattr(_imported(name), function)()
-    except Exception as error:  # the code is the user's
+    except (Exception, SystemExit) as error:  # the code is the user's
         raise TargetError(f"{target}: gives no model: {type(error).__name__}: {_line(error)}") from error
     finally:
         sys.path.pop(0)

@@ -18,7 +18,6 @@ SAME = 1e-4
 """Relative difference up to which a number is the same in single precision."""
 OPTIONS = ("integrator", "cone", "impratio", "noslip_iterations")
 OF_GEOMS = ("solref", "solimp", "friction", "condim", "priority", "margin", "gap", "solmix")
-OF_PAIRS = ("solref", "solreffriction", "solimp", "friction", "margin", "gap")
 MADE = "is what the file says; Newton's importer makes another of it"
 
 
@@ -28,12 +27,7 @@ def dropped(scene: Scene, target: Target) -> list[Finding]:
     theirs, ours = solver.mj_model, scene.model
     names = {_plain(theirs.geom(index).name): index for index in range(theirs.ngeom)}
     known = {index: names[name] for index in range(ours.ngeom) if (name := ours.geom(index).name) in names}
-    return [
-        *_counts(scene, theirs),
-        *_options(scene, theirs),
-        *_parameters(scene, theirs, known),
-        *_pairs(scene, theirs, known),
-    ]
+    return [*_counts(scene, theirs), *_options(scene, theirs), *_parameters(scene, theirs, known)]
 
 
 def _plain(label: str) -> str:
@@ -81,24 +75,3 @@ def _parameters(scene: Scene, theirs: mujoco.MjModel, known: dict[int, int]) -> 
                 parameter = name if mine.shape[1] == 1 else f"{name}[{column}]"
                 values = float(mine[index, column]), float(other[twin, column])
                 yield _found(scene, scene.names[index], parameter, *values, MADE, name)
-
-
-def _pairs(scene: Scene, theirs: mujoco.MjModel, known: dict[int, int]) -> Iterator[Finding]:
-    ours = scene.model
-    twins = {
-        (int(a), int(b)): index for index, (a, b) in enumerate(zip(theirs.pair_geom1, theirs.pair_geom2, strict=True))
-    }
-    for index, geoms in enumerate(zip(ours.pair_geom1.tolist(), ours.pair_geom2.tolist(), strict=True)):
-        pair = tuple(known.get(geom, -1) for geom in geoms)
-        twin = twins.get(pair, twins.get(pair[::-1]))
-        names = " and ".join(scene.names[geom] for geom in geoms)
-        if twin is None:
-            yield _found(scene, "", "pair", index, None, f"of {names} is dropped by Newton's importer")
-            continue
-        for name in OF_PAIRS:
-            mine, other = (getattr(model, f"pair_{name}").reshape(model.npair, -1) for model in (ours, theirs))
-            for column in np.flatnonzero(~np.isclose(mine[index], other[twin], rtol=SAME, atol=1e-9)).tolist():
-                parameter = f"pair {name}[{column}]"
-                yield _found(
-                    scene, "", parameter, mine[index, column], float(other[twin, column]), f"of {names}: {MADE}"
-                )

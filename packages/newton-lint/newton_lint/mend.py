@@ -1,0 +1,212 @@
+"""``--fix``: what findings say to change, tried in MuJoCo C before it is written, and left out where it does harm."""
+
+import difflib
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from newton_lint.advice import ways_of
+from newton_lint.findings import Change, Finding
+from newton_lint.fix import Unwritable, edited, undo, write
+from newton_lint.law import M
+from newton_lint.report import Asked, Report, report_of
+from newton_lint.source import Source, Texts
+from newton_lint.step_rules import THROWN_M_S
+from newton_lint.stepped import Run, runs_of
+from newton_lint.target import Target, TargetError, compiled, tried
+
+MEASURED_S = 1.0
+"""Time that a scene is stepped before and after a change, by each of its starts."""
+DEEPER, DEEPER_M = 1.1, 5e-5
+FASTER, FASTER_M_S = 1.05, 2e-3
+SLOWER = 1.8
+"""How much deeper contacts may get, what rests may move faster, and the time of the processor that may be more."""
+SHALLOW_M = 2e-3
+"""Depth that a body may have which no longer falls through."""
+FREES = ("lost", "stiff", "thrown", "unstable")
+"""Rules of what costs little, and has no contacts, only because it falls or flies."""
+MOST_TRIES = 60
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What a scene does, of each of its starts."""
+
+    runs: Sequence[Run]
+
+    @classmethod
+    def of(cls, target: Target) -> "Measured":
+        return cls(runs_of(target.model, target, MEASURED_S))
+
+    def harm(self, after: "Measured", rule: str) -> str:
+        """Say in what a change made it worse; empty where it did in nothing."""
+        for old, new in zip(self.runs, after.runs, strict=True):
+            thrown = [float(each.thrown_m_s.max(initial=0.0)) for each in (old, new)]
+            if not new.bad and (
+                old.bad or (thrown[0] > THROWN_M_S > 2.0 * thrown[1] and new.deepest_m <= old.deepest_m)
+            ):
+                continue
+            if new.bad:
+                return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
+            falls = rule == "lost" and new.deepest_m < SHALLOW_M
+            for name, depth, other in (
+                ("deepest contact", old.deepest_m, new.deepest_m),
+                ("deepest contact at the end", old.late_m, new.late_m),
+            ):
+                if other > DEEPER * depth + DEEPER_M and not falls:
+                    return f"{name} {M * depth:.3g} → {M * other:.3g} mm from {new.start}"
+            speed, other = (float(np.abs(each.data.qvel).max(initial=0.0)) for each in (old, new))
+            if other > FASTER * speed + FASTER_M_S:
+                return f"what moves fastest after {new.time_s:.3g} s: {speed:.3g} → {other:.3g} m/s or rad/s"
+        cost, other = (sum(each.cost_s for each in measured.runs) for measured in (self, after))
+        slower = other > SLOWER * cost and rule not in FREES
+        return f"a simulated second takes {other / cost:.2g} times as long" if slower else ""
+
+    def __str__(self) -> str:
+        depth = max((each.deepest_m for each in self.runs), default=0.0)
+        cost = sum(each.cost_s for each in self.runs) / max(len(self.runs), 1)
+        return f"deepest contact {M * depth:.3g} mm, {cost:.2g} s a simulated second"
+
+
+class Mending:
+    """A scene whose findings are mended one after the other, each on top of those before it."""
+
+    def __init__(self, target: Target, asked: Asked):
+        self.target, self.asked = target, asked
+        self.report = self.first = report_of(target, asked)
+        self.measured = self.begun = Measured.of(target)
+        self.texts: dict[Path, bytes] = dict(target.texts)
+        self.said: dict[str, str] = {}
+        self._left = MOST_TRIES
+        while self._left and self._step():
+            pass
+
+    def _step(self) -> bool:
+        """Make the first change that does good and no harm; tell whether there was one."""
+        self.said = {line: end for line, end in self.said.items() if end == ""}
+        for findings, changes in self._candidates():
+            line = ", ".join(map(str, changes))
+            if line in self.said or not self._left:
+                continue
+            self._left -= 1
+            self.said[line] = self._tried(findings, changes)
+            if not self.said[line]:
+                return True
+        return False
+
+    def _candidates(self) -> Iterator[tuple[list[Finding], tuple[Change, ...]]]:
+        """Yield findings with changes that may mend them: all of a rule at once, then each by each of its ways."""
+        counted = [each for each in self.report.findings if each.severity != "note" and ways_of(each.advice)]
+        for rule in dict.fromkeys(each.rule for each in counted):
+            findings = [each for each in counted if each.rule == rule]
+            first = {(one.element, one.subject): one for each in findings for one in ways_of(each.advice)[0].changes}
+            if len(first) > 1:
+                yield findings, tuple(first.values())
+            for finding in findings:
+                yield from (([finding], way.changes) for way in ways_of(finding.advice))
+
+    def _tried(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:
+        """Take changes over, or say why not."""
+        try:
+            texts = self.texts | edited(changes, self.report.source, self.texts)
+            target = tried(self.target, texts)
+        except Unwritable as error:
+            return str(error)
+        except (ValueError, mujoco.FatalError) as error:
+            return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
+        report = report_of(target, self.asked)
+        before, after, known = _counted(self.report), _counted(report), {_key(each) for each in self.report.findings}
+        if any(after.get(_key(finding), 0) >= before[_key(finding)] for finding in findings):
+            return "it does not change what is found"
+        if more := [key for key, count in after.items() if key not in known or 0 < before.get(key, 0) < count]:
+            return f"another is found then: {' '.join(filter(None, more[0]))}"
+        measured = Measured.of(target)
+        why = self.measured.harm(measured, findings[0].rule)
+        if "times as long" in why:  # as a busy machine is
+            why = self.measured.harm(Measured.of(target), findings[0].rule)
+        if why:
+            return why
+        self.texts, self.report, self.measured = texts, report, measured
+        return ""
+
+    def lines(self, written: bool) -> Iterator[str]:
+        """Yield a line for each change that was tried."""
+        for line, why in self.said.items():
+            yield f"{line}: {f'is not written: {why}' if why else 'written' if written else 'can be written'}"
+
+    def patch(self) -> Iterator[str]:
+        """Yield the change of the files as a patch."""
+        for file, text in self.texts.items():
+            old, new = (each.decode(errors="replace").splitlines(keepends=True) for each in (file.read_bytes(), text))
+            for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
+                yield line.rstrip("\r\n")
+
+
+def _key(finding: Finding) -> tuple[str, str, str]:
+    return finding.rule, finding.shape, finding.parameter
+
+
+def _counted(report: Report) -> dict[tuple[str, str, str], int]:
+    found: dict[tuple[str, str, str], int] = {}
+    for finding in report.findings:
+        if finding.severity != "note":
+            found[_key(finding)] = found.get(_key(finding), 0) + 1
+    return found
+
+
+def fixed(target: Target, asked: Asked, dry: bool = False) -> tuple[Report, list[str], str]:
+    """Mend a scene's files.
+
+    Returns:
+        The report of it as it was, lines that say what was done, and why its files can't be written.
+    """
+    mending = Mending(target, asked)
+    told, why = [], ""
+    if mending.texts and not dry:
+        try:
+            told = _written(target, mending.texts)
+        except TargetError as error:
+            why = str(error)
+    lines = [*(mending.patch() if dry else ()), *mending.lines(not dry and not why), *told]
+    if mending.texts:
+        lines.append(f"{target.name}: measured before: {mending.begun}; after: {mending.measured}")
+    return mending.first, lines, why
+
+
+def fix(changes: Iterable[Change], source: Source, target: Target) -> Iterator[str]:
+    """Write changes that have been measured, and tell each, or why they can't be written."""
+    changes = list(changes)
+    try:
+        if target.path is None:
+            raise Unwritable("no file is known to say it")
+        kept = _written(target, edited(changes, source, {})) if changes else []
+        yield from (*(f"{change}: written" for change in changes), *kept)
+    except Unwritable as error:
+        yield from (f"{change}: is not written: {error}" for change in changes)
+
+
+def _written(target: Target, texts: Texts) -> list[str]:
+    expected = compiled(target.path, texts)
+    try:
+        kept = write(texts)
+    except OSError as error:
+        raise TargetError(f"{target.name}: is not written: {error}") from error
+    try:
+        is_same = same(expected, compiled(target.path))
+    except ValueError:
+        is_same = False
+    if not is_same:
+        undo([(file.resolve(), old) for file, old in zip(texts, kept, strict=True)])
+        raise TargetError(f"{target.name}: is not written: MuJoCo makes another model of the file than was tried")
+    return [f"{file}: as it was it is {old.name}" for file, old in zip(texts, kept, strict=True)]
+
+
+def same(*models: mujoco.MjModel) -> bool:
+    """Tell whether models are the same to the last bit."""
+    held = [np.empty(mujoco.mj_sizeModel(model), np.uint8) for model in models]
+    for model, into in zip(models, held, strict=True):
+        mujoco.mj_saveModel(model, None, into)
+    return np.array_equal(*held)

@@ -1,0 +1,119 @@
+"""Rules on what a scene does when it is stepped; each change that they name has been measured."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import mujoco
+import numpy as np
+
+from newton_lint.advice import for_exclude, for_option
+from newton_lint.findings import Advice, Finding
+from newton_lint.law import M
+from newton_lint.scene import Scene
+from newton_lint.stepped import Run, changed, forces_of, free_joints, run, starts
+from newton_lint.target import Target
+
+THROWN_M_S = 0.5
+"""Speed that contacts can't give a body that lies or falls."""
+CALMER = 0.5
+"""Share of it that is left where a change mends it."""
+OVERLAP_M, OVERLAP_SHARE = 1e-3, 0.05
+"""Overlap at the start from which it is looked at, also as a share of the smaller geom."""
+FORCE = 100.0
+"""Times the weight of all that moves from which a force between links of one robot is out of proportion."""
+LIMITED = 0.5
+"""Share of steps in which the solver uses up its iterations."""
+DIFFERS_M = 1e-3
+"""What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
+Way = tuple[dict[str, float], dict[str, str]]
+"""Options of the model, and how they are written."""
+
+
+def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
+    """Return what the runs show: what blows up, is thrown, overlaps, is pressed too hard or is not solved."""
+    found: dict[tuple, Finding] = {}
+    for index, each in enumerate(runs):
+        for finding in (*_unstable(scene, target, each, index), *_overlapping(scene, each, len(runs) > 1)):
+            found.setdefault((finding.rule, finding.shape, finding.against), finding)
+    return list(found.values())
+
+
+def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> Run:
+    name, data = list(starts(model, target))[index]
+    return run(model, data, name, time_s)
+
+
+def _unstable(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+    model, opt = scene.model, scene.model.opt
+    half = 0.5 * opt.timestep
+    more = {"iterations": max(3, 10 * opt.iterations)}
+    ways: list[Way] = [(more, {"iterations": str(more["iterations"])})] if seen.at_limit > LIMITED else []
+    ways += [({"timestep": half}, {"timestep": f"{half:g}"}), ({"timestep": 0.25 * opt.timestep}, {})]
+    fast = float(seen.thrown_m_s.max(initial=0.0))
+
+    def mended(good: Callable[[Run], bool]) -> Advice | None:
+        for options, said in ways:
+            if good(_again(target, changed(model, **options), index, seen.time_s)):
+                gain = (
+                    "measured: that calms it" if said else "a quarter of the time step calms it: contacts are too stiff"
+                )
+                return for_option(scene, said, gain)
+        return None
+
+    if seen.bad:
+        advice = mended(lambda after: not after.bad)
+        message = f"is the engine's warning after {seen.time_s:.3g} s from {seen.start}: the simulation blows up"
+        element = advice.changes[0].element if advice and advice.changes else None
+        yield Finding("unstable", "", (), seen.bad, 1.0, None, "1", message, "error", element, advice)
+    elif fast > THROWN_M_S and (advice := mended(lambda after: after.thrown_m_s.max() < CALMER * fast)):
+        body = scene.bodies[model.jnt_bodyid[free_joints(model)[int(seen.thrown_m_s.argmax())]]]
+        message = f"is what contacts throw it off with from {seen.start}, and nothing else drives it"
+        yield Finding("thrown", body, (), "speed", fast, None, "m/s", message, "error", None, advice)
+    elif seen.at_limit > LIMITED and opt.iterations:
+        after = _again(target, changed(model, **more), index, seen.time_s)
+        calmer = float(np.max(seen.speeds_m_s - after.speeds_m_s, initial=0.0))
+        if seen.deepest_m - after.deepest_m > DIFFERS_M or calmer > 100.0 * DIFFERS_M:
+            message = f"are used up in {seen.at_limit:.0%} of the steps from {seen.start}, and contacts are not solved"
+            gain = f"deepest contact {M * seen.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
+            advice = for_option(scene, ways[0][1], gain)
+            element = scene.source.option("iterations")
+            yield Finding(
+                *("solver", "", (), "iterations", float(opt.iterations), None, "1", message, "warning", element, advice)
+            )
+
+
+def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Finding]:
+    """Yield bodies that overlap at the start: as a warning where they are still jammed or thrown apart by it."""
+    model, later = scene.model, {} if seen.bad else forces_of(model=scene.model, data=seen.data)
+    body = model.body_weldid[model.geom_bodyid]
+    weight = float(model.body_mass.sum() * np.linalg.norm(model.opt.gravity))
+    worst: dict[tuple[int, int], tuple[float, tuple[int, int]]] = {}
+    for pair, (depth, _) in seen.first.items():
+        sizes = [model.geom_rbound[geom] for geom in pair if model.geom_rbound[geom] > 0.0]
+        if depth > max(OVERLAP_M, OVERLAP_SHARE * min(sizes, default=0.0)):
+            bodies = min(body[list(pair)]), max(body[list(pair)])
+            worst[bodies] = max(worst.get(bodies, (0.0, pair)), (depth, pair))
+    for bodies, (depth, pair) in worst.items():
+        force = max((later[each] for each in later if {*body[list(each)]} == {*bodies}), default=0.0)
+        jammed = weight > 0.0 and force > FORCE * weight
+        thrown = [
+            speed for joint, speed in zip(free_joints(model), seen.thrown_m_s, strict=True)
+            if model.jnt_bodyid[joint] in bodies
+        ]  # fmt: skip
+        hard = jammed or bool(seen.bad) or max(thrown, default=0.0) > THROWN_M_S
+        one_tree = model.body_rootid[bodies[0]] == model.body_rootid[bodies[1]] or not any(scene.free[list(bodies)])
+        names = [scene.bodies[each] for each in bodies]
+        message = f"is how deep they overlap at {seen.start}"
+        if jammed:
+            message += f": {force:.3g} N press them apart, {force / weight:.3g} times the weight of all that moves"
+        elif thrown and hard:
+            message += f": it throws them apart at {max(thrown):.2g} m/s"
+        own = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> keeps them apart'
+        advice = for_exclude(scene, names, own) if one_tree else Advice((), f"move one by {M * depth:.3g} mm")
+        is_note = not hard or (has_keyframes and seen.start == "the start")
+        geoms = [scene.names[geom] for geom in pair]
+        yield Finding(
+            *("overlap", geoms[0], (geoms[1],), "overlap", M * depth, None, "mm", message),
+            severity="note" if is_note else "warning",
+            element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
+            advice=advice,
+        )

@@ -1,0 +1,146 @@
+"""What a scene does when MuJoCo C steps it from its start and its keyframes."""
+
+import copy
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import mujoco
+import numpy as np
+
+from newton_lint.settle import started
+from newton_lint.target import Target
+
+STEPPED_S = 0.2
+"""Time that a scene is stepped by each call."""
+BUDGET_S = 5.0
+"""Time of the processor after which a run stops where it is."""
+MOST_STARTS = 4
+MOST_DOFS = 3000
+"""What moves in more ways is not stepped: a step takes seconds."""
+BAD = {
+    int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")): f"BAD{name}" for name in ("QPOS", "QVEL", "QACC")
+}  # fmt: skip
+CONTACT_ROWS = int(mujoco.mjtConstraint.mjCNSTR_CONTACT_FRICTIONLESS)
+FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run of a scene from one state."""
+
+    start: str
+    time_s: float
+    """How long it was stepped; less where it blew up or took too long."""
+    bad: str
+    """The engine's name for what blew up; empty where nothing did."""
+    first: dict[tuple[int, int], tuple[float, np.ndarray]]
+    """Deepest overlap of each pair of geoms at the start [m], and its normal."""
+    deepest_m: float
+    """Of all contacts at all times."""
+    late_m: float
+    """Of those after the first third."""
+    rise_m2_s2: np.ndarray
+    """Of each free body the most energy that it gained [J/kg]."""
+    speeds_m_s: np.ndarray
+    """Of each free body at the end."""
+    at_limit: float
+    """Share of the steps in which the solver used up its iterations."""
+    cost_s: float
+    """Time of the processor that a simulated second takes."""
+    data: mujoco.MjData = field(compare=False, repr=False)
+
+    @property
+    def thrown_m_s(self) -> np.ndarray:
+        """Return speed of each free body that nothing but contacts can have given it."""
+        return np.sqrt(2.0 * np.maximum(self.rise_m2_s2, 0.0))
+
+
+def free_joints(model: mujoco.MjModel) -> np.ndarray:
+    return np.flatnonzero(model.jnt_type == FREE)
+
+
+def starts(model: mujoco.MjModel, target: Target) -> Iterator[tuple[str, mujoco.MjData]]:
+    """Yield the states that a scene can start from: the one that a function returns, or its own and its keyframes."""
+    if target.data is not None:
+        yield "the given state", started(model, target.data)
+        return
+    yield "the start", mujoco.MjData(model)
+    for key in range(min(model.nkey, MOST_STARTS - 1)):
+        data = mujoco.MjData(model)
+        mujoco.mj_resetDataKeyframe(model, data, key)
+        yield f"keyframe {model.key(key).name or key}", data
+
+
+def runs_of(model: mujoco.MjModel, target: Target, time_s: float = STEPPED_S) -> list[Run]:
+    """Step a scene from each of its starts; none where a step would take seconds."""
+    if model.nv > MOST_DOFS:
+        return []
+    return [run(model, data, name, time_s) for name, data in starts(model, target)]
+
+
+def run(model: mujoco.MjModel, data: mujoco.MjData, name: str, time_s: float) -> Run:
+    """Step a state and say what was seen."""
+    mujoco.mj_forward(model, data)
+    first = overlaps(model, data)
+    free = free_joints(model)
+    places, speeds = model.jnt_qposadr[free][:, None] + np.arange(3), model.jnt_dofadr[free][:, None] + np.arange(3)
+    gravity = np.zeros(3) if model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY) else model.opt.gravity
+
+    def energy() -> np.ndarray:
+        return 0.5 * (data.qvel[speeds] ** 2).sum(axis=1) - data.qpos[places] @ gravity
+
+    begin, rise, deepest, late, limited, bad = energy(), np.zeros(len(free)), deepest_of(data), 0.0, 0, ""
+    count, done, since = max(1, round(time_s / model.opt.timestep)), 0, time.process_time()
+    for done in range(1, count + 1):
+        mujoco.mj_step(model, data)
+        if bad := next((said for number, said in BAD.items() if data.warning[number].number), ""):
+            break
+        now_m = deepest_of(data)
+        deepest, late = max(deepest, now_m), max(late, now_m) if 3 * done > count else late
+        rise = np.maximum(rise, energy() - begin)
+        limited += data.solver_niter.max() >= model.opt.iterations
+        if done % 16 == 0 and time.process_time() - since > BUDGET_S:
+            break
+    reached = done * model.opt.timestep
+    cost = (time.process_time() - since) / reached
+    now = np.linalg.norm(data.qvel[speeds], axis=1)
+    return Run(name, reached, bad, first, deepest, late, rise, now, limited / done, cost, data)
+
+
+def deepest_of(data: mujoco.MjData) -> float:
+    """Return how deep the deepest contact is [m]; 0 where none is pressed in."""
+    rows = data.efc_pos[data.efc_type >= CONTACT_ROWS] if data.ncon and data.nefc else ()
+    return float(-min(np.min(rows), 0.0)) if len(rows) else 0.0
+
+
+def overlaps(model: mujoco.MjModel, data: mujoco.MjData) -> dict[tuple[int, int], tuple[float, np.ndarray]]:
+    """Return the deepest contact of each pair of geoms that overlap."""
+    found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
+    for index in range(data.ncon):
+        contact = data.contact[index]
+        pair = (int(contact.geom[0]), int(contact.geom[1]))
+        if contact.dist < 0.0 <= min(pair) and -contact.dist > found.get(pair, (0.0, None))[0]:
+            found[pair] = float(-contact.dist), contact.frame[:3].copy()
+    return found
+
+
+def forces_of(model: mujoco.MjModel, data: mujoco.MjData) -> dict[tuple[int, int], float]:
+    """Return the normal force of each pair of geoms that touch [N]."""
+    found: dict[tuple[int, int], float] = {}
+    force = np.zeros(6)
+    for index in range(data.ncon):
+        contact = data.contact[index]
+        if contact.efc_address >= 0:
+            mujoco.mj_contactForce(model, data, index, force)
+            pair = (int(contact.geom[0]), int(contact.geom[1]))
+            found[pair] = found.get(pair, 0.0) + float(force[0])
+    return found
+
+
+def changed(model: mujoco.MjModel, **options: float) -> mujoco.MjModel:
+    """Return a copy of a model with other options."""
+    model = copy.copy(model)
+    for name, value in options.items():
+        setattr(model.opt, name, value)
+    return model

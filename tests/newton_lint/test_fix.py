@@ -1,0 +1,111 @@
+"""Fixes: files are never damaged, what does harm is not written, and what was written stays as it is."""
+
+import os
+
+import mujoco
+import pytest
+
+from newton_lint.command import main
+from newton_lint.pairs import pairs_of
+
+BODY = '<body name="b" pos="0 0 0.1"><freejoint/><geom name="g" size="0.1" mass="1" solref="0.001 1"/></body>'
+SCENE = '<mujoco>\n<include file="common.xml"/><worldbody><geom type="plane" size="1 1 1"/>{}</worldbody></mujoco>'
+COMMON = '<mujoco>\r\n<!-- <geom solref="9 9"/> --><default><geom solref="1e-7 1"/></default></mujoco>'
+LEGS = """
+<mujoco>
+  <option timestep=".004" impratio="100" iterations="1" ls_iterations="4"><flag eulerdamp="disable"/></option>
+  <worldbody>
+    <geom name="floor" type="plane" size="5 5 .1"/>
+    <body name="trunk" pos="0 0 .3"><freejoint/>
+      <geom name="trunk" type="box" size=".2 .1 .05" mass="6"/>
+      <geom name="fl" size=".02" pos=".18 .12 -.28" mass=".1"/>
+      <geom name="fr" size=".02" pos=".18 -.12 -.28" mass=".1"/>
+      <geom name="rl" size=".02" pos="-.18 .12 -.28" mass=".1"/>
+      <geom name="rr" size=".02" pos="-.18 -.12 -.28" mass=".1"/>
+    </body>
+  </worldbody>
+</mujoco>
+"""
+STIFF = """
+<mujoco>
+  <option timestep="0.01"/><default><geom solref="{solref}"/></default>
+  <worldbody><geom type="plane" size="1 1 1"/>
+    <body name="part" pos="0 0 0.03"><freejoint/><geom type="box" size="0.04 0.03 0.03" mass="0.2"/></body></worldbody>
+</mujoco>
+"""
+
+
+@pytest.fixture
+def scenes(tmp_path):
+    """Two scenes that share an include."""
+    (tmp_path / "common.xml").write_bytes(COMMON.encode())
+    for name, body in (("one.xml", BODY), ("two.xml", BODY.replace("0.001 1", "0.002 1"))):
+        (tmp_path / name).write_text(SCENE.format(body))
+    return tmp_path
+
+
+def test_scenes_that_share_a_file_or_are_named_twice_are_written_whole(scenes, capsys):
+    targets = [str(scenes / name) for name in ("one.xml", "two.xml", "one.xml")]
+    (scenes / "common.xml.orig").symlink_to("nowhere")
+    assert main([*targets, "--fix"]) == 1
+    assert (scenes / "common.xml").read_bytes() == COMMON.replace("1e-7 1", "0.004 1").encode()
+    assert (scenes / "common.xml.orig2").read_bytes() == COMMON.encode() and not (scenes / "nowhere").exists()
+    held = {path: path.read_bytes() for path in scenes.iterdir() if path.exists()}
+    assert main([*targets, "--fix"]) == 0
+    assert {path: path.read_bytes() for path in scenes.iterdir() if path.exists()} == held
+
+
+def test_a_dry_run_prints_the_patch_and_writes_nothing(scenes, capsys):
+    assert main([str(scenes / "one.xml"), "--dry-run"]) == 1
+    err = capsys.readouterr().err
+    assert '+<!-- <geom solref="9 9"/> --><default><geom solref="0.004 1"/></default></mujoco>' in err
+    assert "measured before" in err and not list(scenes.glob("*.orig"))
+
+
+def test_links_and_modes_are_kept_and_what_is_read_only_is_said(scenes, capsys):
+    (scenes / "link.xml").symlink_to("one.xml")
+    (scenes / "one.xml").chmod(0o640)
+    assert main([str(scenes / "link.xml"), "--fix"]) == 1
+    assert (scenes / "link.xml").is_symlink() and (scenes / "one.xml").stat().st_mode & 0o777 == 0o640
+    (scenes / "two.xml").chmod(0o444)
+    assert main([str(scenes / "two.xml"), "--fix"]) == 2 and "is read-only" in capsys.readouterr().err
+
+
+def test_what_throws_a_robot_off_is_not_written(tmp_path, capsys):
+    path = tmp_path / "legs.xml"
+    path.write_text(LEGS)
+    assert main([str(path), "--fix"]) == 1
+    assert path.read_text() == LEGS and "is not written: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("solref", "status"), [("-2500 -100", 0), ("-40000 -400", 1)])
+def test_a_direct_solref_that_is_too_stiff_for_the_step_is_an_error(solref, status, tmp_path, capsys):
+    path = tmp_path / "stiff.xml"
+    path.write_text(STIFF.format(solref=solref))
+    assert main([str(path), "--fix"]) == status
+    out = capsys.readouterr().out
+    assert ("error stiff" in out) == bool(status) and "-" not in out.partition("predicted creep")[2].split("mm/s")[0]
+    assert main([str(path)]) == 0
+
+
+def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
+    (tmp_path / "folder.xml").mkdir()
+    os.mkfifo(tmp_path / "pipe.xml")
+    (tmp_path / "dangling.xml").symlink_to("nowhere.xml")
+    (tmp_path / "ends.py").write_text("def model():\n    raise SystemExit(0)\n")
+    for name in ("folder.xml", "pipe.xml", "dangling.xml", "ends.py:model", "a\nb.xml"):
+        assert main([str(tmp_path / name), "--json"]) == 2
+        out, err = capsys.readouterr()
+        assert out == "[]\n" and len(err.splitlines()) == 1
+    (tmp_path / "fragment.xml").write_text("<mujocoinclude/>")
+    assert main([str(tmp_path), "--exclude", "*.xml"]) == 2
+    (tmp_path / "pyproject.toml").write_text("[tool")
+    monkeypatch.chdir(tmp_path)
+    capsys.readouterr()
+    assert main([str(scenes / "one.xml")]) == 2 and len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_a_body_of_many_geoms_has_few_pairs():
+    geoms = "".join(f'<geom size="0.01" pos="{index} 0 1"/>' for index in range(3000))
+    text = f'<mujoco><worldbody><geom type="plane" size="1 1 1"/><body><freejoint/>{geoms}</body></worldbody></mujoco>'
+    assert len(pairs_of(mujoco.MjModel.from_xml_string(text))[0]) == 3000
