@@ -1,7 +1,5 @@
-"""docs/your-own.md, line by line, with the generator's wheel alone: a page, a claim, a release, an alarm, an update."""
+"""docs/your-own.md, line by line, with the generator's wheel alone: a page, a claim, a release, an alarm."""
 
-import hashlib
-import json
 import os
 import re
 import subprocess
@@ -10,7 +8,6 @@ from pathlib import Path
 
 import pytest
 
-from measured_report.commands.new import SKELETON
 from measured_report.files.root import ROOT
 
 DOCUMENT = (ROOT / "docs" / "your-own.md").read_text(encoding="utf-8")
@@ -64,15 +61,3 @@ def test_the_document_works_line_by_line(tmp_path):
     assert "holds        ball.euler_rises_more" in said["make check"]
     assert "flipped: no claim" in said["make upgrade MUJOCO=3.3.7"]
     assert (tmp_path / "published" / "index.html").is_file()
-
-    (report / "Makefile").write_text("# mine\n" + (report / "Makefile").read_text())
-    written = json.loads((report / ".measured-report.json").read_text())
-    older = "# what an older generator wrote\n"
-    (report / "report.mk").write_text(older)
-    written["report.mk"] = hashlib.sha256(older.encode()).hexdigest()
-    (report / ".measured-report.json").write_text(json.dumps(written))
-    (report / "README.md").unlink()
-    updated = run(*command, "update", cwd=report)
-    assert re.findall("as you have it: (.*)", updated) == ["Makefile", "report.toml"]
-    assert (report / "Makefile").read_text().startswith("# mine") and not (report / "README.md").exists()
-    assert (report / "report.mk").read_text() == (SKELETON / "report.mk").read_text()

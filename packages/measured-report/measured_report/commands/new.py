@@ -1,10 +1,6 @@
-"""New reports: ``measured-report new DIR`` writes one that works, and ``measured-report update`` renews what it wrote.
-
-What is written is the folder ``skeleton`` of this package. A file that was changed since, or removed, stays so.
-"""
+"""New reports: ``measured-report new DIR`` writes one that works, the folder ``skeleton`` of this package."""
 
 import argparse
-import hashlib
 import json
 import re
 import shutil
@@ -26,27 +22,19 @@ TOLD = SKELETON / "told.json"
 """What the pendulum has in the place of marks."""
 OTHERS = "    # @OTHERS@\n"
 GENERATOR = "measured-report"
-WRITTEN = ".measured-report.json"
-"""Digests of a report's files as they were written."""
-SAID = ""
-"""The name under which it has the words that stand in the place of marks."""
-SOURCE = re.compile(rf"(?m)^{GENERATOR} = \{{.*\}}$")
 
 
 def main() -> int:
-    """Write or update a report; the exit status, with one line for whatever can be mended."""
-    parser = argparse.ArgumentParser(prog=GENERATOR, description=__doc__.partition("\n")[0], allow_abbrev=False)
-    parser.add_argument("command", choices=("new", "update"))
-    parser.add_argument("folder", metavar="DIR", type=Path, nargs="?", default=".", help="default: the current one")
+    """Write a report; return the exit status, with one line for whatever can be mended."""
+    parser = argparse.ArgumentParser(prog=GENERATOR, description=__doc__, allow_abbrev=False)
+    parser.add_argument("command", choices=("new",))
+    parser.add_argument("folder", metavar="DIR", type=Path, help="a folder that is empty or not there")
     parser.add_argument("--package", default="", help="what it is on, as numpy or numpy==2.3.0")
     parser.add_argument("--title", default="", help="what it is called")
     parser.add_argument("--version", action="version", version=metadata.version(GENERATOR))
     arguments = parser.parse_args()
     try:
-        if arguments.command == "new":
-            new(arguments.folder.resolve(), arguments.package, arguments.title)
-        else:
-            update(arguments.folder.resolve())
+        new(arguments.folder.resolve(), arguments.package, arguments.title)
     except (ReportError, OSError) as error:
         print(error, file=sys.stderr)
         return 2
@@ -71,30 +59,13 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     if title:
         told["@TITLE@"] = title
     folder.mkdir(parents=True, exist_ok=True)
-    _write(folder, {}, told)
+    _write(folder, told)
     print(f"wrote {folder}; cd {folder.name} && make report measures, and builds site/index.html")
 
 
-def update(folder: Path) -> None:
-    """Renew what was written and is still as it was, and name what was changed; the generator is then this one."""
-    path = folder / WRITTEN
-    if not path.is_file():
-        raise UsageError(f"{folder} has no {WRITTEN}: {GENERATOR} new did not write it")
-    written = json.loads(path.read_text(encoding="utf-8"))
-    told = written.pop(SAID, None) or json.loads(TOLD.read_text(encoding="utf-8"))
-    kept = _write(folder, written, told)
-    project = folder / "pyproject.toml"
-    if "pyproject.toml" in kept and (source := _source(folder)):
-        project.write_text(SOURCE.sub(lambda _: source, project.read_text(encoding="utf-8")), encoding="utf-8")
-    print(f"updated {folder}" + "".join(f"\nkept as you have it: {name}" for name in kept))
-
-
-def _write(folder: Path, written: Mapping[str, str], told: Mapping[str, str]) -> list[str]:
-    """Write all files but those that are no longer as they were ``written``, which are returned.
-
-    They have what was ``told`` in the place of marks.
-    """
-    source, digests, kept = _source(folder), {**written, SAID: told}, []
+def _write(folder: Path, told: Mapping[str, str]) -> None:
+    """Write all files, with what was ``told`` in the place of marks."""
+    source = _source(folder)
     said = {
         **told,
         "@NAME@": re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "report",
@@ -114,16 +85,8 @@ def _write(folder: Path, written: Mapping[str, str], told: Mapping[str, str]) ->
         for mark, word in said.items():
             text = text.replace(mark, word)
         name = relative.as_posix().replace("dot.", ".")
-        path, digest = folder / name, hashlib.sha256(text.encode()).hexdigest()
-        now = hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
-        if now == written.get(name):
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
-            digests[name] = digest
-        elif now not in (None, digest):
-            kept.append(name)
-    (folder / WRITTEN).write_text(json.dumps(digests, indent=1) + "\n", encoding="utf-8")
-    return kept
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
 
 
 def _source(folder: Path) -> str:
@@ -142,7 +105,6 @@ def _source(folder: Path) -> str:
         if place.suffix == ".whl":
             said = {"path": f"wheels/{place.name}"}
             (folder / "wheels").mkdir(exist_ok=True)
-            if place.is_file() and place.parent != folder / "wheels":
-                shutil.copy(place, folder / "wheels")
+            shutil.copy(place, folder / "wheels")
     parts = ", ".join(f"{name} = {json.dumps(word)}" for name, word in said.items() if word)
     return f"{GENERATOR} = {{ {parts} }}" if parts else ""

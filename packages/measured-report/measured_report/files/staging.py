@@ -26,7 +26,7 @@ def staging_folder(folder: Path) -> Iterator[Path]:
 
 
 class Draft:
-    """Files of a folder that is being made, with their digests."""
+    """Collect files in a folder that is being made, with their digests."""
 
     def __init__(self, folder: Path):
         self.folder = folder

@@ -252,11 +252,9 @@ def _chapter(
         "claim": _finder(name, "claim", unmeasured | {claim.name: claim.html(name) for claim in section.claims}),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
-    # Others read its claims, whose outcomes its words have a part in, and none of its words.
-    outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
+    # Others read its claims, and none of its other words.
+    outcomes = [(each.name, repr(each.outcome), each.outcome.is_opposite, each.sentence) for each in section.claims]
     digest = digest_of([entry.digest, outcomes, state.notes])
-    if not outline.compares:
-        edition.cache.tell(project.release, section, name)
     prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
 

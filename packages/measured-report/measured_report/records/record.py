@@ -46,7 +46,7 @@ Time = Annotated[datetime, Meta(tz=True)]
 
 @dataclass(frozen=True, order=True)
 class Origin:
-    """What a number was measured with, as far as others must share it to be compared with it."""
+    """Say what a number was measured with, as far as others must share it to be compared with it."""
 
     release: str
     """Version of the package whose releases are editions."""
