@@ -9,8 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.config import config
-from measured_report.pages.chapters import Chapters
-from measured_report.pages.editions import Edition, derive_section
+from measured_report.pages.editions import Chapters, Edition, derive_section
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.records.columns import REASON, column_of

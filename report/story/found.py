@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from measured_report.pages.chapters import Chapters
+from measured_report.pages.editions import Chapters
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Series
 

@@ -1,6 +1,6 @@
 """The front page: the cube in the grasp, for where there is no clip."""
 
-from measured_report.pages.chapters import Chapters
+from measured_report.pages.editions import Chapters
 from measured_report.parts.section import Figure, Section
 from report.story.figures import draw_still
 from report.story.found import CASES, Found

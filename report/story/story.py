@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import pandas as pd
 from markupsafe import Markup
 
-from measured_report.pages.chapters import Releases
+from measured_report.pages.editions import Releases
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, absent

@@ -7,7 +7,7 @@ from math import comb
 
 import pandas as pd
 
-from measured_report.pages.chapters import Releases
+from measured_report.pages.editions import Releases
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row

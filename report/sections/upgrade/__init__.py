@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from measured_report.changes.flips import Flip, flip_list, flips
-from measured_report.pages.chapters import Releases
+from measured_report.pages.editions import Releases
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value

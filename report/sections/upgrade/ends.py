@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
-from measured_report.pages.chapters import Releases
+from measured_report.pages.editions import Releases
 from measured_report.parts.claim import HOLDS, Outcome, beyond
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.changes.history import points
 from measured_report.changes.query import Query
 from measured_report.files.config import config
-from measured_report.pages.chapters import Releases
+from measured_report.pages.editions import Releases
 from measured_report.parts.figures import INK, new_figure, tick_125
 from measured_report.parts.section import Figure, Table
 from measured_report.values.format import unit_label

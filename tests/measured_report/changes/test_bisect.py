@@ -136,7 +136,7 @@ def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, searc
         assert "\n" not in str(refused.value)
 
 
-def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hours(toy, search, monkeypatch, capsys):
+def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(toy, search, monkeypatch, capsys):
     measured = []
 
     def note(project, release, sections, device):
@@ -152,6 +152,6 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hour
     ]
     assert capsys.readouterr().out == "1.4.9: toy.helps holds\n"
     ends = {"a": release_of("1.4.0"), "b": release_of("1.5.9")}
-    asked = Namespace(claim="toy.helps", value="", device="cpu", yes=False, **ends)
-    with pytest.raises(UsageError, match="takes 3 full ones; YES=1 begins"):
-        command.run(toy.project, asked)
+    asked = Namespace(claim="toy.helps", value="", device="cpu", **ends)
+    with pytest.raises(UsageError, match="PROFILE=full looks closer"):
+        command.run(replace(toy.project, profile="quick"), asked)

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from measured_report.pages.chapters import Releases
+from measured_report.pages.editions import Releases
 from measured_report.parts.claim import Claim, at_least, at_most, decided
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity

@@ -23,10 +23,6 @@ ASIDE = "bisect"
 """The folder below ``results`` of what a search measured."""
 
 
-class Alike(UsageError):
-    """Refuse a search whose ends do not differ, or can't tell."""
-
-
 @dataclass(frozen=True)
 class Bisection:
     """Search for where the answer to a query changes."""
@@ -75,10 +71,11 @@ class Bisection:
         return None if answer is None else self.query.is_first(answer, *ends)
 
     def ends(self, first: Release, last: Release) -> tuple[Answer, Answer]:
-        """Return what both ends answer, which must be measured; Alike when there is nothing to find between them."""
+        """Return what both ends answer, which must be measured; UsageError where there is nothing to find."""
         a, b = self.answer(first), self.answer(last)
         if a is None or b is None or a == b:
-            raise Alike(f"{self.query.text} is {said(a)} at A and {said(b)} at B")
+            hint = "; PROFILE=full looks closer" if self.project.profile == "quick" else ""
+            raise UsageError(f"{self.query.text} is {said(a)} at A and {said(b)} at B{hint}")
         return a, b
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.moves import cost_terms
-from measured_report.pages.chapters import Chapters, Releases
+from measured_report.pages.editions import Chapters, Releases
 from measured_report.pages.sections import Page
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros

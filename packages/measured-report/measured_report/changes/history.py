@@ -6,7 +6,7 @@ from measured_report.changes.flips import flips
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Answer, Query
 from measured_report.editions.status import aligned
-from measured_report.pages.chapters import Chapters, Releases
+from measured_report.pages.editions import Chapters, Releases
 from measured_report.records.columns import column_of
 from measured_report.values.noise import NOISE, noisiest
 from measured_report.values.quantities import Quantity

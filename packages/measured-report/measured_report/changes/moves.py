@@ -8,8 +8,7 @@ from typing import Any
 
 from measured_report.changes.query import Query
 from measured_report.files.config import config
-from measured_report.pages.chapters import Chapter
-from measured_report.pages.editions import Edition
+from measured_report.pages.editions import Chapter, Edition
 from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record

@@ -6,7 +6,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from measured_report.files.config import config
-from measured_report.pages.chapters import Chapters
+from measured_report.pages.editions import Chapters
 from measured_report.parts.claim import Claim
 from measured_report.records.columns import column_of
 from measured_report.values.quantities import Quantity, absent

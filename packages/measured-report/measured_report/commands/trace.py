@@ -10,8 +10,7 @@ from measured_report.commands.options import SHARED, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
-from measured_report.pages.chapters import Chapter, Chapters
-from measured_report.pages.editions import Edition, editions_of
+from measured_report.pages.editions import Chapter, Chapters, Edition, editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import changed_parameters
 from measured_report.site.pages import undrawn

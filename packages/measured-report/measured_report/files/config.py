@@ -16,22 +16,15 @@ FILE = "report.toml"
 
 
 @dataclass(frozen=True)
-class Declared:
-    """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
+class Told:
+    """Describes what ``report.toml`` may tell of a column."""
 
-    names: Collection[str] = ()
-    pattern: str = ""
-    kind: str = ""
-    """``parameter`` (a field of the case, or one like it), ``setting`` (set before a run as well), ``given`` (made from
-    settings), ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
     given_beside: str = ""
     """The column beside which it is given; alone it is measured."""
     better: str = ""
     """``less`` or ``more``."""
     resolution: float = 0.0
     """Least difference that counts, however well a machine repeats itself."""
-    signed: bool | None = None
-    """Whether its numbers have a sign; None: its unit says so."""
     rate_of: str = ""
     """The column of the time that makes this rate, whose share of noise it has."""
     known_within: str = ""
@@ -40,6 +33,19 @@ class Declared:
     """The column that says how long it added up; in a longer run it is noisier in proportion."""
     trials: str = ""
     """The column that says of how many trials this many, or this share, succeeded: its noise is binomial."""
+
+
+@dataclass(frozen=True)
+class Declared(Told):
+    """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
+
+    names: Collection[str] = ()
+    pattern: str = ""
+    kind: str = ""
+    """``parameter`` (a field of the case, or one like it), ``setting`` (set before a run as well), ``given`` (made from
+    settings), ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
+    signed: bool | None = None
+    """Whether its numbers have a sign; None: its unit says so."""
 
 
 @dataclass(frozen=True)

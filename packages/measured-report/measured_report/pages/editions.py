@@ -1,7 +1,7 @@
 """Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib import import_module
@@ -16,13 +16,13 @@ from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.pages.cache import Derivation, DerivedCache
-from measured_report.pages.chapters import Chapter, Chapters, Releases, stale_mark
 from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.pages.sections import FRONT, PAGES, LostError, Page, Read, derive_section, file_of, outline_of
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
+from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.records.code import digest_of, files
 from measured_report.records.identity import sections
@@ -30,6 +30,46 @@ from measured_report.records.provenance import files_digest
 from measured_report.records.record import Record, traces_of
 from measured_report.values.noise import NOISE, Floor, floors_of
 from measured_report.values.results import Results, ResultsError
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """Hold what a section of one release makes."""
+
+    state: State
+    results: Results
+    section: Section
+    names: Mapping[str, Any]
+    """What its template can name, and other templates through ``sections``."""
+    prose: Prose | None
+    """None for a section that compares releases until it has them."""
+    page: Page
+    compares: bool = False
+    """Set where it compares releases, so that what it derives is of one page alone."""
+    digest: str = ""
+    """Covers all that it was made from, as far as others read it; empty where nothing is kept."""
+
+    @property
+    def name(self) -> str:
+        return self.state.section
+
+
+def stale_mark(chapters: Iterable[Chapter], reads: frozenset[str]) -> Markup:
+    """Link to the section that was measured before its code changed, where pointers lead into one.
+
+    The link is no stop of the keyboard, which the section's own mark and the contents lead to as well.
+    """
+    for chapter in chapters:
+        place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
+        if chapter.state.notes and any(pointer.startswith(place) for pointer in reads):
+            return macros().stale(chapter)
+    return Markup("")
+
+
+Chapters = Mapping[str, Chapter]
+"""The chapters of one release by name, in the order of the page."""
+Releases = Mapping[str, Chapters]
+"""The chapters of every release that has results, oldest first."""
 
 
 @dataclass(frozen=True)
@@ -238,6 +278,9 @@ def _chapter(
         return derive_section(own, releases), own.derived
 
     given = [digest, repr(sorted(results.floors.items())), *_digests({"": before, **releases})]
+    if outline.compares:  # it may quote claims
+        chapters = (chapter for told in releases.values() for chapter in told.values())
+        given += [claim.sentence for chapter in chapters for claim in chapter.section.claims]
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
@@ -252,8 +295,8 @@ def _chapter(
         "claim": _finder(name, "claim", unmeasured | {claim.name: claim.html(name) for claim in section.claims}),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
-    # Others read its claims, and none of its other words.
-    outcomes = [(each.name, repr(each.outcome), each.outcome.is_opposite, each.sentence) for each in section.claims]
+    # Others read its claims, whose outcomes its words have a part in, and none of its words.
+    outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
     digest = digest_of([entry.digest, outcomes, state.notes])
     prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)

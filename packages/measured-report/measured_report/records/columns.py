@@ -16,7 +16,7 @@ from importlib import import_module
 from itertools import chain
 from typing import Any, TypeGuard
 
-from measured_report.files.config import config
+from measured_report.files.config import Told, config
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
@@ -33,7 +33,6 @@ LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, 
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
-SAID = ("given_beside", "better", "resolution", "rate_of", "known_within", "grows_with", "trials")
 PERCENTILE = re.compile(r"_p[0-9]+$")
 REASON = "_reason"
 UNBELIEVED = "the measurement gave "
@@ -47,8 +46,8 @@ UNPRINTABLE = re.compile(
 what one likes."""
 
 
-@dataclass(frozen=True)
-class Column:
+@dataclass(frozen=True, kw_only=True)
+class Column(Told):
     """Describes a column; what ``report.toml`` says of it is told there."""
 
     name: str
@@ -58,13 +57,6 @@ class Column:
     largest: float
     """The range of the numbers that are believed."""
     kinds: frozenset[str]
-    given_beside: str = ""
-    better: str = ""
-    resolution: float = 0.0
-    rate_of: str = ""
-    known_within: str = ""
-    grows_with: str = ""
-    trials: str = ""
 
     @property
     def is_setting(self) -> bool:
@@ -101,8 +93,10 @@ def column_of(name: str) -> Column:
     largest = LARGEST.get(unit, 1e18)
     signed = next((each.signed for each in found if each.signed is not None), unit not in NEVER_NEGATIVE)
     kinds = {each.kind for each in found if each.kind} | ({"parameter"} if name in parameters() else set())
-    said = {what: getattr(each, what) for each in reversed(found) for what in SAID if getattr(each, what)}
-    return Column(name, unit, -largest if signed else 0.0, largest, frozenset(kinds), **said)
+    told = [each.name for each in fields(Told)]
+    said = {what: getattr(each, what) for each in reversed(found) for what in told if getattr(each, what)}
+    least = -largest if signed else 0.0
+    return Column(name=name, unit=unit, least=least, largest=largest, kinds=frozenset(kinds), **said)
 
 
 @cache

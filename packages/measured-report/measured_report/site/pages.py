@@ -16,8 +16,7 @@ from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft
 from measured_report.pages.cache import DerivedCache
-from measured_report.pages.chapters import Chapter
-from measured_report.pages.editions import Edition
+from measured_report.pages.editions import Chapter, Edition
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.pages.sections import FRONT, Page
 from measured_report.parts.macros import Picture, macros
