@@ -4,15 +4,13 @@ import re
 
 import pytest
 
-from measured_report.commands.new import new, update
+from measured_report.commands.new import new
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 
 
-def test_a_report_on_another_package_names_no_other_and_stays_so_when_it_is_renewed(tmp_path):
+def test_a_report_on_another_package_names_no_other(tmp_path):
     new(folder := tmp_path / "mine", "scikit-learn==1.5.0", "How it changes")
-    (folder / "report.mk").write_text((folder / "report.mk").read_text())
-    update(folder)
     texts = {
         path: path.read_text() for path in folder.rglob("*") if path.is_file() and path.suffix not in (".whl", ".json")
     }
