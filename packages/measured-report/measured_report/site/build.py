@@ -5,7 +5,6 @@ import hashlib
 from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
-from functools import partial
 from importlib import metadata
 from pathlib import Path
 
@@ -24,7 +23,6 @@ from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.provenance import files_digest, package_versions
 from measured_report.records.record import BYTE_LIMIT
-from measured_report.site.feed import write_feed
 from measured_report.site.pages import Site, citation
 from measured_report.site.publish import SUMS, sums
 
@@ -68,7 +66,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             editions = editions_of(project, templates, derived)
             refuse_unknown_names(editions, editions.get(project.own_release or project.release))
             site = Site(draft, project.release, editions, templates, address, citation(), derived)
-            site.write(partial(write_feed, site))
+            site.write()
             draft.write(SUMS, sums(draft.digests))
         replace(project.site, fresh)
         built = {

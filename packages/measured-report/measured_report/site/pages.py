@@ -4,19 +4,24 @@ import csv
 import io
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+import uuid
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from functools import cached_property
 from itertools import chain
+from operator import itemgetter
 from typing import Any
 
 from markupsafe import Markup
 
+from measured_report.changes.flips import flips_between
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import Chapter, Edition
+from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.pages.sections import FRONT, Page
 from measured_report.parts.macros import Picture, macros
@@ -122,15 +127,15 @@ class Site:
         folders = {release: f"{edition.project.results.name}/" for release, edition in self.editions.items()}
         return {**folders, self.shown: ""}
 
-    def write(self, once: Callable[[], None]) -> None:
-        """Draw all figures, and write data, what is there ``once``, and pages of all releases."""
+    def write(self) -> None:
+        """Draw all figures, and write data and pages of all releases, and what is there once."""
         places = self.places
         links = {release: _links(self.editions, places, release) for release in places}
         contents = {release: _contents(self.editions[release], self.templates, links[release]) for release in places}
         pictures = _draw(contents, self.cache)
         for edition in self.editions.values():
             self._write_data(edition)
-        once()
+        self._write_once()
         origins = {}
         for chapter in chain.from_iterable(edition.chapters.values() for edition in self.editions.values()):
             record = chapter.results.record
@@ -201,6 +206,19 @@ class Site:
                 has_drawing = has_drawing or bool(drawn and all(drawn))
         return found
 
+    def _write_once(self) -> None:
+        """Write what the site has once, at its root: the feed, the picture for links, and what its data are."""
+        entries = sorted(_entries(self.editions, self.places), key=itemgetter("updated"), reverse=True)
+        names = {"address": self.address, "citation": self.citation, "id": _id(""), "entries": entries}
+        for file in ("404.html", "feed.xml"):
+            self.draft.write(file, self.templates.layout(f"{file}.j2", names))
+        if (ROOT / "LICENSE").is_file():
+            self.draft.copy("license.txt", ROOT / "LICENSE")
+        if card := plugins().card(self.editions, self.cache):
+            self.draft.write(CARD, card)
+        self.draft.write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
+        self.draft.write(".gitkeep", "")
+
     def _write_data(self, edition: Edition) -> None:
         """Write all that pages name of a release: what was measured, as it is kept and as tables, and its values."""
         folder = f"data/{edition.project.results.name}/"
@@ -214,6 +232,30 @@ class Site:
         for name, file in edition.plugins.files.items():
             self.draft.copy(name, file)
         self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(edition.values_text, self.shown))
+
+
+def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
+    """Yield the feed's entries: editions and what flips with them; an id is the same for the same news anywhere."""
+    before: Edition | None = None
+    for release, edition in editions.items():
+        if not edition.chapters:
+            continue
+        flips = flips_between(before.chapters, edition.chapters) if before else ()
+        claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
+        said = [flip.after.text for flip in flips] or [claim.text for claim in claims[:1]]
+        dates = [chapter.results.record.measured["date"] for chapter in edition.chapters.values()]
+        yield {
+            "id": _id(release),
+            "title": ": ".join([config().name_of(release), *said[: len(flips)][:1]]),
+            "text": " ".join(said),
+            "address": f"{places[release]}index.html",
+            "updated": datetime.fromisoformat(max(dates)).isoformat(timespec="seconds"),
+        }
+        before = edition
+
+
+def _id(key: str) -> str:
+    return f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, f'{config().name}/{key}')}"
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
