@@ -95,6 +95,8 @@ OTHERS = {
     "a global that is set": ("x = 1\ndef run():\n    global x\n    x = 2", "    global x\n", ""),
     "what a match binds": ("def run(a, c):\n    match a:\n        case [b]:\n            c = b", "= b", "= a"),
     "a walrus in a comprehension": ("def run(a):\n    [b := c for c in a]\n    return b", "return b", "return c"),
+    "names that are asked for": ("def run(a):\n    b = a\n    return locals()", "b = a", "c = a"),
+    "a name that ends in a row": ("def law(): pass\ndef run():\n    return law.__name__", "law", "rule"),
     "a print of the module's own": ("def print(x): return x\ndef run():\n    return print('a')", "'a'", "'b'"),
     "what a bar goes through": ("from tqdm import tqdm\ndef run():\n    return [*tqdm('ab')]", "'ab'", "'ba'"),
     "a text that is written": ("def run(a, file):\n    print('x', file=file)", "'x'", "'y'"),

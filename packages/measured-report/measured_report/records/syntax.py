@@ -214,11 +214,14 @@ class Canonical:
         self._names, self._imports = names, imports or {}
         self._own: Collection[str] = ()
         self._local_count = 0
+        self._locals_count = self._names_count = False
         self._is_silent = False
 
     def statement(self, node: ast.stmt) -> Any:
         """Make tuples of a statement at the top of its module; the names that it defines do not count."""
         self._own = frozenset(_bound(node))
+        nodes = list(ast.walk(node))
+        self._locals_count, self._names_count = any(map(_reads_locals, nodes)), any(map(_reads_a_name, nodes))
         return self.plain(node, Scope())
 
     def plain(self, node: Any, scope: Scope) -> Any:
@@ -258,14 +261,14 @@ class Canonical:
 
     def _gap(self, asked: str) -> tuple[str, ...]:
         self.gaps.append(asked)
-        return GAP, *asked.split(".")[1:]
+        return GAP, *asked.split(".")[0 if self._names_count else 1 :]
 
     def _stands_for(self, name: str, scope: Scope) -> Any:
         """Return what stands for a name where it is bound."""
         if name in scope.attributes:
             return name
         if name in scope.local:
-            return scope.local[name]
+            return (scope.local[name], name) if self._locals_count else scope.local[name]
         return GAP if name in self._own else name
 
     def _binding(self, node: ast.AST, scope: Scope) -> Any:
@@ -377,6 +380,18 @@ def _is_bound(node: ast.AST) -> TypeGuard[ast.Name]:
 
 def _is_string(node: ast.AST) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
+def _reads_locals(node: ast.AST) -> bool:
+    """Tell whether a node may find what its function binds by name, which then counts."""
+    if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+        return False
+    return node.func.id in ("locals", "eval", "exec") or (node.func.id in ("vars", "dir") and not node.args)
+
+
+def _reads_a_name(node: ast.AST) -> bool:
+    """Tell whether a node asks what a definition is called, which then counts."""
+    return isinstance(node, ast.Attribute) and node.attr in ("__name__", "__qualname__") and bool(_chain(node))
 
 
 def _named_assets(nodes: Iterable[ast.AST]) -> Iterator[str]:
