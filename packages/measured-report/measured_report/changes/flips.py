@@ -107,9 +107,15 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
     return [flip for flip in near if flip.is_decided or is_whole]
 
 
-def flip_list(flips: Sequence[Flip], shown: str, sections: Collection[str]) -> Markup:
-    """List flips by section, each with what other editions say than the page's own, ``shown``.
+@dataclass(frozen=True)
+class FlipList:
+    """List flips by section; printed, each has what other editions say than the page's own."""
 
-    Of that edition its ``sections`` are linked to.
-    """
-    return macros().turns(flips, shown, sections)
+    flips: Sequence[Flip]
+    shown: str
+    """The edition of the page, whose own sentences stand where they belong."""
+    sections: Collection[str]
+    """Sections of that edition, to link to."""
+
+    def __html__(self) -> Markup:
+        return macros().turns(self.flips, self.shown, self.sections)

@@ -278,9 +278,6 @@ def _chapter(
         return derive_section(own, releases), own.derived
 
     given = [digest, repr(sorted(results.floors.items())), *_digests({"": before, **releases})]
-    if outline.compares:  # it may quote claims
-        chapters = (chapter for told in releases.values() for chapter in told.values())
-        given += [claim.sentence for chapter in chapters for claim in chapter.section.claims]
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
@@ -298,6 +295,8 @@ def _chapter(
     # Others read its claims, whose outcomes its words have a part in, and none of its words.
     outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
     digest = digest_of([entry.digest, outcomes, state.notes])
+    if not outline.compares:
+        edition.cache.tell(project.release, section, name)
     prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
 
