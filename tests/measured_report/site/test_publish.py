@@ -1,6 +1,8 @@
 """Publishing: into a folder, onto a branch; whole, or not at all, and nothing else is touched."""
 
+import os
 import shutil
+import signal
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,6 +12,7 @@ from conftest import ROWS, git
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.staging import digests_below
 from measured_report.site.check import check_site
+from measured_report.site import publish as publishing
 from measured_report.site.publish import SUMS, publish, sums
 
 pytestmark = pytest.mark.usefixtures("built")
@@ -124,6 +127,44 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remo
     assert (there / "cause.html").read_text() == toy.page and check_site(there) == []
 
 
+@pytest.fixture(params=["clone", "worktree", "submodule", "shallow"])
+def clone(request, toy, remote, tmp_path) -> Path:
+    """A copy of the project, with its site, as git makes copies."""
+    root, there = toy.project.root, tmp_path / "copy"
+    git(root, "push", "--quiet", "origin", "HEAD:refs/heads/main")
+    git(remote, "symbolic-ref", "HEAD", "refs/heads/main")
+    if request.param == "worktree":
+        git(root, "worktree", "add", "--quiet", str(there))
+    elif request.param == "submodule":
+        outer = tmp_path / "outer"
+        outer.mkdir()
+        git(outer, "init", "--quiet")
+        git(outer, "-c", "protocol.file.allow=always", "submodule", "--quiet", "add", str(remote), "copy")
+        there = outer / "copy"
+    else:
+        depth = ["--depth", "1"] if request.param == "shallow" else []
+        git(tmp_path, "clone", "--quiet", *depth, remote.as_uri(), str(there))
+    shutil.copytree(toy.project.site, there / "site", dirs_exist_ok=True)
+    return there
+
+
+def test_publishing_leaves_a_clone_whole_whoever_publishes_next(toy, remote, clone):
+    root = toy.project.root
+    before = [git(clone, *words) for words in (("for-each-ref",), ("count-objects",))]
+    publish(clone / "site", "")
+    assert [git(clone, *words) for words in (("for-each-ref",), ("count-objects",))] == before
+    change(toy)
+    publish(toy.project.site, "")  # somebody else
+    for words in ("fsck --strict", "gc --quiet --prune=now", "log --all", "fetch --quiet", "fsck --strict"):
+        git(clone, *words.split())
+    publish(clone / "site", "")
+    assert git(clone, "status", "--short") == "" and git(remote, "rev-list", "--count", "gh-pages") == "1"
+    git(remote, "config", "receive.denyNonFastForwards", "true")
+    with pytest.raises(UsageError, match="^not published: git: .*non-fast-forward.*$"):
+        publish(root / "site", "")
+    git(root, "fsck", "--strict")
+
+
 def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origin(toy, remote, tmp_path):
     inner = toy.project.root / "inner"
     shutil.copytree(toy.project.site, inner / "site")
@@ -161,7 +202,7 @@ def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
     assert git(remote, "for-each-ref") == before
 
 
-@pytest.mark.parametrize("target", ["nowhere", "--upload-pack=touch x", "origin#a..b"])
+@pytest.mark.parametrize("target", ["nowhere", "--upload-pack=touch x", "origin#a..b", "origin#@", "origin#HEAD"])
 def test_what_git_can_not_publish_to_is_one_line(toy, remote, target):
     with pytest.raises(UsageError) as error:
         publish(toy.project.site, f"git:{target}")
@@ -175,3 +216,13 @@ def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(UsageError, match="needs git, which is not there; TARGET=dir:PATH needs nothing"):
         publish(toy.project.site, "")
+
+
+def test_what_a_killed_publish_leaves_goes_with_the_next(toy, tmp_path, monkeypatch):
+    monkeypatch.setattr(publishing, "replace", lambda *folders: os.kill(os.getpid(), signal.SIGKILL))
+    if not (child := os.fork()):
+        publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert os.waitpid(child, 0)[1] == signal.SIGKILL
+    monkeypatch.undo()
+    publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert check_site(tmp_path / "www") == [] and not any((toy.project.root / publishing.ASIDE).iterdir())

@@ -5,7 +5,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -19,6 +18,7 @@ BRANCH = "gh-pages"
 SUBJECT = "The report, as make publish made it"
 SUMS = "SHA256SUMS"  # the file that names all others with their digests
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
+ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
@@ -32,8 +32,9 @@ def publish(site: Path, target: str) -> str:
     if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
         raise UsageError(f"{told!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE")
     try:
-        with tempfile.TemporaryDirectory(prefix="publish-") as folder:
-            copy = _checked_copy(site, Path(folder) / "site")
+        (site.parent / ASIDE).mkdir(exist_ok=True)
+        with staging_folder(site.parent / ASIDE / "copy") as folder:  # what a killed one has left goes now
+            copy = _checked_copy(site, folder / "site")
             return without_password(TARGETS[scheme](copy, place, site))
     except UsageError as error:
         raise UsageError(without_password(str(error))) from None
@@ -90,27 +91,37 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
     """Publish to a branch of a remote of the project's git repository, as its one commit.
 
     The commit is made in a repository of its own, which is removed: neither the working tree nor the index nor any
-    branch is touched. A branch that holds something else is left alone.
+    branch is touched, and, since it is pushed by address, nor is what is noted of the remote. A branch that holds
+    something else is left alone.
     """
     remote, _, branch = place.partition("#")
     branch = branch or BRANCH
-    ref, git = f"refs/heads/{branch}", ["git", "-C", str(site.parent)]
+    ref, git, aside = f"refs/heads/{branch}", ["git", "-C", str(site.parent)], copy.with_name("git")
     if Path(_run([*git, "rev-parse", "--show-toplevel"])) != site.parent.resolve():
         raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
-    tips = (line.split("\t") for line in _run([*git, "ls-remote", remote, ref]).splitlines())
+    if _run(["git", "check-ref-format", "--normalize", ref]) != ref or branch in ("@", "HEAD"):
+        raise UsageError(f"{branch} is no name for a branch")
+    if remote in _run([*git, "remote"]).splitlines():
+        address = _run([*git, "remote", "get-url", "--push", remote])
+    else:
+        address = remote
+    _run(["git", "init", "--quiet", "--bare", str(aside)])
+    own = site.parent / _run([*git, "rev-parse", "--git-path", "objects"])
+    (aside / "objects/info/alternates").write_text(f"{own}\n", encoding="utf-8")
+    kept_aside = {"GIT_OBJECT_DIRECTORY": f"{aside}/objects"}
+    tips = (line.split("\t") for line in _run([*git, "ls-remote", address, ref]).splitlines())
     before = next((tip for tip, name in tips if name == ref), "")
     if before:
-        _run([*git, "fetch", "--quiet", "--no-tags", "--no-write-fetch-head", remote, ref])
-        if not _run([*git, "ls-tree", before, MARK]):
+        fetching = ["fetch", "--quiet", "--no-tags", "--no-write-fetch-head", "--no-auto-maintenance", address, ref]
+        _run([*git, *fetching], **kept_aside)
+        if " blob " not in _run([*git, "ls-tree", before, MARK], **kept_aside):
             raise UsageError(f"the branch {branch} of {remote} holds something else; it was left alone")
-    with tempfile.TemporaryDirectory(prefix="publish-") as folder:
-        _run(["git", "init", "--quiet", "--bare", folder])
-        importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
-        author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
-        _run([*importing, str(copy)], GIT_DIR=folder, **author)
-        commit = _run(["git", "-C", folder, "rev-parse", ref])
-        pushing = [*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", remote, f"{commit}:{ref}"]
-        _run(pushing, GIT_ALTERNATE_OBJECT_DIRECTORIES=f"{folder}/objects")
+    importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
+    author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
+    _run([*importing, str(copy)], GIT_DIR=str(aside), **author)
+    commit = _run(["git", "-C", str(aside), "rev-parse", ref])
+    pushing = ["push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}"]
+    _run([*git, *pushing], **kept_aside)
     return f"{remote}, branch {branch}"
 
 
