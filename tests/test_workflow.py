@@ -4,12 +4,15 @@ import os
 import re
 import subprocess
 import textwrap
+from itertools import chain
 from pathlib import Path
 
 import pytest
 
+from measured_report.commands.new import SKELETON
 from measured_report.files.root import ROOT
 
+WORKFLOWS = ROOT / ".github/workflows", SKELETON / "dot.github/workflows"
 SCRIPT = re.compile(r"^        run: \|\n((?:          .*\n)+)", re.MULTILINE)
 PROGRAM = """#!/bin/bash
 printf '%s|' "${0##*/}" "$@" >> "$FOLDER/log"; echo >> "$FOLDER/log"
@@ -57,7 +60,7 @@ def test_the_workflow_measures_what_was_asked_for_or_what_is_new(tmp_path, newto
 )
 def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_path, answer, status, comment):
     done = run_script(tmp_path, 1, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)
-    assert done.returncode == 0 and (tmp_path / "output").read_text() == f"status={status}\n"
+    assert done.returncode == 0 and (tmp_path / "output").read_text().startswith(f"status={status}\ncomment<<")
     said = (tmp_path / "comment.md").read_text()
     assert said.startswith(comment) and ("it took a while" in said) == (not answer)
     called = (tmp_path / "log").read_text()
@@ -65,18 +68,33 @@ def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_pat
 
 
 def test_finding_8_workflows_name_what_they_run_by_its_content_and_keep_no_credentials():
-    for workflow in (ROOT / ".github/workflows").glob("*.yml"):
-        text = workflow.read_text()
+    shown = [ROOT / "packages/newton-lint/README.md"]
+    for workflow in (*shown, *chain(*(folder.glob("*.yml") for folder in WORKFLOWS))):
+        text = textwrap.dedent(workflow.read_text().partition("scenes.yml\n")[2] or workflow.read_text())
         used = re.findall(r"uses: (\S+)", text)
         assert used and all(re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", action) for action in used), workflow
         kept_nothing = re.findall(r"actions/checkout@.*\n        with:\n          persist-credentials: false\n", text)
         assert len(kept_nothing) == text.count("actions/checkout@"), workflow
-        assert not re.search(r"pip install|astral\.sh|setup-uv", text), "the lock says which uv"
+        assert workflow in shown or not re.search(r"pip install|astral\.sh|setup-uv", text), "the lock says which uv"
 
 
 @pytest.mark.parametrize(("open_issue", "call"), [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")])
 def test_the_workflow_keeps_one_issue(tmp_path, open_issue, call):
     title = 'Upgrade: newton 1.9.0 "$(touch evil)"'
-    assert run_script(tmp_path, 2, OPEN_ISSUE=open_issue, TITLE=title).returncode == 0
+    assert run_script(tmp_path, 2, OPEN_ISSUE=open_issue, TITLE=title, COMMENT="$(touch evil)").returncode == 0
     assert (tmp_path / "log").read_text().splitlines()[-1] == f"{call}|--title|{title}|--body-file|comment.md|"
     assert not (tmp_path / "evil").exists()
+
+
+@pytest.mark.parametrize("folder", WORKFLOWS, ids=["here", "new"])
+def test_the_job_that_may_write_runs_nothing_that_was_measured(folder):
+    first, writing = (folder / "upgrade.yml").read_text().split("\n  issue:\n")
+    assert ": write" not in first and "github.token" not in first and "issues: write" in writing
+    assert not re.search("uses:|build.py|make ", writing)
+
+
+def test_a_new_report_takes_the_uv_of_the_lock_by_its_bytes():
+    version, *hashes = re.findall(r"uv==(\S+)|hash=(\S+)", (SKELETON / "uv.txt").read_text())
+    lock = (ROOT / "uv.lock").read_text().partition('name = "uv"\nversion = "' + version[0])[2].partition("\n\n")[0]
+    assert len(hashes) == 4 and all(digest in lock for _, digest in hashes)
+    assert "--require-hashes" in (SKELETON / "Makefile").read_text()

@@ -10,6 +10,8 @@ import { PLAIN } from "./turntable.js";
 import { View } from "./view.js";
 
 const SHAKE_FRAMES = 688;
+const NOT_RUN = "not run yet";
+const SHAKING = "shaking …";
 const FRAME_S = 1 / 60;
 const GROUPS = {
   Pads: [
@@ -90,7 +92,7 @@ function begin() {
   const cancel = h("button", { id: "lab-cancel", type: "button", disabled: true, click: () => pool.cancel() }, "Cancel");
   const link = h("button", { id: "lab-link", type: "button", click: () => copy(link, location.href) }, "Copy link");
   const cases = Object.entries(CASES).map(([name, changes]) => h("button", { type: "button", click: () => (form.set({ ...SHIPPED, ...changes }), start()) }, name));
-  const slip = h("output", { id: "lab-slip", "aria-live": "polite" }, "not run yet");
+  const slip = h("output", { id: "lab-slip", "aria-live": "polite" }, NOT_RUN);
   const status = h("p", { id: "lab-status", role: "status" });
   const view = new View(h("div", { id: "lab-stage", hidden: true }, h("canvas", { tabindex: 0, role: "img", "aria-label": "The arm and the cube in 3D. Arrow keys turn the view, plus and minus bring it closer and farther." })));
   const svg = curveElement("Displacement of the cube in the hand over the time of the shake");
@@ -114,6 +116,7 @@ function begin() {
     guarded(measure, status).finally(() => {
       run.disabled = false;
       cancel.disabled = true;
+      if (slip.textContent === SHAKING) slip.textContent = NOT_RUN; // it was cancelled, or failed
     });
   }
 
@@ -122,7 +125,10 @@ function begin() {
     form.set(settings);
     history.replaceState(null, "", `#${write(settings)}`);
     run.disabled = true;
-    slip.textContent = "shaking …";
+    slip.textContent = SHAKING;
+    delete slip.dataset.slipMm;
+    delete slip.dataset.class;
+    for (const element of [results, shared]) element.replaceChildren();
     status.textContent = "";
     const tracked = await readTracked();
     const behind = await Promise.all(Object.entries(BEHIND).map(async ([name, colour]) => ({ name, colour, points: await curveOf(tracked, name), isFaint: true })));
@@ -264,7 +270,7 @@ function turntableInto(pool) {
   const table = find("#lab-turntable");
   const form = new Form("turn-form", TURN_GROUPS, TURN_RANGES, CHOICES, PLAIN);
   const run = h("button", { id: "turn-run", type: "submit", form: "turn-form" }, "Turn the table");
-  const growth = h("output", { id: "turn-growth", "aria-live": "polite" }, "not run yet");
+  const growth = h("output", { id: "turn-growth", "aria-live": "polite" }, NOT_RUN);
   table.append(form.element, h("p", { class: "lab-actions" }, run, growth));
   table.hidden = false;
   form.element.addEventListener("submit", (/** @type {Event} */ event) => {

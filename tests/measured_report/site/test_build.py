@@ -8,6 +8,7 @@ from conftest import MODULE, ROWS, TEMPLATE, program
 
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.files.staging import digests_below
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
@@ -97,6 +98,15 @@ def test_a_figure_that_throws_where_all_of_it_is_there_stops_the_build_and_nothi
         built.build()
     assert built.page == before
     assert not list(built.project.root.glob(".site-*"))
+
+
+def test_a_stranger_in_the_site_goes_with_the_next_build(built):
+    before = digests_below(built.project.site)
+    (built.project.site / ".DS_Store").write_text("x")
+    (built.project.site / "link").symlink_to("index.html")
+    (built.project.site / "folder").symlink_to("/")
+    built.build()
+    assert digests_below(built.project.site) == before and not (built.project.site / "folder").is_symlink()
 
 
 def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_longer_fits(toy):

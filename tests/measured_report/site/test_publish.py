@@ -84,6 +84,7 @@ DAMAGES = {
     "replaced": lambda site: (site / "license.txt").write_text("<script>alert(1)</script>"),
     "stranger": lambda site: (site / "more.html").write_text("more"),
     "link": lambda site: (site / "passwd").symlink_to("/etc/passwd"),
+    "folder": lambda site: (site / "all").symlink_to("/"),
     "no sums": lambda site: (site / SUMS).unlink(),
     "problem": spoil,
 }

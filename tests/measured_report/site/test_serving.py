@@ -1,5 +1,7 @@
 """Serving: what changes is built again, and what is asked for answered."""
 
+import os
+import shutil
 import threading
 import time
 from http.client import HTTPConnection
@@ -39,6 +41,18 @@ def test_a_change_is_one_of_any_file_but_compiled_ones(toy):
         before = stamp(toy.project.inputs)
         change()
         assert stamp(toy.project.inputs) != before
+
+
+def test_a_folder_that_vanishes_while_it_is_looked_at_ends_nothing(toy, monkeypatch):
+    scan = os.scandir
+
+    def vanish(place):
+        if str(place).endswith("templates/sections"):
+            shutil.rmtree(place, ignore_errors=True)
+        return scan(place)
+
+    monkeypatch.setattr(os, "scandir", vanish)
+    assert stamp(toy.project.inputs) and not (toy.project.root / "templates/sections").exists()
 
 
 def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):

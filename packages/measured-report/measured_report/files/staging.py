@@ -3,6 +3,7 @@
 import hashlib
 import os
 import shutil
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -46,9 +47,13 @@ class Draft:
 
 
 def digests_below(folder: Path) -> dict[str, str]:
-    """Digest the files below a folder, by their names there; links, and what else is no file, are passed over."""
-    files = (path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
-    return {path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+    """Digest the files below a folder, by their names there; a link, and what else is no file, has none."""
+    there = (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir())
+    return {path.relative_to(folder).as_posix(): _digest(path) for path in there}
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest() if stat.S_ISREG(path.lstat().st_mode) else ""
 
 
 def replace(folder: Path, fresh: Path) -> None:

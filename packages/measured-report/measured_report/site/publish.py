@@ -52,7 +52,7 @@ def _checked_copy(site: Path, copy: Path) -> Path:
     if not (site / "index.html").is_file():
         raise UsageError(f"{site.name}/ holds no report; make report builds it")
     with locked(site.parent, alone=False):  # not while it is being put in place
-        shutil.copytree(site, copy)
+        shutil.copytree(site, copy, symlinks=True)
     there = digests_below(copy)
     there.pop(SUMS, None)
     if not (copy / SUMS).is_file() or (copy / SUMS).read_text(encoding="utf-8") != sums(there):

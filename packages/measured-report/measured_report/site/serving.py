@@ -1,5 +1,6 @@
 """Serving the site here: what changes is built again."""
 
+import os
 import re
 import threading
 import time
@@ -8,6 +9,7 @@ from contextlib import suppress
 from functools import partial
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from itertools import chain
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -66,7 +68,9 @@ class Server(ThreadingHTTPServer):
 def stamp(folders: Iterable[Path]) -> dict[Path, tuple[int, int]]:
     """Return when each file in some folders was changed, and its size."""
     found = {}
-    for path in (path for folder in folders for path in folder.rglob("*") if "__pycache__" not in path.parts):
-        with suppress(OSError):  # it was removed just now
-            found[path] = path.stat().st_mtime_ns, path.stat().st_size
+    walked = (place for folder in folders for place in os.walk(folder))  # which passes over what vanishes meanwhile
+    for path in (Path(place, name) for place, *names in walked for name in chain(*names)):
+        if "__pycache__" not in path.parts:
+            with suppress(OSError):  # it was removed just now
+                found[path] = path.stat().st_mtime_ns, path.stat().st_size
     return found
