@@ -73,6 +73,16 @@ def test_an_address_sets_it_and_the_keyboard_runs_it(tab, address):
     assert tab.evaluate("document.documentElement.scrollWidth") <= 390
 
 
+def test_it_is_cancelled(tab, address):
+    tab.goto(f"{address}lab.html#substeps=64")
+    tab.click("#lab-run")
+    tab.wait_for_selector("#lab-cancel:not([disabled])")
+    tab.click("#lab-cancel")
+    tab.wait_for_selector("#lab-status:has-text('Cancelled')", timeout=60_000)
+    assert tab.get_attribute("#lab-slip", "data-slip-mm") is None
+    tab.wait_for_selector("#lab-slip:has-text('not run yet')")
+
+
 def test_the_turntable_grows_by_the_law(tab, address):
     tab.goto(f"{address}lab.html")
     tab.click("#turn-run")
