@@ -32,6 +32,8 @@ def _with(*path: str | int, value: Any = GONE) -> Change:
 NO_NUMBERS = ("6.36", True, [], {}, float("nan"), float("inf"), 1e308, -1e308, 10**400, -1.0, None)
 NO_TEXTS = (None, 3, 1.5, True, [], {}, "", "\x00", "a\ue000b", "x" * 5000, "\u202etext", "a\u200fb", "two\nlines")
 NO_MAPPINGS = (None, 3, "text", [], [1])
+NO_DATES = ("soon", "2026-01-02", *(f"{year}-01-02T03:04:05+00:00" for year in ("0001", "1999", "9999")))
+UPWARDS = {"a/../../b.py": "0" * 64}
 VERSIONS = (
     "evil @ file:///tmp/evil.whl",
     "1.4.0; python_version>'3'",
@@ -51,20 +53,21 @@ FIELDS: dict[str, Change] = {
     **{f"units {value!r:.20}": _with("units", value=value) for value in (*NO_MAPPINGS, {})},
     "unit of no column": _with("units", "drift_mm_s", value="mm/s"),
     **{f"seconds {value!r:.20}": _with("measured", "seconds", value=value) for value in (*NO_NUMBERS, "soon")},
-    **{f"date {value!r:.20}": _with("measured", "date", value=value) for value in (*NO_TEXTS, "soon", "2026-01-02")},
+    **{f"date {value!r:.20}": _with("measured", "date", value=value) for value in (*NO_TEXTS, *NO_DATES)},
     **{f"commit {value!r:.20}": _with("measured", "commit", value=value) for value in (3, [], "\x00", "x" * 5000)},
     **{f"command {value!r:.20}": _with("measured", "command", value=value) for value in (None, 3, [], "\x07", "a\nb")},
     **{f"measured {value!r:.20}": _with("measured", value=value) for value in (*NO_MAPPINGS, {})},
     **{f"device {value!r:.20}": _with("machine", "device", value=value) for value in (None, 3, "tpu", [], "")},
     **{f"gpu {value!r:.20}": _with("machine", "gpu", value=value) for value in (3, True, [], {}, "\ue000", "x" * 5000)},
     **{f"cpu {value!r:.20}": _with("machine", "cpu", value=value) for value in (None, 3, [], "\x00")},
+    **{f"key {name!r:.20}": _with("machine", name, value="a") for name in ("\u202edriver", "a\u200fb", "a b", "")},
     **{f"machine {value!r:.20}": _with("machine", value=value) for value in (*NO_MAPPINGS, {})},
     **{f"newton {value!r:.20}": _with("identity", "packages", "newton", value=value) for value in VERSIONS},
     **{f"package {name}": _with("identity", "packages", name, value="1.0") for name in ("evil", "pip", "", "newton ")},
     **{f"packages {value!r:.20}": _with("identity", "packages", value=value) for value in (*NO_MAPPINGS, {"a": {}})},
     **{f"code {value!r:.20}": _with("identity", "code", value=value) for value in (None, 3, "", "abc", "g" * 64, [])},
     **{f"profile {value!r:.20}": _with("identity", "profile", value=value) for value in (None, "slow", 3, [])},
-    **{f"files {value!r:.20}": _with("identity", "files", value=value) for value in (*NO_MAPPINGS, {"a": 1}, {"": ""})},
+    **{f"files {value!r:.20}": _with("identity", "files", value=value) for value in (*NO_MAPPINGS, {"a": 1}, {"": ""}, UPWARDS)},
     **{f"identity {value!r:.20}": _with("identity", value=value) for value in (*NO_MAPPINGS, {})},
     **{f"schema {value!r:.20}": _with("schema", value=value) for value in (None, 0, 2, "1", True, [], 10**400)},
     **{f"section {value!r:.20}": _with("section", value=value) for value in (*NO_TEXTS, "other", "../toy")},
@@ -129,6 +132,7 @@ TRACES: dict[str, Callable[[bytes], bytes]] = {
     "column missing": lambda content: _packed("time_s,x_mm\n0\n1\n"),
     "column more": lambda content: _packed("time_s,x_mm\n0,1,2\n"),
     "column twice": lambda content: _packed("time_s,time_s\n0,1\n"),
+    "many columns": lambda content: _packed(",".join(f"c{n}" for n in range(2000)) + "\n" + "0," * 1999 + "0\n"),
     "no columns": lambda content: _packed("0.0,0.0\n1.0,0.3\n"),
     "text": lambda content: _packed("time_s,x_mm\n0,a\n1,0.3\n"),
     "not a number": lambda content: _packed("time_s,x_mm\n0,nan\n1,0.3\n"),

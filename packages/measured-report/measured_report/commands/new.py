@@ -3,6 +3,7 @@
 import argparse
 import json
 import re
+import shlex
 import shutil
 import sys
 from collections.abc import Mapping
@@ -60,7 +61,7 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
         told["@TITLE@"] = title
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, told)
-    print(f"wrote {folder}; cd {folder.name} && make report measures, and builds site/index.html")
+    print(f"wrote {folder}; cd {shlex.quote(folder.name)} && make report measures, and builds site/index.html")
 
 
 def _write(folder: Path, told: Mapping[str, str]) -> None:

@@ -4,7 +4,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
-from datetime import datetime, timedelta
+from datetime import datetime
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -29,6 +29,8 @@ from measured_report.records.provenance import MISSING
 
 SCHEMA = 1
 BYTE_LIMIT = 32 << 20
+YEARS = range(2000, 2100)
+"""When a record may have been measured, by clocks that go."""
 CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 DIGITS = ".9g"
 """Digits of a number: as many as tell any two of single precision apart, far below what any of these repeats to."""
@@ -136,14 +138,6 @@ class Record:
         return datetime.fromisoformat(self.measured["date"]).strftime("%Y-%m-%d %H:%M %Z")
 
     @property
-    def span(self) -> tuple[datetime, datetime]:
-        """Return from when to when it was measured."""
-        ended = datetime.fromisoformat(self.measured.get("ended", self.measured["date"]))
-        if started := self.measured.get("started"):
-            return datetime.fromisoformat(started), ended
-        return ended - timedelta(seconds=self.measured["seconds"]), ended
-
-    @property
     def origin(self) -> Origin:
         return Origin(self.identity.packages.get(config().package, MISSING), self.processor)
 
@@ -215,9 +209,11 @@ def _read(content: bytes, path: Path) -> Record:
             if others := part.keys() - names:
                 raise ValueError(f"nothing here is called {min(others)!r:.80}")
         msgspec.convert(record.machine, _Machine)
-        msgspec.convert(record.measured, _Measured)
+        measured = msgspec.convert(record.measured, _Measured)
         msgspec.convert(record.rows, list[_Row])
-        _ = record.span  # which may begin before there are dates
+        for time in filter(None, (measured.date, measured.started, measured.ended)):
+            if time.year not in YEARS:
+                raise ValueError(f"it was measured in the year {time.year}")
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")
         _check_columns(record)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fres
 
 HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
 UNPACKED_LIMIT = 64 << 20
+COLUMN_LIMIT = 1_000
 CELL_LIMIT = 8_000_000
 """More would take gigabytes to look at; the longest trace that was kept has some tens of thousands."""
 NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
@@ -83,6 +84,8 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
 def _check_cells(lines: Iterator[list[str]]) -> None:
     """Raise ValueError unless each line has a cell for each column, and a missing number is an empty cell."""
     head, number = next(lines, []), 1
+    if len(head) > COLUMN_LIMIT:
+        raise ValueError(f"it has more than {COLUMN_LIMIT} columns")
     if len(set(head)) < len(head):
         raise ValueError("its first line names a column twice")
     for number, line in enumerate(lines, start=2):
