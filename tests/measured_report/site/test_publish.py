@@ -11,8 +11,8 @@ from conftest import ROWS, git
 
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.staging import digests_below
-from measured_report.site.check import check_site
 from measured_report.site import publish as publishing
+from measured_report.site.check import check_site
 from measured_report.site.publish import SUMS, publish, sums
 
 pytestmark = pytest.mark.usefixtures("built")
@@ -161,7 +161,7 @@ def test_publishing_leaves_a_clone_whole_whoever_publishes_next(toy, remote, clo
     publish(clone / "site", "")
     assert git(clone, "status", "--short") == "" and git(remote, "rev-list", "--count", "gh-pages") == "1"
     git(remote, "config", "receive.denyNonFastForwards", "true")
-    with pytest.raises(UsageError, match="^not published: git: .*non-fast-forward.*$"):
+    with pytest.raises(UsageError, match=r"^not published: git: .*non-fast-forward.*$"):
         publish(root / "site", "")
     git(root, "fsck", "--strict")
 
