@@ -1,6 +1,7 @@
 """The site: built from results made by hand, checked, and published in one step."""
 
 import json
+import os
 from dataclasses import replace
 
 import pytest
@@ -107,6 +108,13 @@ def test_a_stranger_in_the_site_goes_with_the_next_build(built):
     (built.project.site / "folder").symlink_to("/")
     built.build()
     assert digests_below(built.project.site) == before and not (built.project.site / "folder").is_symlink()
+
+
+def test_a_name_that_is_no_utf_8_stops_no_build(toy):
+    for folder in ("templates", "results", "results/newton-1.4.0", "assets"):
+        (toy.project.root / folder / os.fsdecode(b"\xff.json")).write_text("x")
+    toy.build()
+    assert check_site(toy.project.site) == []
 
 
 def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_longer_fits(toy):

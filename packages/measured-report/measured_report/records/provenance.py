@@ -5,6 +5,7 @@ Code comes from an index, a commit, a checkout or a wheel, as PEP 610 notes it.
 
 import hashlib
 import json
+import os
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
 from importlib import metadata
@@ -82,7 +83,7 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
     for path in sorted(paths):
         if path.is_file():
             content = path.read_bytes()
-            digest.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode() + content)
+            digest.update(os.fsencode(f"{path.relative_to(root).as_posix()}\0{len(content)}\0") + content)
     return digest.hexdigest()
 
 
