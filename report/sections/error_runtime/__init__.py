@@ -12,6 +12,7 @@ from report.shared.arithmetic import Column, table_of
 
 order = 155
 page = "error"
+leads = True
 label = "error and run time"
 labels = {
     "as-shipped/newton/iterations-1": "shipped pads, Newton's contacts, 1 iteration",

@@ -77,7 +77,7 @@ def _write(folder: Path, told: Mapping[str, str]) -> None:
     files = {path.relative_to(SKELETON): path for path in SKELETON.rglob("*") if path != TOLD}
     files = {name: path for name, path in files.items() if not path.is_relative_to(OTHER)}
     if told.get(OTHERS) == "":
-        files = {name: path for name, path in files.items() if name.stem.partition(".")[0] != "pendulum"}
+        files = {name: path for name, path in files.items() if "pendulum" not in name.stem}
         files |= {path.relative_to(OTHER): path for path in OTHER.rglob("*")}
     for relative, template in sorted(files.items()):
         if not template.is_file() or template.suffix == ".pyc":
