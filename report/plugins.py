@@ -9,6 +9,7 @@ from typing import Any
 from markupsafe import Markup
 
 from experiments.facts.clip_record import CLIPS, FIRST, clips_state
+from measured_report.editions.release import read_label
 from measured_report.editions.status import State
 from measured_report.files.atomic import short_path
 from measured_report.files.errors import ReportError
@@ -97,7 +98,7 @@ class Plugins(plugins.Plugins):
 
 
 def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
-    slips = {release: _slips(edition) for release, edition in editions.items()}
+    slips = {name: _slips(edition) for name, edition in editions.items() if not read_label(name).pins}
 
     def make() -> bytes:
         from report.media.card import draw_card  # it takes Matplotlib, which takes long to import

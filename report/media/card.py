@@ -16,7 +16,7 @@ TITLE = "Slip of a shaken cube, Newton's contacts"
 def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
     """Draw the picture as PNG, of 1200 × 630 pixels; ``slips`` are by release, and by what they are of."""
     with own_style({"figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
-        drawing = Drawing(figsize=(12, 6.3), dpi=100)
+        drawing = Drawing(figsize=(12, 6.3), dpi=100, layout="constrained")
         axes = drawing.subplots()
         for place, pair in enumerate(slips.values()):
             for shift, colour, (label, slip) in zip((-0.18, 0.18), (SHIPPED, STIFF), pair.items(), strict=True):
@@ -31,7 +31,7 @@ def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
         axes.grid(visible=False)
         axes.tick_params(bottom=False, labelbottom=False)
         axes.spines[["bottom", "left"]].set_visible(False)
-        axes.set_title(TITLE, fontsize=28, pad=24)
+        drawing.suptitle(TITLE, fontsize=30)
         handles = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
         drawing.legend(handles.values(), handles.keys(), loc="outside lower left", ncols=2, fontsize=22)
         buffer = io.BytesIO()

@@ -39,7 +39,8 @@ class Clips:
     def video(self, case: str, caption: Markup) -> Markup:
         """Return a clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
         row = self.results.row[case]
-        files = (self.root + self._address(file) for file in (row.poster, row.file))
+        poster = self.picture if case == FIRST else self._address(row.poster)
+        files = self.root + poster, self.root + self._address(row.file)
         label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
         return _macros().video(row, *files, label, self._sources(row), self._marked(caption))
 

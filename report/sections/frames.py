@@ -1,13 +1,9 @@
 """What moves against what: the displacement as shipped, taken apart into relative poses."""
 
-from matplotlib.figure import Figure as Drawing
-
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
-from measured_report.parts.figures import INK
-from measured_report.parts.section import Figure, Section
+from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
+from measured_report.parts.section import Section
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import noise_floor, share
-from report.shared.drawing import SHIPPED, draw_bars
+from report.shared.arithmetic import noise_floor, share, table_of
 
 order = 60
 reads = ("noise",)
@@ -19,11 +15,16 @@ ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
 
 
 def derive(results: Results) -> Section:
-    moves, still = _cube_moves_in_fingers(results), _robot_is_still(results)
-    is_so = all_of(moves.outcome, still.outcome) == HOLDS
-    numbers = {"pairs": [(row.pair, row.displacement_mm) for row in results.rows], "is_so": is_so}
-    figure = Figure(lambda: _draw(results.rows), [row.displacement_mm for row in results.rows], numbers)
-    return Section(figures={"displacement": figure}, claims=[moves, still])
+    claims = [_cube_moves_in_fingers(results), _robot_is_still(results)]
+    columns = {"displacement": "displacement_mm", "reading": lambda row: _reading(results, row)}
+    pairs = table_of("what in what", [row.pair for row in results.rows], columns, results.rows)
+    return Section(tables={"pairs": pairs}, claims=claims)
+
+
+def _reading(results: Results, row: Row) -> str:
+    cells = row.displacement_mm.value, results.row["cube-in-TCP"].displacement_mm.value
+    bound = 0.01 * results.derived["robot_share_bound"].number
+    return "" if None in cells else "moves" if cells[0] > bound * cells[1] else "stands still"
 
 
 def _cube_moves_in_fingers(results: Results) -> Claim:
@@ -49,9 +50,3 @@ def _robot_is_still(results: Results) -> Claim:
     of_cube = share(results, "robot_share", f"{formula}, of the cube's displacement against the TCP", largest, whole)
     bound = results.chosen("robot_share_bound", "too little to matter", 5.0, unit="%")
     return Claim("robot_is_still", at_most(of_cube, bound), {"largest": largest, "share": of_cube})
-
-
-def _draw(rows: list[Row]) -> Drawing:
-    colours = [INK if row.case in ROBOT else SHIPPED for row in rows]
-    moved = [row.displacement_mm for row in rows]
-    return draw_bars([row.pair for row in rows], moved, colours, "displacement [mm]")[0]

@@ -1,9 +1,11 @@
 """Parts that the scene has and does not use: the cost of each, and that nothing changes without it."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from markupsafe import Markup
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import Claim, Outcome, all_of, at_least, greater, within
@@ -12,7 +14,7 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import DEVICES, Column, case_html, difference, largest_size, noise_floor, ratio, table_of
-from report.shared.drawing import SHIPPED, name_lines
+from report.shared.drawing import CURE, SHIPPED, STIFF, name_lines
 from report.shared.timing import RowsBy, compared, resolution, worlds_name
 
 order = 150
@@ -38,6 +40,8 @@ MANY_COUNT = 16384
 REFERENCE, ALL = "untrimmed", "without-all"
 Timed = Mapping[tuple[str, str, int], Row]
 """Rows by device, case and number of worlds; a row without anything where nothing was measured."""
+WHOLE = (REFERENCE, "as-shipped", ALL)
+"""Cases that are more than one thing left out."""
 
 
 def derive(results: Results) -> Section:
@@ -64,7 +68,7 @@ def derive(results: Results) -> Section:
     }
     return Section(
         tables={"audit": audit_table(results), "cost": cost_table(timed, differences, known)},
-        figures={"cost": cost_figure(timed)},
+        figures={"cost": cost_figure(results, timed)},
         claims=[
             _faster_on_gpu(results, timed, known["cuda"]),
             _faster_on_cpu(results, timed, known["cpu"]),
@@ -143,7 +147,7 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
 
 
 def cost_table(timed: Timed, differences: Mapping[str, Value], known: Mapping[str, Value]) -> Table:
-    cases = {case: row for (_, case, _), row in timed.items()}
+    cases = {case: row for (_, case, _), row in timed.items() if case in WHOLE}
     places = sorted({(device, worlds) for device, _, worlds in timed}, key=lambda place: (place[0] == "cpu", place))
     columns: dict[str, Column] = {
         f"{DEVICES[device]}, {worlds_name(worlds)}": [
@@ -158,33 +162,89 @@ def cost_table(timed: Timed, differences: Mapping[str, Value], known: Mapping[st
     return table_of("case", map(case_html, cases.values()), columns, **said)
 
 
-def cost_figure(timed: Timed) -> Figure:
+@dataclass(frozen=True)
+class Fall:
+    """What frames of so many worlds take less, in percent of one exactly as shipped."""
+
+    worlds: int
+    steps: Mapping[str, tuple[Quantity, Row]]
+    """By case, with one thing left out alone, timed in turn with all of it there."""
+    rest: Value
+    """What all left out together save beyond the sum of these."""
+    ends: tuple[Row, Row]
+    """Exactly as shipped, and without all of it."""
+
+
+def _fall(results: Results, timed: Timed, device: str, worlds: int) -> Fall:
+    def saved(case: str) -> Value:
+        name = f"{device}_{case}_{worlds}_less".replace("-", "_")
+        formula = f"what a frame {case} takes less than exactly as shipped, timed in turn"
+        return results.value(
+            name, formula, lambda taken: 100 * (1 - taken), timed[device, case, worlds].frame_ratio, unit="%"
+        )
+
+    alone = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)
+    steps = {case: (saved(case), timed[device, case, worlds]) for case in alone}
+    formula = "what a frame without all of it takes less, less what it takes less for each thing that was timed alone"
+    there = [step for step, _ in steps.values() if step.value is not None]
+    rest = results.value(
+        f"{device}_together_{worlds}_less",
+        formula,
+        lambda all_of_it, *each: all_of_it - sum(each),
+        saved(ALL),
+        *there,
+        unit="%",
+    )
+    return Fall(worlds, steps, rest, (timed[device, REFERENCE, worlds], timed[device, ALL, worlds]))
+
+
+def cost_figure(results: Results, timed: Timed) -> Figure:
     """Show the fewest worlds and the most."""
     device = _device(timed)
     counts = sorted({1, *(worlds for of, case, worlds in timed if (of, case) == (device, REFERENCE))})
-    shown = [1, *counts[1:][-1:]]
-    ends = {(case, worlds): timed[device, case, worlds].frame_ms for worlds in shown for case in (REFERENCE, ALL)}
+    falls = [_fall(results, timed, device, worlds) for worlds in dict.fromkeys((counts[-1], 1))]
     times = Markup("; ").join(
-        Markup("{}, {}: {}").format(worlds_name(worlds), labels[case], time) for (case, worlds), time in ends.items()
+        Markup("{}: {}, then {}").format(worlds_name(fall.worlds), *(end.frame_ms for end in fall.ends))
+        for fall in falls
     )
-    numbers: dict[str, Any] = {"times": times, "device": DEVICES[device], "worlds": worlds_name(shown[-1])}
-    numbers |= {"before": ends[REFERENCE, shown[-1]], "after": ends[ALL, shown[-1]]}
-    sources = [row.frame_ms for (of, _, worlds), row in timed.items() if of == device and worlds in shown]
-    return Figure(lambda: _draw_cost(timed, device, shown), sources, numbers)
+    before, after = (end.frame_ms for end in falls[0].ends)
+    numbers: dict[str, Any] = {"times": times, "worlds": worlds_name(counts[-1]), "before": before, "after": after}
+    sources = [
+        cell for fall in falls for cell in (*(step for step, _ in fall.steps.values()), fall.rest, before, after)
+    ]
+    return Figure(lambda: _draw_falls(falls), sources, numbers)
 
 
-def _draw_cost(timed: Timed, device: str, shown: Sequence[int]) -> Drawing:
-    cases = {case: row for (_, case, _), row in timed.items()}
-    drawing, grid = new_figure(7.2, 1.3 + 0.28 * len(cases), ncols=len(shown), sharey=True, squeeze=False)
-    for axes, worlds in zip(grid[0], shown, strict=True):
-        for place, case in enumerate(cases):
-            row = timed[device, case, worlds]
-            share = 100 * (row.frame_ratio.value or 0.0)
-            axes.barh(place, share, height=0.62, color=SHIPPED, edgecolor=INK, linewidth=0.6)
-            say_value(axes, share, place, f"{write(row.frame_ms)} ms" if share else "not timed")
-        axes.set_xlim(0, 135)
-        axes.set_title(f"{DEVICES[device]}, {worlds_name(worlds)}")
-        axes.grid(axis="y", visible=False)
-    name_lines(grid[0][0], [row.label for row in cases.values()])
-    drawing.supxlabel("time of a frame as a share of that exactly as shipped, timed in turn [%]", fontsize=10)
+def _draw_falls(falls: Sequence[Fall]) -> Drawing:
+    first = falls[0].steps
+    order = sorted(first, key=lambda case: -(first[case][0].value or -1e3))
+    drawing, grid = new_figure(7.2, 1.4 + 0.26 * len(order), ncols=len(falls), sharey=True, squeeze=False)
+    for axes, fall in zip(grid[0], falls, strict=True):
+        _draw_fall(axes, fall, order)
+        axes.set_title(worlds_name(fall.worlds))
+    names = [first[case][1].label for case in order]
+    name_lines(grid[0][0], ["exactly as shipped", *names, "together, beyond these", "without all of it"])
+    drawing.supxlabel("time of a frame [% of that exactly as shipped]", fontsize=10)
     return drawing
+
+
+def _draw_fall(axes: Axes, fall: Fall, order: Sequence[str]) -> None:
+    """Draw a bar from what is left before a thing is left out to what is left after, with its interval."""
+    left = 100.0
+    style: dict[str, Any] = {"height": 0.62, "linewidth": 0}
+    axes.barh(0, left, color=SHIPPED, **style)
+    say_value(axes, left, 0, f"{write(fall.ends[0].frame_ms)} ms")
+    steps = [(fall.steps[case][0], fall.steps[case][1].ratio_resolution.value) for case in order]
+    for place, (saved, seen) in enumerate([*steps, (fall.rest, None)], 1):
+        if saved.value is None:
+            say_value(axes, 0.0, place, "not timed alone")
+            continue
+        axes.barh(place, -saved.value, left=left, color=STIFF if saved.value > 0 else INK, **style)
+        right, left = max(left, left - saved.value), left - saved.value
+        axes.errorbar(left, place, xerr=100 * (seen or 0.0), color=INK, linewidth=1.0, capsize=0, marker="")
+        say_value(axes, right, place, f"{write(saved)} %")
+    end = len(order) + 2
+    axes.barh(end, 100 * (fall.ends[1].frame_ratio.value or 0.0), color=CURE, **style)
+    say_value(axes, 100 * (fall.ends[1].frame_ratio.value or 0.0), end, f"{write(fall.ends[1].frame_ms)} ms")
+    axes.set_xlim(0, 135)
+    axes.grid(axis="y", visible=False)

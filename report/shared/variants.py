@@ -3,15 +3,11 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from matplotlib.figure import Figure as Drawing
-
-from measured_report.parts.claim import HOLDS, Claim, Outcome, at_least, greater
-from measured_report.parts.figures import INK
-from measured_report.parts.section import Figure, Section
+from measured_report.parts.claim import Claim, Outcome, at_least, greater
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cases_html, difference, largest_size, noise_floor, other_value, share
-from report.shared.drawing import SHIPPED, draw_bars
+from report.shared.arithmetic import by_case, cases_html, difference, largest_size, noise_floor, other_value, share
 
 
 @dataclass(frozen=True)
@@ -45,15 +41,26 @@ class Differences(dict):
 
 
 def variant_section(results: Results, variants: Variants, *claims: Claim) -> Section:
-    """Make the section of variants: their figure, whether one is the cause, and more claims."""
-    slips = [row.slip_mm for row in variants.all_rows]
+    """Make the section of variants: their table, whether one is the cause, and more claims."""
     bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
     cause = is_small(results, "cause", variants.largest, bound, variants.baseline.slip_mm, variants.floor)
-    numbers = variants.numbers | {"is_idle": cause == HOLDS, "is_cause": cause.is_opposite}
-    return Section(
-        figures={"cases": Figure(lambda: _draw_variants(variants), slips, numbers)},
-        claims=[Claim("not_the_cause", cause, variants.numbers), *claims],
-    )
+    changes = [variants.difference[row.case] for row in variants.rows]
+    limit = results.derived["cause_limit"]
+    readings = [reading(change, variants.floor, limit) for change in changes]
+    columns = {"slip": "slip_mm", "change": ["", *changes], "reading": ["as shipped", *readings]}
+    table = by_case(variants.all_rows, columns)
+    return Section(tables={"cases": table}, claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
+
+
+def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
+    """Say what a change of slip is, beside the noise and what a cause would change."""
+    if None in (change.value, floor.value, limit.value):
+        return ""
+    if abs(change.number) <= floor.number:
+        return "no difference"
+    if abs(change.number) < limit.number:
+        return "too little for a cause"
+    return "slips less" if change.number < 0 else "slips farther"
 
 
 def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) -> Variants:
@@ -86,11 +93,3 @@ def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: 
     formula = f"{bound.written} % of the slip, signs left out"
     limit = results.value(f"{name}_limit", formula, lambda a, b: a / 100 * abs(b), bound, slip, unit="mm")
     return greater(limit, change, noise=noise)
-
-
-def _draw_variants(variants: Variants) -> Drawing:
-    rows, base = variants.all_rows, variants.baseline.slip_mm.value
-    drawing, axes = draw_bars([r.label for r in rows], [r.slip_mm for r in rows], [SHIPPED] * len(rows), "slip [mm]")
-    if base is not None:
-        axes.axvline(base, color=INK, linewidth=1, linestyle="--", marker="")
-    return drawing

@@ -1,6 +1,6 @@
 """Figures of the front page and the story: the cube in the grasp, the suspects and the mechanism."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,8 @@ from matplotlib.patches import Arc, Polygon, Rectangle
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Series
-from report.shared.drawing import SHIPPED, STIFF, draw_bars
-from report.story.found import CASES
+from report.shared.drawing import SHIPPED, STIFF, mark_points, name_lines
+from report.story.found import CASES, FIX
 
 EDGE_MM = 40.0  # of the cube, for drawings to scale
 PAD_MM = (17.5, 18.5)  # width and height of the part of a finger that touches the cube, about the tool's point
@@ -53,13 +53,27 @@ def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
     axes.set_axis_off()
 
 
-def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity) -> Drawing:
-    """Draw the largest change in slip that each suspect makes [%], and the ``remedy``'s."""
-    colours = [STIFF if name == remedy else SERIES[5] for name in shares]
-    label = "largest change in slip [% of that with shipped pads]"
-    drawing, axes = draw_bars([*shares], [*shares.values()], colours, label)
-    if bound.value is not None:
-        axes.axvline(bound.value, color=INK, linestyle="--", linewidth=1.0, marker="")
+def draw_suspects(
+    slips: Mapping[str, Sequence[Quantity]], others: Collection[str], shipped: Quantity, bound: Quantity
+) -> Drawing:
+    """Draw the slip of each run [mm], a line for each thing that was changed; ``others`` are no suspects."""
+    drawing, axes = new_figure(7.2, 0.9 + 0.32 * len(slips))
+    for place, (name, cells) in enumerate(slips.items()):
+        there = [cell for cell in cells if cell.value is not None]
+        colour = {FIX: STIFF}.get(name, SHIPPED if name in others else SERIES[5])
+        mark_points(axes, [(cell.value, place) for cell in there], marker="o", markersize=6, color=colour, alpha=0.75)
+        for cell in there if name in others else []:
+            axes.annotate(
+                write(cell), (cell.number, place), xytext=(0, 6), textcoords="offset points", ha="center", fontsize=8.5
+            )
+    if shipped.value is not None and bound.value is not None:
+        margin = 0.01 * bound.value * shipped.value
+        axes.axvspan(shipped.value - margin, shipped.value + margin, color=FAINT, alpha=0.45, linewidth=0, zorder=0)
+        axes.axvline(shipped.value, color=INK, linestyle="--", linewidth=1.0, marker="")
+    name_lines(axes, slips)
+    axes.margins(y=0.12)
+    axes.set(xlabel="slip [mm]", xlim=(0.0, None))
+    axes.grid(axis="y", visible=False)
     return drawing
 
 

@@ -8,6 +8,7 @@ from measured_report.values.results import Series
 
 CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 """The cases that the first page shows, and what it calls them."""
+FIX = "the pads' ke and kd"
 
 
 @dataclass(frozen=True)

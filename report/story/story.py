@@ -9,9 +9,11 @@ from measured_report.pages.editions import Releases
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, absent
+from report.sections.gap import CASES as CASES_OF_GAP
+from report.sections.priority import CUBE
 from report.sections.upgrade.ends import released
 from report.story.figures import draw_mechanism, draw_suspects
-from report.story.found import CASES, Found
+from report.story.found import CASES, FIX, Found
 
 SUSPECTS = {
     "friction": ("friction", "largest_share"),
@@ -21,8 +23,10 @@ SUSPECTS = {
     "the cube's ke and kd": ("priority", "cube_slip_share"),
 }
 """What was suspected, in the reader's words: section and value."""
-FIX = "the pads' ke and kd"
-
+COARSE = "a coarser solver, in MuJoCo C"
+COARSER = [("lab", case, "slip_mm", "mm") for case in ("impratio-1", "substeps-4")]
+ONE_THING = {"gap": CASES_OF_GAP, "priority": CUBE}
+"""Cases of sections that derive no differences."""
 
 NEWTON, PYRAMID, MUJOCO = "Newton's contacts", "the same, pyramidal cone", "MuJoCo's contacts"
 WAYS = {
@@ -32,7 +36,7 @@ WAYS = {
         ("cure", "pyramidal-implicitfast-50-stiff-3cm-plain-rounded", "slip_mm", "mm"),
     ],
     MUJOCO: [("upgrade", f"{case}-mujoco-contacts", "slip_mm", "mm") for case in CASES],
-    "MuJoCo's C engine": [("reproduction", f"{case}-mujoco-c", "slip_mm", "mm") for case in CASES],
+    "both, in MuJoCo C": [("lab", case, "slip_mm", "mm") for case in ("cone-pyramidal", "stiff-pads-pyramidal")],
 }
 """Slips with shipped pads and with stiff ones, by who finds the contacts."""
 UNSEEN, FAILED = Markup("not measured"), Markup("run failed")
@@ -61,14 +65,33 @@ def derive(releases: Releases, shown: str) -> Section:
 def _suspects(found: Found) -> Figure:
     shares = {label: found.value(*place, "%") for label, place in SUSPECTS.items()}
     fix = found.value("reproduction", "stiff_share", "%")
-    bound = found.value("friction", "cause_bound", "%")
+    shipped, bound = (
+        found.cell("reproduction", "as-shipped", "slip_mm", "mm"),
+        found.value("friction", "cause_bound", "%"),
+    )
+    slips = {label: _changed(found, section) for label, (section, _) in SUSPECTS.items()}
+    others = {
+        COARSE: [found.cell(*place) for place in COARSER],
+        FIX: [found.cell("reproduction", "stiff-pads", "slip_mm", "mm")],
+    }
+    slips |= {label: cells for label, cells in others.items() if any(cell.source for cell in cells)}
     every = {**shares, FIX: fix}
     numbers = {
         "shares": Markup(", ").join(Markup("{} {}").format(*pair) for pair in every.items()),
         "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound)).said,
         "moving": ", ".join(name for name, share in every.items() if share.value and at_least(share, bound) == HOLDS),
     }
-    return Figure(lambda: draw_suspects(every, FIX, bound), list(every.values()), numbers)
+    cells = [shipped, *(cell for some in slips.values() for cell in some)]
+    return Figure(lambda: draw_suspects(slips, others, shipped, bound), cells, numbers)
+
+
+def _changed(found: Found, section: str) -> list[Quantity]:
+    """Look up the slips of a section's variants; what it has besides them is of another question."""
+    if section not in found.chapters:
+        return []
+    results = found.chapters[section].results
+    own = [row for row in results.rows if f"{row.case}_difference" in results.derived]
+    return [row.slip_mm for row in own or map(results.row.__getitem__, ONE_THING.get(section, ()))]
 
 
 def _mechanism(found: Found) -> Figure:
@@ -154,7 +177,7 @@ def _with_both(found: Found) -> Claim:
 
 
 def _coarser_moves(found: Found) -> Claim:
-    shipped, *coarse = (found.cell("lab", case, "slip_mm", "mm") for case in ("as-shipped", "impratio-1", "substeps-4"))
+    shipped, *coarse = (found.cell(*place) for place in (("lab", "as-shipped", "slip_mm", "mm"), *COARSER))
     bound = found.value("friction", "cause_bound", "%")
     there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
     moved = there and all(abs(slip.value - shipped.value) >= 0.01 * bound.value * shipped.value for slip in coarse)

@@ -188,7 +188,7 @@ def _worded(anchor: str, text: Text, section: Section) -> Section:
     if not section.claims:
         section = replace(section, unmeasured=[word for _, word in text.words])
     story = f"{config().story.replace('.', '/')}/"
-    return section.worded(anchor, text.name, text.words, story, "make page")
+    return section.worded(anchor, text.name, text.words, story)
 
 
 class _Names(dict[str, Mapping[str, Any]]):
@@ -281,7 +281,7 @@ def _chapter(
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
-    section = entry.section.worded(name, text.name, text.words, outline.source, project.rerun(name))
+    section = entry.section.worded(name, text.name, text.words, outline.source)
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
         "release": results.record.origin.release,

@@ -134,8 +134,6 @@ class Figure(_Captioned):
     """Id, unique on the page."""
     drawn_by: str = ""
     """Path of the code that draws it."""
-    command: str = ""
-    """Measures again what it draws."""
     pictures: Pictures | None = None
     """None where it is not kept, and still to be drawn."""
 
@@ -254,11 +252,11 @@ class Section:
         return replace(self, tables=tables)
 
     def worded(
-        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], drawn_by: str = "", command: str = ""
+        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], drawn_by: str = ""
     ) -> "Section":
         """Give it the words of the template ``place``; ReportError unless things and words are those of each other.
 
-        The ids of its figures begin with ``anchor``; all have the same ``drawn_by`` and ``command``.
+        The ids of its figures begin with ``anchor``; all have the same ``drawn_by``.
         """
         things = {"claim": {claim.name: claim for claim in self.claims}, "figure": self.figures, "table": self.tables}
         for (kind, name), wording in words.items():
@@ -275,7 +273,7 @@ class Section:
             for part in words[kind, name].blocks:  # those as well that are not said now: with other numbers they are
                 words[kind, name](part, thing.numbers)
             if kind == "figure":
-                thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by, command=command)
+                thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by)
             return thing.checked() if kind == "claim" else thing
 
         found = {kind: {name: said(kind, name, thing) for name, thing in some.items()} for kind, some in things.items()}
