@@ -56,6 +56,11 @@ class Clips:
         """Return the address of the long exposure, seen from the root of the site."""
         return self._address(self.results.row[STILL].file)
 
+    @property
+    def magnified(self) -> Quantity:
+        """Return how many times the displacement is in it."""
+        return self.results.row[STILL].magnified
+
     def _marked(self, caption: Markup) -> Markup:
         return _macros().stale(caption, self.state.words)
 

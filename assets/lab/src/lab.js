@@ -98,15 +98,11 @@ function begin() {
   const svg = curveElement("Displacement of the cube in the hand over the time of the shake");
   const results = h("div", { id: "lab-results" });
   const shared = h("div", { id: "lab-shared" });
-  place.append(
-    h("div", { class: "lab-cases", role: "group", "aria-label": "Settings that have a name" }, ...cases),
-    form.element,
-    h("p", { class: "lab-actions" }, run, cancel, link, slip),
-    status,
-    h("div", { class: "lab-shown" }, view.element, h("figure", {}, svg, h("figcaption", {}, legend()))),
-    results,
-    shared,
-  );
+  const hint = h("p", {}, "Press Run, or change what you like first. The engine is loaded once, then, and nothing is sent anywhere.");
+  const set = h("div", {}, h("div", { class: "lab-cases", role: "group", "aria-label": "Settings that have a name" }, ...cases), form.element);
+  const said = h("p", { class: "lab-actions" }, run, cancel, link, slip);
+  const drawn = h("div", { class: "lab-shown" }, view.element, h("figure", {}, svg, h("figcaption", {}, legend())));
+  place.append(hint, h("div", { class: "lab-bench" }, set, h("div", { class: "lab-found" }, said, status, drawn, results, shared)));
   form.set(read(location.hash.slice(1)));
   form.element.addEventListener("submit", (/** @type {Event} */ event) => (event.preventDefault(), start()));
   sweepInto(pool, form);
@@ -147,7 +143,7 @@ function begin() {
     draw();
     slip.dataset.slipMm = row.slip_mm;
     slip.dataset.class = row.class;
-    slip.textContent = said(row);
+    slip.textContent = verdict(row);
     results.replaceChildren(table(row, runOf(tracked, settings)));
     shared.replaceChildren(...sharing(row, settings));
   }
@@ -156,7 +152,7 @@ function begin() {
 const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** @param {any} row */
-function said(row) {
+function verdict(row) {
   if (row.class === "dropped") return "The cube falls out of the hand.";
   if (row.class === "creeping" || row.class === "holding") return `The cube slips ${written(row.slip_mm, "mm")}.`;
   return `Not valid: ${row.reason}.`;

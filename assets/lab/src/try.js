@@ -1,4 +1,4 @@
-// The front page: one number to change, Run, and how far the cube slips.
+// The front page: one number to change, how far the cube slips by the law, Run, and how far it does.
 
 import { find, h, HERE, isServed, written } from "./dom.js";
 import { Pool } from "./pool.js";
@@ -17,8 +17,9 @@ function begin() {
   const slip = h("output", { id: "try-slip", "aria-live": "polite" });
   const run = h("button", { id: "try-run", type: "button" }, "Run");
   const value = () => Number((least * (most / least) ** Number(kd.value)).toPrecision(2));
+  const law = lawOf(place);
   const tell = () => {
-    said.textContent = `kd = ${value()}`;
+    said.textContent = `kd = ${value()}${law ? `, by the law ${written(law(value()), "mm")}` : ""}`;
     slip.textContent = ""; // what was measured is of another kd
   };
   kd.addEventListener("input", tell);
@@ -48,4 +49,17 @@ function begin() {
   function position(wanted) {
     return Math.log(wanted / least) / Math.log(most / least);
   }
+}
+
+/**
+ * The shipped slip by the law of the drift: it goes with dmax · timeconst − h, where no timeconst counts as less than two
+ * steps. The page has its numbers.
+ * @param {HTMLElement} place @returns {((kd: number) => number) | null}
+ */
+function lawOf(place) {
+  const numbers = [...place.querySelectorAll("data")].map((number) => Number(number.value));
+  if (numbers.length !== 3) return null;
+  const [slip_mm, dmax, step_s] = numbers;
+  const yielding = (/** @type {number} */ kd) => dmax * Math.max(2 / kd, 2 * step_s) - step_s;
+  return (kd) => (slip_mm * yielding(kd)) / yielding(SHIPPED.kd);
 }

@@ -1,4 +1,5 @@
-/* What the pages do beyond being read: all is there without it. No dependencies, and nothing is fetched. */
+/* What the pages do beyond being read: all is there without it. No dependencies, and nothing is fetched but the other
+   pages, when somebody searches. */
 "use strict";
 
 const root = document.documentElement;
@@ -303,11 +304,92 @@ function addOrigins() {
   rove(numbers);
 }
 
+/* Search: over what stands below each heading of this release's pages, which are fetched when somebody begins to. */
+
+const MOST_FOUND = 12;
+
+function plainWords(text) {
+  return ` ${text.toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, " ").trim()} `;
+}
+
+function entriesOf(page, address) {
+  const entries = [];
+  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd)")) {
+    if (block.closest(".provenance, .source, nav") || block.parentElement.closest("li, figcaption")) continue;
+    const text = block.textContent.replace(/ #$/, "").replace(/\s+/g, " ").trim();
+    if (/^H/.test(block.tagName)) {
+      const id = block.id || block.closest("section")?.id || "";
+      entries.push({ title: text, text: "", address: id ? `${address}#${id}` : address });
+    } else if (entries.length) entries.at(-1).text += ` ${text}`;
+  }
+  return entries.map((entry) => ({ ...entry, head: plainWords(entry.title), words: plainWords(entry.title + entry.text) }));
+}
+
+async function readPages() {
+  const addresses = new Set([...document.querySelectorAll(".beside > ol > li > a")].map((link) => link.getAttribute("href")));
+  const pages = await Promise.all(
+    [...addresses].map(async (address) => {
+      const page = new DOMParser().parseFromString(await (await fetch(address)).text(), "text/html");
+      return entriesOf(page, address);
+    }),
+  );
+  return pages.flat();
+}
+
+function findEntries(entries, asked) {
+  const words = plainWords(asked).trim().split(" ").map((word) => ` ${word}`);
+  const rank = (entry) => words.reduce((sum, word) => sum + 20 * entry.head.includes(word) + entry.words.split(word).length - 1, 0);
+  const found = entries.filter((entry) => words.every((word) => entry.words.includes(word)));
+  return found.sort((a, b) => rank(b) - rank(a)).slice(0, MOST_FOUND);
+}
+
+function excerpt(text, asked) {
+  const at = Math.max(0, text.toLowerCase().indexOf(asked.trim().toLowerCase().split(/\s+/)[0]) - 40);
+  return at ? `…${text.slice(at, at + 110).replace(/^\S*\s/, "").trim()}…` : `${text.slice(0, 110).trim()}…`;
+}
+
+function addSearch() {
+  if (!location.protocol.startsWith("http")) return; // a page from a file may fetch nothing
+  const [form, field, list] = ["search", "input", "ol"].map((tag) => document.createElement(tag));
+  form.className = "search";
+  Object.assign(field, { type: "search", placeholder: "Search", ariaLabel: "Search these pages" });
+  list.ariaLive = "polite";
+  list.hidden = true;
+  form.append(field, list);
+  document.querySelector(".bar .scheme").before(form);
+  let pages = null;
+  const show = async () => {
+    const asked = field.value;
+    if (!plainWords(asked).trim()) return (list.hidden = true);
+    const entries = await (pages ??= readPages().catch(() => []));
+    if (asked !== field.value) return;
+    const found = findEntries(entries, asked).map((entry) => {
+      const [line, link] = ["li", "a"].map((tag) => document.createElement(tag));
+      link.href = entry.address;
+      link.textContent = entry.title;
+      line.append(link, ` ${excerpt(entry.text, asked)}`);
+      return line;
+    });
+    if (!found.length) found.push(Object.assign(document.createElement("li"), { textContent: "Nothing is found." }));
+    list.replaceChildren(...found);
+    list.hidden = false;
+  };
+  field.addEventListener("input", show);
+  field.addEventListener("focus", show);
+  form.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") list.hidden = true;
+  });
+  document.addEventListener("click", (event) => {
+    if (!form.contains(event.target) || event.target.closest("a")) list.hidden = true;
+  });
+}
+
 setScheme(keptScheme());
 
 document.addEventListener("DOMContentLoaded", () => {
   followOldLink();
   addSchemeSwitch();
+  addSearch();
   markPlace();
   for (const table of document.querySelectorAll("main table")) rove([...addSorting(table), addCopying(table)]);
   rove([...document.querySelectorAll(".sources a")]);
