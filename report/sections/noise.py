@@ -4,14 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from statistics import fmean
 
-from measured_report.parts.claim import NEAR_NOISE, Claim, all_of, at_most, within
+from measured_report.parts.claim import NEAR_NOISE, Claim, all_of, at_most
 from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
-from measured_report.values.format import label_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, share, size_difference, spread, table_of
 
 order = 20
 page = "releases"
@@ -30,14 +28,6 @@ class Group:
     kind: str
     rows: Sequence[Row]
 
-    @property
-    def name(self) -> str:
-        return f"{self.case.replace('-', '_')}_{self.kind}"
-
-    @property
-    def label(self) -> str:
-        return f"{label_of(self.case, labels)}, {'in a batch' if self.kind == 'batch' else 'alone'}"
-
     def cells(self, metric: str) -> list[Quantity]:
         return [row[METRICS[metric]] for row in self.rows]
 
@@ -47,21 +37,10 @@ def derive(results: Results) -> Section:
     keys = dict.fromkeys((row.of, row.kind) for row in repeated)
     groups = [Group(*key, [row for row in repeated if (row.of, row.kind) == key]) for key in keys]
     floors = {metric: _floor(results, groups, metric) for metric in METRICS}
-    counts, means, spreads = [], [], []
-    for group in groups:
-        cells = group.cells("slip")
-        counts.append(cell_count(results, f"{group.name}_count", "number of runs", cells))
-        means.append(results.value(f"{group.name}_slip_mean", "mean", lambda *cell: fmean(cell), *cells, unit="mm"))
-        name, formula = f"{group.name}_slip_spread", "largest minus smallest"
-        spreads.append(spread(results, name, formula, cells, unit="mm", is_noise=True))
     results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
-    columns = {"runs": counts, "mean slip": means, "slip spread": spreads}
-    return Section(
-        tables={"groups": table_of("case", [group.label for group in groups], columns)},
-        claims=[_noise_is_small(results, groups, floors), _batch_or_alone(results, groups, means, spreads)],
-    )
+    return Section(claims=[_noise_is_small(results, groups, floors)])
 
 
 def _of_case(groups: Sequence[Group], case: str, metric: str) -> list[Quantity]:
@@ -97,18 +76,3 @@ def _noise_is_small(results: Results, groups: Sequence[Group], floors: Mapping[s
         shares[metric] = results.value(name, formula, of_mean, *cells, unit="%", is_noise=True)
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
     return Claim("noise_is_small", all_of(*(at_most(share, 1.0, why=SMALL) for share in shares.values())), numbers)
-
-
-def _batch_or_alone(
-    results: Results, groups: Sequence[Group], means: Sequence[Value], spreads: Sequence[Value]
-) -> Claim:
-    kinds = [group.kind for group in groups]
-    places = kinds.index("batch"), kinds.index("alone")
-    batch, alone = (means[place] for place in places)
-    formula = "difference between the mean slip in a batch and alone"
-    apart = size_difference(results, "alone_difference", formula, batch, alone)
-    of_slip = share(results, "alone_share", "that difference, of the mean slip in a batch", apart, batch)
-    formula, pair = "larger of the spreads in a batch and alone", (spreads[place] for place in places)
-    kind_spread = results.value("within_spread", formula, max, *pair, unit="mm", is_noise=True)
-    outcome = all_of(within(apart, kind_spread), at_most(of_slip, 1.0, why=SMALL))
-    return Claim("batch_or_alone", outcome, {"difference": apart, "within": kind_spread, "share": of_slip})

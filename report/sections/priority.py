@@ -1,9 +1,12 @@
 """Whose material counts: the same swing of stiffness on the cube and on the pads, and the pads without priority."""
 
+import math
+
+from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, greater, within
 from measured_report.parts.section import Section
-from measured_report.values.results import Results
-from report.shared.arithmetic import by_case, noise_floor, share, spread
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import Column, by_case, noise_floor, share, spread
 
 order = 100
 page = "fix"
@@ -17,13 +20,25 @@ labels = {
 }
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
-COLUMNS = {"time constant": "timeconst_s", "damping ratio": "dampratio", "friction": "friction", "slip": "slip_mm"}
+COLUMNS: dict[str, Column] = {
+    "timeconst": "timeconst_s",
+    "dampratio": "dampratio",
+    "friction": "friction",
+    "slip": "slip_mm",
+    "material": lambda row: "the pads' alone" if _has_pads_timeconst(row) else "of both",
+}
 EXACT = "what a material gives is exact"
 
 
 def derive(results: Results) -> Section:
     claims = [_cube_does_not_count(results), _cube_does_not_move_slip(results), _equal_priorities_mix(results)]
     return Section(tables={"materials": by_case(results.rows, COLUMNS)}, claims=claims)
+
+
+def _has_pads_timeconst(row: Row) -> bool:
+    """Tell whether the contact's timeconst is 2 / kd of the pads."""
+    kd = row.pad_kd.value if "pad_kd" in row else AS_SHIPPED.pad_kd
+    return row.timeconst_s.value is not None and math.isclose(row.timeconst_s.value, 2 / kd, rel_tol=1e-3)
 
 
 def _cube_does_not_count(results: Results) -> Claim:

@@ -13,7 +13,7 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
 from report.shared import drawing as colours
-from report.shared.arithmetic import SETTLES, extreme, is_held, noise_floor, other_value, ratio, share
+from report.shared.arithmetic import SETTLES, Column, by_case, extreme, is_held, noise_floor, other_value, ratio, share
 from report.shared.drawing import mark_points
 
 order = 90
@@ -21,9 +21,25 @@ page = "cause"
 reads = ("contacts", "hold", "noise", "reproduction")
 leads = True
 label = "pads' ke and kd"
+labels = {
+    "pad-ke-2.5e3": "shipped pads",
+    "pad-ke-2.5e5": "stiff pads",
+    "pad-ke-#-kd-100": "ke {} alone",
+    "pad-ke-#": "ke {}, kd with it",
+    "solimp-dmax-#": "dmax {}",
+}
 
 SHIPPED, FIX, STIFFEST = "pad-ke-2.5e3", "pad-ke-2.5e5", "pad-ke-2.5e6"
 HARDEST = "solimp-dmax-0.9999"
+SHOWN = (SHIPPED, "pad-ke-2.5e4", FIX, STIFFEST, *(f"pad-ke-2.5e{n}-kd-100" for n in (4, 5, 6)), HARDEST)
+"""Runs of the table."""
+COLUMNS: dict[str, Column] = {
+    "timeconst": "timeconst_s",
+    "dampratio": "dampratio",
+    "penetration": "penetration_mm",
+    "friction used": "cone_use",
+    "slip": "slip_mm",
+}
 
 
 @dataclass(frozen=True)
@@ -56,10 +72,22 @@ def derive(results: Results) -> Section:
     numbers = {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm, "clamp": clamp}
     numbers["is_so"] = all_of(alone.outcome, together.outcome) == HOLDS
     sweep = Figure(lambda: draw_sweep(runs, clamp.value), [row.slip_mm for row in runs.held], numbers)
+    rows = [results.row[case] for case in SHOWN]
+    columns = COLUMNS | {"reading": lambda row: _reading(results, row)}
     return Section(
+        tables={"contacts": by_case(rows, columns)},
         figures={"sweep": sweep},
         claims=[cause(results), not_creep_under_load(results), ke_is_no_spring(results), alone, together],
     )
+
+
+def _reading(results: Results, row: Row) -> str:
+    """Say what a run's slip is beside that of shipped pads."""
+    cells = row.slip_mm.value, results.row[SHIPPED].slip_mm.value
+    if None in cells or row.case == SHIPPED:
+        return "as shipped" if row.case == SHIPPED else ""
+    times, settles = cells[1] / cells[0], results.derived["improvement_bound"].number
+    return "holds" if times >= settles else "slips less" if times >= 1.1 else "does not help"
 
 
 def has_slip(results: Results) -> Outcome:

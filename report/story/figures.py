@@ -1,56 +1,16 @@
-"""Figures of the front page and the story: the cube in the grasp, the suspects and the mechanism."""
+"""Figures of the story: the suspects and the mechanism."""
 
 from collections.abc import Collection, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
-from matplotlib.patches import Arc, Polygon, Rectangle
+from matplotlib.patches import Arc, Rectangle
 
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from measured_report.values.quantities import Quantity
-from measured_report.values.results import Series
 from report.shared.drawing import SHIPPED, STIFF, mark_points, name_lines
-from report.story.found import CASES, FIX
-
-EDGE_MM = 40.0  # of the cube, for drawings to scale
-PAD_MM = (17.5, 18.5)  # width and height of the part of a finger that touches the cube, about the tool's point
-FINGER_MM = (22.0, 20.0)  # of the part above it
-
-
-def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
-    """Draw the cube at the end of the shake, seen along the line between the fingers and to scale, for each case."""
-    there = {case: trace.value for case, trace in traces.items() if trace.value is not None}
-    drawing, panels = new_figure(7.2, 3.0, ncols=len(there), squeeze=False)
-    for number, (axes, (case, frame)) in enumerate(zip(panels[0], there.items(), strict=True)):
-        end = frame["x_mm"].iloc[-1], -frame["z_mm"].iloc[-1]
-        _draw_grasp(axes, end, (SHIPPED, STIFF)[number])
-        axes.set_title(f"{CASES[case]}: slips {write(slips[case])} mm")
-        axes.plot(frame["x_mm"], -frame["z_mm"], color=INK, linewidth=1.0, linestyle="-", marker="")
-    return drawing
-
-
-def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
-    half, (x, y) = EDGE_MM / 2, end
-    corner, edges = (x - half, y - half), (EDGE_MM, EDGE_MM)
-    axes.add_patch(Rectangle(corner, *edges, facecolor=colour, alpha=0.28, linewidth=0))
-    axes.add_patch(Rectangle(corner, *edges, fill=False, edgecolor=colour, linewidth=1.6))
-    axes.add_patch(Rectangle((-half, -half), *edges, fill=False, edgecolor=INK, linestyle=(0, (4, 3)), linewidth=1.0))
-    pad, finger = PAD_MM, FINGER_MM
-    metal: dict[str, Any] = {"facecolor": FAINT, "alpha": 0.55, "edgecolor": INK, "linewidth": 0.8}
-    axes.add_patch(Rectangle((-pad[0] / 2, -pad[1] / 2), *pad, **metal))
-    above = (-finger[0] / 2, pad[1] / 2 + 6.0)
-    neck = [(-pad[0] / 2, pad[1] / 2), (pad[0] / 2, pad[1] / 2), (finger[0] / 2, above[1]), (-finger[0] / 2, above[1])]
-    axes.add_patch(Polygon(neck, **metal))
-    axes.add_patch(Rectangle(above, finger[0], 12.0, **metal))
-    axes.annotate("finger", (0.0, above[1] + 6.0), ha="center", va="center", fontsize=8.5)
-    axes.annotate("pad", (0.0, -pad[1] / 2 + 3.0), ha="center", va="center", fontsize=8.5)
-    axes.annotate("cube at the start", (-half + 0.8, -half - 3.6), fontsize=8.5)
-    axes.plot([0.0], [0.0], marker="+", color=INK, markersize=7, markevery=1, linestyle="")
-    axes.plot([x], [y], marker="o", color=colour, markersize=6, markevery=1, linestyle="")
-    axes.set(xlim=(-30, 34), ylim=(-27, 30), aspect="equal")
-    axes.set_axis_off()
+from report.story.found import FIX
 
 
 def draw_suspects(

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 from measured_report.pages.editions import Chapters
 from measured_report.values.quantities import Quantity, absent
-from measured_report.values.results import Series
 
 CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 """The cases that the first page shows, and what it calls them."""
@@ -24,10 +23,6 @@ class Found:
     def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
         row = self.chapters[section].results.row.get(case) if section in self.chapters else None
         return row[column] if row and column in row else absent(unit, self._reason(section))
-
-    def trace(self, section: str, case: str) -> Series:
-        chapter = self.chapters.get(section)
-        return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
 
     def _reason(self, section: str) -> str:
         return f"section {section} {'does not say' if section in self.chapters else 'has no results here'}"

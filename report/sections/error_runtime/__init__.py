@@ -5,7 +5,7 @@ from markupsafe import Markup
 from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.claims import derive_worlds, setting_claims
+from report.sections.error_runtime.claims import crossover_claim, setting_claims
 from report.sections.error_runtime.figures import draw_numerical
 from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, assignment, is_clamped, points_of
 from report.shared.arithmetic import Column, table_of
@@ -29,14 +29,11 @@ SHOWN: dict[str, Column] = {"numerical error": ERROR, "grasp error": GRASP}
 
 def derive(results: Results) -> Section:
     points = points_of(results)
-    worlds_figure, worlds_claim = derive_worlds(points)
-    claims = [*setting_claims(points), worlds_claim]
+    claims = [*setting_claims(points), crossover_claim(points)]
     pays = next(claim.outcome == HOLDS for claim in claims if claim.name == "rk4_warp")
     errors = [row[ERROR] for row in points.settings]
     numerical = Figure(lambda: draw_numerical(points), errors, {"rk4_warp": pays})
-    return Section(
-        tables={"front": _front_table(points)}, figures={"numerical": numerical, "worlds": worlds_figure}, claims=claims
-    )
+    return Section(tables={"front": _front_table(points)}, figures={"numerical": numerical}, claims=claims)
 
 
 def _front_table(points: Points) -> Table:

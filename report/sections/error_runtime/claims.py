@@ -4,24 +4,9 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.parts.claim import (
-    HOLDS,
-    Claim,
-    Outcome,
-    all_of,
-    at_least,
-    at_most,
-    contiguous,
-    decided,
-    greater,
-    within,
-)
-from measured_report.parts.section import Figure
-from measured_report.values.quantities import Value
-from report.sections.error_runtime.figures import draw_worlds
+from measured_report.parts.claim import Claim, Outcome, all_of, at_least, at_most, contiguous, decided, greater, within
 from report.sections.error_runtime.runs import (
     ENGINES,
     ERROR,
@@ -36,7 +21,7 @@ from report.sections.error_runtime.runs import (
     with_shipped_steps,
 )
 from report.shared.arithmetic import cell_count, ratio, resolved, share, told
-from report.shared.timing import compared, resolution, worlds_name
+from report.shared.timing import compared, resolution
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
@@ -146,7 +131,7 @@ def _farthest(base: float, *found: float) -> float:
     return max(abs(each - base) for each in found)
 
 
-def derive_worlds(points: Points) -> tuple[Figure, Claim]:
+def crossover_claim(points: Points) -> Claim:
     results, rows = points.results, points.worlds
     # From the times that it took in turn with each number of worlds: alone a core may run at another pace.
     formula = "simulated seconds of one world per second, MuJoCo C on one core, median of all comparisons"
@@ -165,36 +150,8 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
         *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
     )
     engine = ENGINES[rows[0].backend]
-    said = (Markup("{}: {}").format(worlds_name(row.worlds.value), rate) for row, rate in zip(rows, rates, strict=True))
     worst = resolution(results, "worlds_resolution", compared(rows))
-    claim = _crossover_claim(points, engine, one_core, rates, crossover, worst)
-    numbers = {"rates": Markup("; ").join(said), "resolution": worst, "crossover": crossover, "engine": engine}
-    figure = Figure(
-        draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
-        sources=[*rates, one_core],
-        numbers=numbers | {"is_overtaken": claim.outcome == HOLDS},
-    )
-    return figure, claim
-
-
-def _rate_of_one(*cells: float) -> float:
-    return float(np.median([1e3 * ratio / time for ratio, time in zip(cells[::2], cells[1::2], strict=True)]))
-
-
-def crossing(level: float, worlds: Sequence[float], rates: Sequence[float]) -> float:
-    """Find the worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
-    above = [rate >= level for rate in rates]
-    if True not in above or above[0] or min(rates) <= 0.0:
-        return float("nan")
-    after = above.index(True)
-    pair = slice(after - 1, after + 1)
-    return int(np.ceil(np.exp(np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))) - 1e-9))
-
-
-def _crossover_claim(
-    points: Points, engine: str, one_core: Value, rates: Sequence[Value], crossover: Value, worst: Value
-) -> Claim:
-    results, first, last = points.results, rates[0], rates[-1]
+    first, last = rates[0], rates[-1]
     formula = "speed of C on one core over that of Warp with one world"
     advantage = ratio(results, "one_core_advantage", formula, one_core, first)
     formula = "speed of Warp with the most worlds over that of C on one core"
@@ -211,3 +168,17 @@ def _crossover_claim(
     )
     numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
     return Claim("crossover", outcome, numbers | {"most": points.worlds[-1].worlds})
+
+
+def _rate_of_one(*cells: float) -> float:
+    return float(np.median([1e3 * ratio / time for ratio, time in zip(cells[::2], cells[1::2], strict=True)]))
+
+
+def crossing(level: float, worlds: Sequence[float], rates: Sequence[float]) -> float:
+    """Find the worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
+    above = [rate >= level for rate in rates]
+    if True not in above or above[0] or min(rates) <= 0.0:
+        return float("nan")
+    after = above.index(True)
+    pair = slice(after - 1, after + 1)
+    return int(np.ceil(np.exp(np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))) - 1e-9))

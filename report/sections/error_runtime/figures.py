@@ -6,9 +6,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure, write
-from measured_report.values.format import format_number
-from measured_report.values.quantities import Quantity
+from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from measured_report.values.results import Row
 from report.sections.error_runtime.runs import ENGINES, ERROR, PADS, TIME, Points, counts
 
@@ -102,30 +100,3 @@ def _mark_shipped(axes: Axes, row: Row | None) -> None:
         axes.scatter(*_place(row), color=COLOURS[row.backend], **style)
         place: dict[str, Any] = {"xytext": (8, 4), "textcoords": "offset points", "fontsize": 8.5, "zorder": 6}
         axes.annotate(write(row[ERROR]), _place(row), color=COLOURS[row.backend], **place)
-
-
-def draw_worlds(
-    rows: Sequence[Row], rates: Sequence[Quantity], one_core: Quantity, crossover: Quantity, engine: str
-) -> Drawing:
-    drawing, axes = new_figure(7.2, 3.6)
-    counts = [row.worlds.value for row in rows]
-    there = [(count, rate.value) for count, rate in zip(counts, rates, strict=True) if rate.value is not None]
-    name: dict[str, Any] = {"textcoords": "offset points", "fontsize": 9}
-    if there:
-        colour = COLOURS[rows[0].backend]
-        axes.plot(*zip(*there, strict=True), color=colour, markevery=1)
-        said = engine.replace(" on ", "\non ") if is_narrow() else engine  # clear of the crossover's line
-        axes.annotate(said, there[-2:][0], xytext=(-8, 6), ha="right", color=colour, **name)
-    if one_core.value is not None:
-        colour, start = COLOURS["mujoco-c"], (counts[-1], one_core.value)
-        axes.axhline(one_core.value, color=colour, linestyle="--", marker="")
-        axes.annotate("MuJoCo C, one core", start, xytext=(0, 5), ha="right", color=colour, **name)
-    axes.set(xscale="log", yscale="log")
-    axes.minorticks_off()
-    axes.set_xticks(counts[::-2], [format_number(count) for count in counts[::-2]])
-    if crossover.value is not None and one_core.value is not None:
-        axes.axvline(crossover.value, color=INK, linewidth=1.0, linestyle=":", marker="")
-        place = (crossover.value, axes.get_ylim()[0])
-        axes.annotate(f"{write(crossover)} worlds", place, xytext=(5, 6), textcoords="offset points")
-    axes.set(xlabel="worlds", ylabel="simulated s per s")
-    return drawing

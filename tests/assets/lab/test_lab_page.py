@@ -109,3 +109,25 @@ def test_the_front_page_tries_it_and_is_hardly_heavier_for_it(tab, address):
     assert float(tab.get_attribute("#try-slip", "data-slip-mm")) == pytest.approx(6.3607, abs=0.02)
     tab.locator("#try-kd").press("ArrowRight")
     assert tab.text_content("#try-slip") == "", "what was measured is of another kd"
+
+
+def test_the_slider_tells_what_the_law_makes_of_it(tab, address):
+    """At the shipped kd that is what the tracked run slips, and it falls until a timeconst is two steps."""
+    tab.goto(f"{address}index.html")
+    assert "kd = 100, by the law 6.36 mm" in tab.inner_text("#try")
+    tab.locator("#try-kd").press("End")
+    assert "by the law 0.332 mm" in tab.inner_text("#try")
+
+
+@pytest.mark.parametrize("tab", [{"viewport": {"width": 320, "height": 640}}, {}], indirect=True)
+def test_a_search_finds_what_stands_on_another_page(tab, address):
+    tab.goto(f"{address}lab.html")
+    tab.fill(".search input", "noslip creep")
+    tab.wait_for_selector(".search a")
+    assert tab.evaluate("document.documentElement.scrollWidth") <= tab.viewport_size["width"]
+    link = tab.locator('.search a[href^="cause.html#"]').first
+    place = link.get_attribute("href").partition("#")[2]
+    link.click()
+    tab.wait_for_selector(f"#{place}:target")
+    tab.fill(".search input", "xyzzy")
+    tab.wait_for_selector("text=Nothing is found")
