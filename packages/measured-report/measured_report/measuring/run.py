@@ -23,9 +23,9 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.processes import KILLED
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import gpus, machine
+from measured_report.measuring.machine import gpus, machine, needs_gpu
 from measured_report.measuring.measure import UNFIT, batches_at_once
-from measured_report.measuring.pool import host_pools
+from measured_report.measuring.pool import gather, host_pools
 from measured_report.measuring.section import Loop, Section, section_of
 from measured_report.records.identity import sections
 from measured_report.records.provenance import EDITED, package_versions
@@ -64,7 +64,8 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
     gc.disable()  # looking for garbage takes half the time of loading a simulator
     host().be_quiet()
-    modules = {name: section_module(name) for name in arguments.section}
+    # What the GPU waits for least begins first: batches of the processor alone are few and long.
+    modules = {name: section_module(name) for name in sorted(arguments.section, key=needs_gpu)}
     gc.freeze()
     gc.enable()
     return [section_of(project, name, module, arguments.device) for name, module in modules.items()]
@@ -86,8 +87,8 @@ def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[t
         machine("cpu")  # once for all forks, which inherit what has no GPU
     with host_pools(count) as (shared, exclusive):
         try:
-            for device in sorted({section.device for section in asked}):
-                shared.submit(host().prepare, device).result()
+            devices = sorted({section.device for section in asked})
+            gather([shared.submit(host().prepare, device) for device in devices], "kernels")
         except BrokenProcessPool:
             raise ReportError(KILLED) from None
         yield shared, exclusive
