@@ -54,6 +54,13 @@ def die(log: str, times: int) -> dict:
     return {"case": "die", "slip_mm": 1.0}
 
 
+def die_after(log: str) -> None:
+    """Killed whenever it is measured, once ``die`` has begun: whoever breaks a pool takes along what has not begun."""
+    while "begin die" not in Path(log).read_text(encoding="utf-8"):
+        time.sleep(0.01)
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
 def is_running(process: int) -> bool:
     try:
         return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"

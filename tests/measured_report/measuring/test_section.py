@@ -53,7 +53,7 @@ def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, ca
 
 def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
     mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
-    doomed = section_of(toy, batches.single(Batch("die", batches.die, (f"{log}.doomed", 99))), "doomed")
+    doomed = section_of(toy, batches.single(Batch("die", batches.die_after, (str(log),))), "doomed")
     assert fails(mortal, doomed, section_of(toy, batches.plan(str(log), "efgh", 0.1)), count=2)
     said, reason = capsys.readouterr().err, "die: its process was killed, and once more when it was alone"
     assert "mortal/die: its process was killed; it is tried again alone" in said
