@@ -11,13 +11,13 @@ from report.shared.timing import TIMED_WORLDS, RowsBy, compared, fine_enough, re
 
 order = 144
 page = "cure"
-label = "what the cure costs"
+label = "what the root cure costs"
 
 CASES = {
     "term": "term put back",
-    "best": "the whole cure",
-    "firm": "the cure on stiff pads",
-    "firm-euler": "the cure on stiff pads, Euler",
+    "best": "the root cure",
+    "firm": "the root cure on stiff pads",
+    "firm-euler": "the root cure on stiff pads, Euler",
     "term-rk4": "term put back, RK4",
 }
 """Labels of what is compared with the scene as shipped."""

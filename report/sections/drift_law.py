@@ -1,5 +1,6 @@
 """The law of the drift: what the runs of section stiffness drift, beside what the arm's motion says beforehand."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -42,6 +43,7 @@ labels = {
 SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
 PARTS = {"response": "response_s", "the term": "left_out_mm_s", "step": "step_mm_s"}
 PARTS |= {"law": "predicted_drift_mm_s", "measured": "drift_mm_s"}
+SHAKE = {"amplitude_m": "m", "frequency_hz": "Hz"}
 SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")
 """Runs of the table."""
 
@@ -83,7 +85,19 @@ def _by_hand(results: Results) -> Claim:
     back = results.value("back", "half of h · ⟨J̇q̇⟩", lambda h, g: h * g / 2e3, step, g, unit="mm/s")
     rough = difference(results, "rough", "the first less the second", trailing, back)
     off = departure(results, "rough_off", "how far that is from the drift, of the latter", rough, row.drift_mm_s)
-    numbers = {"g": g, "dmax": dmax, "timeconst": timeconst, "step": step, "trailing": trailing, "back": back}
+    # A point that swings along an arc of radius r has v² / r toward its axis: on average half of (2πfA)² / r.
+    cells = (other_cell(results, "stiffness", SHIPPED, f"shake_{name}", unit=unit) for name, unit in SHAKE.items())
+    formula = "half of (2π · frequency · amplitude)², over the left-out acceleration"
+    arc = results.value("arc", formula, lambda g, a, f: 5e5 * (2 * math.pi * f * a) ** 2 / g, g, *cells, unit="mm")
+    numbers = {
+        "arc": arc,
+        "g": g,
+        "dmax": dmax,
+        "timeconst": timeconst,
+        "step": step,
+        "trailing": trailing,
+        "back": back,
+    }
     return Claim(
         "by_hand", at_most(off, 5.0, why="nearly all of it"), {**numbers, "rough": rough, "drift": row.drift_mm_s}
     )
@@ -97,12 +111,20 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     inside = results.value("inside_kept", formula, lambda most, *found: sum(off <= most for off in found), bound, *offs)
     responses, formula = [run.row.response_s for run in runs], "longest over shortest response of the friction rows"
     width = results.value("response_range", formula, lambda *s: max(s) / min(s), *responses)
+    formula = "different responses of these runs, to a thousandth of themselves"
+    distinct = results.value("response_count", formula, lambda *s: len({f"{each:.3g}" for each in s}), *responses)
     drifts = [run.row.drift_mm_s for run in runs]
     fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts, unit="mm/s")
     formula = "noise of the drift, of the fastest"
     noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
     outcome = all_of(at_most(largest, bound), resolved(noise, bound)).having_read(width)
-    numbers: dict[str, Quantity] = {"inside": inside, "largest": largest, "bound": bound, "width": width}
+    numbers: dict[str, Quantity] = {
+        "inside": inside,
+        "largest": largest,
+        "bound": bound,
+        "width": width,
+        "distinct": distinct,
+    }
     numbers["count"] = cell_count(results, "count_kept", "runs that keep the cube, positions compensated", offs)
     numbers["tried"] = cell_count(results, "tried_count", "runs that were tried", [row.pad_ke for row in results.rows])
     is_wide = at_least(width, 3.0, why="enough to see a law")

@@ -2,7 +2,6 @@
 
 from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
-from measured_report.files.root import ROOT
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Download, Section
 from measured_report.values.results import Results, Row
@@ -15,15 +14,6 @@ leads = True
 label = "the fix as files"
 
 PASSED = {True: "passes", False: "fails"}
-UPSTREAM = (
-    "assets/upstream/mujoco_warp-4.0.0.patch",
-    "assets/upstream/newton-1.8.0.patch",
-    "assets/upstream/upstream.md",
-)
-
-
-def upstream_files() -> dict[str, str]:
-    return {(ROOT / path).name: (ROOT / path).read_text(encoding="utf-8") for path in UPSTREAM}
 
 
 def test_passed(row: Row) -> bool:
@@ -34,7 +24,7 @@ def derive(results: Results) -> Section:
     shipped, fixed = results.row["as-shipped"], results.row["fixed"]
     return Section(
         claims=[_recommended(results, shipped, fixed), _patch_rounds_up(results), _test_tells(shipped, fixed)],
-        downloads=[Download(name, text) for name, text in (fix_files() | upstream_files()).items()],
+        downloads=[Download(name, text) for name, text in fix_files().items()],
     )
 
 

@@ -12,7 +12,7 @@ labels = {
     "as-shipped-10cm": "shipped pads, 10 cm",
     "stiff-pads-10cm": "stiff pads, 10 cm",
     "term": "term put back",
-    "whole-cure": "the whole cure",
+    "whole-cure": "the root cure",
     "cone-pyramidal": "pyramidal cone",
     "hold": "arm held still",
 }

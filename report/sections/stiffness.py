@@ -82,12 +82,13 @@ def derive(results: Results) -> Section:
 
 
 def _reading(results: Results, row: Row) -> str:
-    """Say what a run's slip is beside that of shipped pads."""
-    cells = row.slip_mm.value, results.row[SHIPPED].slip_mm.value
-    if None in cells or row.case == SHIPPED:
-        return "as shipped" if row.case == SHIPPED else ""
-    times, settles = cells[1] / cells[0], results.derived["improvement_bound"].number
-    return "holds" if times >= settles else "slips less" if times >= 1.1 else "does not help"
+    """Say what becomes of the cube, beside what would count as a slip and what it slips in shipped pads."""
+    shipped, bound = results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm")
+    if None in (row.slip_mm.value, shipped.value, bound.value) or not is_held(row):
+        return "lost" if row.dropped else ""
+    if row.slip_mm.value < bound.value:
+        return "holds"
+    return "slips less" if row.slip_mm.value < 0.9 * shipped.value else "slips as far"
 
 
 def has_slip(results: Results) -> Outcome:

@@ -181,5 +181,5 @@ def _coarser_moves(found: Found) -> Claim:
     bound = found.value("friction", "cause_bound", "%")
     there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
     moved = there and all(abs(slip.value - shipped.value) >= 0.01 * bound.value * shipped.value for slip in coarse)
-    numbers = dict(zip(("impratio", "steps"), coarse, strict=True))
+    numbers = dict(zip(("shipped", "impratio", "steps"), (shipped, *coarse), strict=True))
     return Claim("coarser_moves", decided(moved, shipped, *coarse, bound), numbers)

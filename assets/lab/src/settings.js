@@ -61,7 +61,7 @@ export const CASES = {
   "as shipped": {},
   "stiff pads": { ke: 2.5e5, kd: 1e3 },
   "the term": { term: "on" },
-  "all parts of the cure": { term: "centred", integrator: "Euler", impratio: 1000 },
+  "the root cure": { term: "centred", integrator: "Euler", impratio: 1000 },
   "as shipped, 100 mm": { amplitude_mm: 100 },
   "stiff pads, 100 mm": { ke: 2.5e5, kd: 1e3, amplitude_mm: 100 },
 };

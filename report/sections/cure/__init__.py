@@ -8,7 +8,7 @@ from report.shared.arithmetic import joined
 order = 141
 page = "cure"
 reads = ("noise",)
-label = "the cure"
+label = "the root cure"
 leads = True
 labels = {
     "steps-as-shipped-1-plain": "shipped pads, 1 substep",

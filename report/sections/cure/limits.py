@@ -14,8 +14,8 @@ from report.shared.maps import HELD_HEIGHT_M, lost_count
 
 VARIANTS = {
     "term": ("the term", ("term", "best")),
-    "best": ("the whole cure", ("term", "best")),
-    "firm": ("the cure on stiff pads", ("firm", "firm-euler")),
+    "best": ("the root cure", ("term", "best")),
+    "firm": ("the root cure on stiff pads", ("firm", "firm-euler")),
     "firm-euler": ("the same, Euler", ("firm", "firm-euler")),
 }
 """Names by variant, and which of them a run has to be tried with to be counted."""
@@ -33,7 +33,7 @@ def derive(results: Results) -> Section:
 
 
 def _best_never_drops(results: Results) -> Claim:
-    """Tell whether the whole cure keeps the cube over the map of section envelope."""
+    """Tell whether the root cure keeps the cube over the map of section envelope."""
     held = results.chosen("held_height", "lower has left the hand", HELD_HEIGHT_M, unit="m")
     lost, cells = lost_count(results, results.trace("map"), "best", held), results.row["map-best"].cell_count
     outcome = all_of(at_most(lost, 0, why="no cell is lost"), at_least(cells, 100, why="a map"))

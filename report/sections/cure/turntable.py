@@ -12,6 +12,9 @@ from report.shared.arithmetic import Column, cell_count, departure, difference, 
 
 ENGINES = ("warp", "c")
 BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
+UPSTREAM = [
+    ROOT / "assets/upstream" / name for name in ("mujoco_warp-4.0.0.patch", "newton-1.8.0.patch", "upstream.md")
+]
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """Variants that one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
@@ -59,7 +62,7 @@ def derive(results: Results) -> Section:
             _no_setting_stops_it(results, measured, resolution),
             _cured(results, measured, resolution),
         ],
-        downloads=[Download(BIAS_FILE.name, BIAS_FILE.read_text(encoding="utf-8"))],
+        downloads=[Download(file.name, file.read_text(encoding="utf-8")) for file in (BIAS_FILE, *UPSTREAM)],
     )
 
 
@@ -91,8 +94,20 @@ def _by_hand(results: Results, plain: Value) -> Claim:
     formula = "ω² h / 2, of the distance from the axis"
     inward = results.value("inward", formula, lambda turn, ms: 0.1 * turn**2 * ms / 2, turn, step, unit="%/s")
     rough = difference(results, "rough", "the first less the second", braking, inward)
+    formula = "what the law's growth takes for R m / n, (growth / ω² + h / 2) b − 1"
+    cells = results.row["plain-c"].predicted_growth_per_s, turn, step, b
+    yielding = results.value("yielding", formula, lambda g, w, ms, b: (g / w**2 + 5e-4 * ms) * b - 1, *cells)
     off = departure(results, "rough_off", "how far that is from the growth, of the latter", rough, plain)
-    numbers = {"turn": turn, "b": b, "step": step, "braking": braking, "inward": inward, "rough": rough}
+    numbers = {
+        "contacts": results.row["plain-c"].loaded_contact_count,
+        "yielding": yielding,
+        "turn": turn,
+        "b": b,
+        "step": step,
+        "braking": braking,
+        "inward": inward,
+        "rough": rough,
+    }
     return Claim("by_hand", at_most(off, 5.0, why="nearly all of it"), numbers)
 
 

@@ -27,7 +27,7 @@ SHIPPED = Variant("as shipped", "newton-implicitfast-50-shipped-{}-plain-rounded
 STIFF = Variant("stiff pads, the fix", "newton-implicitfast-50-stiff-{}-plain-rounded")
 STIFF_TERM = Variant("stiff pads and the term", "newton-implicitfast-50-stiff-{}-term-rounded")
 TERM = Variant("the term", "newton-implicitfast-50-shipped-{}-term-rounded")
-BEST = Variant("the whole cure, in normal rows too", "newton-euler-400-shipped-{}-full-kept")
+BEST = Variant("the root cure, in normal rows too", "newton-euler-400-shipped-{}-full-kept")
 STEPS = (
     TERM,
     Variant("the term centred, Euler", "newton-euler-50-shipped-{}-centred-rounded"),
@@ -36,7 +36,7 @@ STEPS = (
     BEST,
 )
 """Variants with one part more each time."""
-FIRM = Variant("stiff pads and the cure", "newton-implicitfast-400-stiff-{}-centred-kept")
+FIRM = Variant("stiff pads and the root cure", "newton-implicitfast-400-stiff-{}-centred-kept")
 FIRM_EULER = Variant("the same, Euler", "newton-euler-400-stiff-{}-centred-kept")
 VARIANTS = (SHIPPED, STIFF, STIFF_TERM, *STEPS, FIRM, FIRM_EULER)
 KF_OFF = Variant("as shipped, kf off", "newton-implicitfast-50-shipped-{}-kf-off")
