@@ -6,18 +6,15 @@ from typing import Any
 import numpy as np
 import pandas as pd
 from markupsafe import Markup, escape
-from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.facts.classes import cycle_increments
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most
-from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.section import Figure, Section
+from measured_report.parts.claim import Claim, at_least, at_most
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
 from report.shared import arithmetic
 from report.shared.arithmetic import DEVICES, departure, ratio
-from report.shared.drawing import SHIPPED, STIFF
 
 order = 10
 label = "the shake test"
@@ -30,8 +27,6 @@ labels = {
     "stiff-pads-warp-cpu": "stiff pads, Warp on the CPU",
 }
 
-CALIBRATED = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
-"""Cases that are run on every engine and device, and what figures call them."""
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
 """Where the cases were measured besides, by how their names end."""
 FRAME_RATE = 60
@@ -53,14 +48,10 @@ SCENE: tuple[tuple[str, float, str], ...] = (
 def derive(results: Results) -> Section:
     shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
     _scene(results, shipped, stiff)
-    traces = {name: results.trace(name) for name in CALIBRATED}
-    slips, steady = _slips(results, shipped), _steady(results, shipped, traces["as-shipped"])
-    means = {"shipped": shipped.increment_mean_mm, "stiff": stiff.increment_mean_mm}
-    means |= {"is_steady": all_of(slips.outcome, steady.outcome) == HOLDS}
-    frequency, there = shipped.shake_frequency_hz.value, [row for row in results.rows if "slip_mm" in row]
+    slips, steady = _slips(results, shipped), _steady(results, shipped, results.trace("as-shipped"))
+    there = [row for row in results.rows if "slip_mm" in row]
     return Section(
         tables={"cases": arithmetic.by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})},
-        figures={"increments": Figure(lambda: _draw_increments(traces, frequency), list(traces.values()), means)},
         claims=[slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)],
     )
 
@@ -142,17 +133,3 @@ def _mean(increments: np.ndarray) -> float:
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
     return cycle_increments(frame["time_s"].to_numpy(), frame["along_mm"].to_numpy(), frequency_hz)
-
-
-def _draw_increments(traces: dict[str, Series], frequency_hz: float) -> Drawing:
-    drawing, axes = new_figure(7.2, 2.6)
-    for (name, trace), colour in zip(traces.items(), (SHIPPED, STIFF), strict=True):
-        if trace.value is not None:
-            increments = _cycle_increments(trace.value, frequency_hz)
-            axes.plot(range(1, len(increments) + 1), increments, color=colour, label=CALIBRATED[name], markevery=1)
-    axes.axhline(0.0, color=INK, linewidth=0.8)
-    axes.xaxis.get_major_locator().set_params(integer=True)
-    axes.set_xlabel("shake cycle")
-    axes.set_ylabel("moved in the cycle [mm]")
-    drawing.legend(loc="outside upper right", ncols=len(traces))
-    return drawing
