@@ -5,14 +5,15 @@ from collections.abc import Sequence
 import numpy as np
 from markupsafe import Markup
 
-from measured_report.parts.claim import HOLDS
+from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import absent
+from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability import claims
 from report.sections.stability.claims import count, family
 from report.sections.stability.figures import draw_maps
 from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, is_stable
+from report.shared.arithmetic import table_of
 
 order = 145
 page = "limits"
@@ -33,6 +34,19 @@ labels = {
     "buffers-ample": "ample buffers",
 }
 
+LIMITS = {
+    "step, stiff pads": ("safe_settings", "step", ""),
+    "ke, kd left alone, shipped step": ("safe_settings", "limit", "breaks"),
+    "timeconst over step, without the clamp": ("clamp_off", "last", "first"),
+    "load over Coulomb's limit, shaken harder": ("shake_crossover", "kept", "lost"),
+    "the same, gripped less": ("grip_crossover", "kept", "lost"),
+    "friction of the pads, least": ("friction_extremes", "kept", "lost"),
+    "edge of the cube, least": ("sizes", "shipped", "too_small"),
+    "mass, most, with a grip to match": ("masses", "heavy", ""),
+    "start in ground or pads": ("overlaps", "deepest", ""),
+}
+"""Extremes: the claim that has the limit of each, and its numbers of what holds and what breaks."""
+
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
@@ -40,22 +54,34 @@ def derive(results: Results) -> Section:
     depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
     safe = claims.safe(results, critical, default_kd)
     is_so = safe.outcome == HOLDS and not _holds_stiffest(default_kd)
+    told = [
+        safe,
+        claims.gain_goes(results),
+        claims.clamp(results),
+        *(claims.crossover(results, name, margin) for name in ("shake", "grip")),
+        claims.friction(results),
+        claims.masses(results),
+        claims.size(results, depth),
+        claims.overlap(results),
+        claims.gravity(results),
+        claims.long(results),
+        claims.buffers(results),
+    ]
+    by_name = {claim.name: claim for claim in told}
+    columns = {
+        "holds": [by_name[name].numbers[holds] for name, holds, _ in LIMITS.values()],
+        "breaks": [_breaking(by_name[name], breaks) for name, _, breaks in LIMITS.values()],
+    }
     return Section(
+        tables={"limits": table_of("what", LIMITS, columns)},
         figures={"maps": _maps(results, critical, default_kd, is_so)},
-        claims=[
-            safe,
-            claims.gain_goes(results),
-            claims.clamp(results),
-            *(claims.crossover(results, name, margin) for name in ("shake", "grip")),
-            claims.friction(results),
-            claims.masses(results),
-            claims.size(results, depth),
-            claims.overlap(results),
-            claims.gravity(results),
-            claims.long(results),
-            claims.buffers(results),
-        ],
+        claims=told,
     )
+
+
+def _breaking(claim: Claim, name: str) -> Quantity | str:
+    """Return the number of a claim that says what breaks, or that nothing did."""
+    return claim.numbers[name] if name else "not seen" if claim.outcome == HOLDS else ""
 
 
 def _holds_stiffest(rows: Sequence[Row]) -> bool:

@@ -66,14 +66,16 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
     margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, safe_ke)
     at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
-    broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
-    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=math.inf)]
+    broken = [row for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
+    first = least(results, "kd_100_breaks", "least ke above the shipped one that does not hold", broken, "pad_ke")
+    below = math.inf if first.value is None else first.value
+    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < below]
     limit = most(results, "kd_100_ke", "largest ke that holds at the shipped step", kept, "pad_ke")
     shipped = results.value("shipped_ke", "given: ke as shipped", lambda: AS_SHIPPED.pad_ke)
     default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
     numbers = {"least": safe_ke, "step": step, "stiff": stiff, "margin": margin, "bound": bound}
-    numbers |= {"limit": limit, "default_margin": default_margin}
+    numbers |= {"limit": limit, "breaks": first, "default_margin": default_margin}
     outcome = at_least(margin, bound) if critical else Outcome("unknown", "the grid was not measured")
     return Claim("safe_settings", outcome, numbers)
 
@@ -141,8 +143,10 @@ def friction(results: Results) -> Claim:
     rows = sorted(family(results, "friction"), key=lambda row: row.pad_mu.value)
     kept = least(results, "friction_kept", "least μ that holds", filter(is_stable, rows), "pad_mu")
     largest = most(results, "friction_most", "largest μ that holds", filter(is_stable, rows), "pad_mu")
+    broken = [row for row in rows if not is_stable(row)]
+    lost = most(results, "friction_lost", "largest μ that does not hold", broken, "pad_mu")
     also = contiguous([is_stable(row) for row in rows], kept, largest)
-    return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest)
+    return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest, lost=lost)
 
 
 def masses(results: Results) -> Claim:
@@ -164,7 +168,16 @@ def size(results: Results, bound: Value) -> Claim:
     smallest = {"as-shipped": shipped.value, "scaled": scaled.value}
     lost = [row for row in rows if row not in kept]
     small = None not in smallest.values() and all(row.cube_edge_mm.value < smallest[row.grip] for row in lost)
-    return family_claim(results, "sizes", rows, bound=bound, shipped=shipped, scaled=scaled, small_ones_fail=small)
+    fails = [row for row in lost if row.grip == "as-shipped"]
+    too_small = most(results, "size_fails", "largest edge that does not pass, grip as shipped", fails, "cube_edge_mm")
+    numbers: dict[str, Any] = {
+        "bound": bound,
+        "shipped": shipped,
+        "scaled": scaled,
+        "too_small": too_small,
+        "small_ones_fail": small,
+    }
+    return family_claim(results, "sizes", rows, **numbers)
 
 
 def overlap(results: Results) -> Claim:
