@@ -1,11 +1,10 @@
 """Time and memory against the number of worlds: the engine's own steps as the floor, and its benchmark beside them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import takewhile
 
-from measured_report.parts.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, table_of
 from report.shared.timing import TIMED_WORLDS, compared, fine_enough, resolution, worlds_name
@@ -27,31 +26,17 @@ WAYS = {
 
 def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "way" not in row]
-    formula = "time of a whole frame over that of the engine's own steps, timed in turn"
-    over_floor = {
-        row.worlds.value: results.value(f"over_floor_{row.worlds.value}", formula, lambda taken: taken, row.frame_ratio)
-        for row in rows
-    }
     worst = resolution(results, "resolution", compared(rows))
     columns: dict[str, Column] = {
-        **{"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": list(over_floor.values())},
+        **{"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": "frame_ratio"},
         **{"all substeps": "world_substeps_per_s", "memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"},
     }
     tables = {"worlds": table_of("worlds", [str(row.worlds) for row in rows], columns, rows, resolution=worst)}
-    claims = [_near_floor(results, over_floor, worst), _rate(results), _first_worlds_are_cheap(results, rows)]
+    claims = [_rate(results), _first_worlds_are_cheap(results, rows)]
     if len(rows) == len(results.rows):  # on a CPU, and in releases that were measured before
         return Section(tables=tables, claims=claims, unmeasured=("faster", "ways"))
     tables["ways"], faster = _beside_benchmark(results)
     return Section(tables=tables, claims=[*claims, faster])
-
-
-def _near_floor(results: Results, over_floor: Mapping[int, Value], resolution: Value) -> Claim:
-    """Tell whether the bound holds for each of TIMED_WORLDS, so one that wasn't measured leaves it open."""
-    bound = results.chosen("over_floor_bound", "what a frame may cost beside its steps", 1.15)
-    missing = [results.row[f"worlds-{count}"].frame_ratio for count in TIMED_WORLDS if count not in over_floor]
-    worst = results.value("over_floor_worst", "largest of all numbers of worlds", max, *over_floor.values(), *missing)
-    outcome = all_of(at_most(worst, bound), fine_enough(resolution))
-    return Claim("near_floor", outcome, {"bound": bound, "worst": worst})
 
 
 def _rate(results: Results) -> Claim:
