@@ -6,7 +6,7 @@ from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
 from report.sections.error_runtime.claims import crossover_claim, setting_claims
-from report.sections.error_runtime.figures import draw_numerical
+from report.sections.error_runtime.figures import LEAST_ERROR_MM, draw_numerical
 from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, assignment, is_clamped, points_of
 from report.shared.arithmetic import Column, table_of
 
@@ -37,7 +37,8 @@ def derive(results: Results) -> Section:
 
 
 def _front_table(points: Points) -> Table:
-    rows = [row for backend in points.engines for row in points.best(points.backend_front, (backend,))]
+    best = (row for backend in points.engines for row in points.best(points.backend_front, (backend,)))
+    rows = [row for row in best if row[ERROR].value > LEAST_ERROR_MM]
     columns = {"engine": _engine, "settings": _settings, **SHOWN, "clamped": is_clamped, "time": TIME}
     return table_of("pads", map(_pads, rows), columns, rows)
 
