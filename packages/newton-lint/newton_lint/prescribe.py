@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
-from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of, positive, work_of
+from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of, work_of
 from newton_lint.findings import Change
 from newton_lint.law import M
 from newton_lint.mend import fix
@@ -22,6 +22,8 @@ from newton_lint.target import Target, TargetError, read_target
 BELOW_MM_S = 0.1
 SAFETY = 0.8
 """Share of the bound that a prediction has to be below to be tried first."""
+MOST_TRIES, MOST_S = 5, 45.0
+"""Settings that are simulated, and the time after which no more are."""
 MEASURED_S = 1.0
 """Time over which creep is measured, after the settling."""
 TIMECONSTS_S = (0.01, 0.005, 0.002)
@@ -86,8 +88,6 @@ def main(arguments: Sequence[str]) -> int:
         "target", metavar="TARGET", help="FILE.xml, or FILE.py:function that returns a model, or with its data"
     )
     add_work(made)
-    made.add_argument("--tries", type=int, default=5, metavar="N", help="settings that are simulated; default: 5")
-    made.add_argument("--time", type=positive, default=45.0, metavar="S", help="after which no more are; default: 45")
     made.add_argument("--fix", action="store_true", help="write the cheapest that reaches the bound into the files")
     given = made.parse_args(arguments)
     if not given.hold:
@@ -96,7 +96,7 @@ def main(arguments: Sequence[str]) -> int:
     if target.model is None:
         raise TargetError(f"{given.target}: is no model of MuJoCo's")
     scene, bound = scene_of(target, engine_of(given, {})), given.below or BELOW_MM_S
-    found = prescribed(scene, target, work_of(given), bound, given.tries, given.time)
+    found = prescribed(scene, target, work_of(given), bound)
     geoms = touched(scene, found.hold)
     print("\n".join(_table(found.trials, bound)))
     best = found.best(bound)
@@ -132,9 +132,7 @@ class Prescription:
         )
 
 
-def prescribed(
-    scene: Scene, target: Target, work: Work, bound_mm_s: float, tries: int = 5, time_s: float = 45.0
-) -> Prescription:
+def prescribed(scene: Scene, target: Target, work: Work, bound_mm_s: float) -> Prescription:
     """Search settings by the law and measure the best of them."""
     since = time.perf_counter()
     if (hold := held(scene, target, work)) is None:
@@ -142,7 +140,7 @@ def prescribed(
     ranked = sorted(candidates(scene, hold, work), key=lambda each: _rank(each, bound_mm_s, scene))
     trials = [measured(scene, target, work, Setting(), hold, hold.mm_s)]
     for setting, predicted in () if hold.slides else ranked:
-        if len(trials) > tries or time.perf_counter() - since > time_s:
+        if len(trials) > MOST_TRIES or time.perf_counter() - since > MOST_S:
             break
         trials.append(measured(scene, target, work, setting, hold, predicted))
         if trials[-1].measured_mm_s <= bound_mm_s and len(trials) > 3:

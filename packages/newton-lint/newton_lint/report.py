@@ -63,16 +63,17 @@ def report_of(target: Target, asked: Asked) -> Report:
     if target.newton_model is not None:
         return newtons(target.name, "newton_lint.newton_models.report", "report_of", target, asked)
     scene = scene_of(target, asked.engine)
-    hold = held(scene, target, asked.work) if asked.work else None
-    found = lint(scene) + (hold.findings(scene, asked.below_mm_s or SLIP_MM_S) if hold else [])
+    found = lint(scene)
+    refused = any(each.rule == "engine" and each.severity == "error" for each in found)  # nothing creeps there
+    hold = held(scene, target, asked.work) if asked.work and not refused else None
+    found += hold.findings(scene, asked.below_mm_s or SLIP_MM_S) if hold else []
     runs = runs_of(scene.model, target) if asked.step else []
-    found += [*stepped(scene, target, runs), *gripped(scene, runs, asked.work.body if asked.work else "")]
-    if asked.work and not hold:
+    found += stepped(scene, target, runs) if asked.step else []
+    found += [] if refused else gripped(scene, runs, asked.work.body if asked.work else "")
+    if asked.work and not hold and not refused:
         told = ("slides", asked.work.body, (), "settle", asked.work.settle_s, None, "s")
         message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
         found.append(Finding(*told, message, "error"))
-    if asked.engine.name == "newton" and target.path:
-        found += newtons(target.name, "newton_lint.newton_models.dropped", "dropped", scene, target)
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
@@ -80,7 +81,7 @@ def report_of(target: Target, asked: Asked) -> Report:
         pair_count=len(scene.contacts),
         load=asked.load,
         findings=[each for each in found if not is_ignored(each, scene.source, asked.ignore)],
-        creep=predictions(scene, asked.load),
+        creep=[] if refused else predictions(scene, asked.load),
         newton=importlib.import_module("newton").__version__ if asked.engine.name == "newton" else None,
         hold=hold,
         source=scene.source,

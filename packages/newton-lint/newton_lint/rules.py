@@ -8,6 +8,7 @@ import numpy as np
 from newton_lint.advice import (
     FAR,
     either,
+    for_contact,
     for_geom,
     in_order,
     longer_solref,
@@ -18,14 +19,19 @@ from newton_lint.advice import (
 )
 from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, findings_of, hits
-from newton_lint.law import DEFAULT_SOLREF
+from newton_lint.law import DEFAULT_SOLREF, settled_depth_m
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import engine, flags, lost, named_pairs, pyramid
+from newton_lint.scene_rules import engine, gap, lost, override, pyramid
 
 SAME = 1e-5
 """Relative difference up to which two parameters are the same."""
 STIFF = 1.9
 """b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
+DEEP_M = 1e-3
+"""Depth from which what lies is said to sink in."""
+CAPSULE = int(mujoco.mjtGeom.mjGEOM_CAPSULE)
+POINTS = {int(mujoco.mjtGeom.mjGEOM_SPHERE): 1, int(mujoco.mjtGeom.mjGEOM_ELLIPSOID): 1, CAPSULE: 2}
+"""Points that bear a geom that lies, by its type; of others 4."""
 DEFAULTS = {
     "solref": DEFAULT_SOLREF,
     "solimp": (0.9, 0.95, 0.001, 0.5, 2.0),
@@ -39,10 +45,10 @@ OVERRULED = "never reaches the solver: the other geom has the higher priority"
 
 def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
-    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, priority, unused)
+    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, depth, priority, unused)
     names = scene.names
     found = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, names)]
-    of_the_whole = (lost, pyramid, named_pairs, flags, engine)
+    of_the_whole = (lost, pyramid, gap, override, engine)
     return found + [finding for rule in of_the_whole for finding in rule(scene)]
 
 
@@ -169,6 +175,59 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
         unit="s",
         element=lambda index: scene.source.authored(int(shape[index]), "solref"),
         advise=lambda index: of_higher_priority(scene, int(shape[index]), stiffest[shape[index]]),
+    )
+
+
+def friction(scene: Scene) -> Iterator[Hits]:
+    """Yield geoms whose low friction counts nowhere: the larger of two is taken."""
+    contacts, own = scene.contacts, scene.model.geom_friction[:, 0]
+    plain = (contacts.named < 0) & (contacts.condim > 1)
+    least = np.full(len(own), np.inf)
+    for side in (contacts.first, contacts.second):
+        np.minimum.at(least, side[plain], contacts.friction[plain, 0])
+    least[contacts.second[contacts.outranked]] = 0.0  # which ``priority`` tells
+    shape = np.flatnonzero((own * FAR <= least) & np.isfinite(least))
+    rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
+    yield hits(
+        *("friction", "friction", shape, None, own[shape], least[shape]),
+        "counts nowhere: of two geoms the larger friction is taken, unless the other has the higher priority",
+        element=lambda index: scene.source.authored(int(shape[index]), "friction"),
+        advise=lambda index: for_geom(
+            scene, int(shape[index]), rank, "its friction alone counts, with its solref, solimp and condim"
+        ),
+    )
+
+
+def depth(scene: Scene) -> Iterator[Hits]:
+    """Yield bodies that their own weight presses far into what they lie on."""
+    contacts, model = scene.contacts, scene.model
+    own = np.where(scene.free[model.geom_bodyid[contacts.first]], contacts.first, contacts.second)
+    other, body = contacts.first + contacts.second - own, model.body_weldid[model.geom_bodyid[own]]
+    lies = scene.free[body] & ~scene.free[model.geom_bodyid[other]]
+    lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body]) & (contacts.solref > 0.0).all(axis=1)
+    share = 1.0 - np.clip(contacts.solimp[:, 1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
+    gravity = float(np.linalg.norm(model.opt.gravity))
+    least = 0.25 * gravity * share * (contacts.solref[:, 0] * contacts.solref[:, 1]) ** 2  # a guess that is too small
+    deep_m = np.zeros(len(own))
+    for pair in np.flatnonzero(lies & (least > 0.1 * DEEP_M)).tolist():
+        points = POINTS.get(int(model.geom_type[own[pair]]), 4)
+        weight_n = float(model.body_mass[body[pair]]) * gravity / points
+        deep_m[pair] = settled_depth_m(contacts.contact(pair), scene.option, weight_n)
+    there = np.flatnonzero(deep_m > DEEP_M)
+
+    def shallower(pair: int) -> Advice:
+        timeconst_s = max(contacts.solref[pair, 0] * (DEEP_M / deep_m[pair]) ** 0.5, 2.0 * scene.option.timestep_s)
+        said = f"{1e3 * deep_m[pair]:.3g} → {1e3 * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
+        return for_contact(scene, pair, lambda solref: f"{timeconst_s:.3g} {solref[1]:g}", said)
+
+    yield hits(
+        *("depth", "depth", own[there], other[there], 1e3 * deep_m[there], np.nan),
+        "is how deep its own weight presses it in, and a body of another mass as deep: contacts are as stiff as the "
+        "mass is large, and solref and solimp decide",
+        unit="mm",
+        severity="note",
+        element=lambda index: _says(scene, int(there[index]), int(other[there[index]]), "solref"),
+        advise=lambda index: shallower(int(there[index])),
     )
 
 

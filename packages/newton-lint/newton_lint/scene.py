@@ -1,7 +1,7 @@
 """A scene as the rules read it: a compiled model, its pairs, what the engine makes of them, and where it is written."""
 
 import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import mujoco
@@ -10,6 +10,7 @@ import numpy as np
 from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
 from newton_lint.source import Source
+from newton_lint.warp_engine import has_noslip
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 
@@ -46,7 +47,8 @@ class Scene:
 
     @cached_property
     def option(self) -> Option:
-        return option_of(self.model)
+        option = option_of(self.model)
+        return replace(option, noslip=option.noslip and (self.engine.name == "mujoco" or has_noslip()))
 
     @cached_property
     def contacts(self) -> Contacts:

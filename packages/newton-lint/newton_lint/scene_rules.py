@@ -5,16 +5,18 @@ from collections.abc import Iterator
 import mujoco
 import numpy as np
 
-from newton_lint.advice import elliptic, for_geom, for_option, shorter_step
+from newton_lint.advice import elliptic, for_geom, for_option
 from newton_lint.combined import OVERRIDE
 from newton_lint.findings import Advice, Finding
-from newton_lint.law import DEFAULT_SOLREF, DISCRETE
-from newton_lint.pairs import OFF, collidable
+from newton_lint.pairs import OFF
 from newton_lint.scene import Scene
+from newton_lint.warp_engine import asked
 
 WARP_SOLVERS = (int(mujoco.mjtSolver.mjSOL_CG), int(mujoco.mjtSolver.mjSOL_NEWTON))
 STEEP = 3.0
 """Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
+NEW_GAP = tuple(map(int, mujoco.__version__.split(".")[:2])) >= (3, 9)
+"""Whether this release presses from margin on, and not from margin − gap on."""
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
@@ -58,48 +60,47 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
         yield _whole(scene, "pyramid", "friction", steepest, None, message, advice, severity)
 
 
-def named_pairs(scene: Scene) -> Iterator[Finding]:
-    """Yield pairs that the scene names, and that make no contact or one without effect."""
+def gap(scene: Scene) -> Iterator[Finding]:
+    """Yield geoms with a margin and a gap, of which MuJoCo 3.9 changed the meaning."""
     model = scene.model
-    pairs = np.stack([model.pair_geom1, model.pair_geom2], axis=1)
-    still = (model.body_dofnum[model.body_weldid[model.geom_bodyid[pairs]]] == 0).all(axis=1)
-    for index, (pair, can, rests) in enumerate(zip(pairs, collidable(model, pairs), still, strict=True)):
-        off = bool(model.opt.disableflags & OFF)
-        if can and not rests and not off:
-            continue
-        reason = "contacts are disabled" if off else "neither geom moves" if can else "no two planes or fields collide"
-        names = [scene.names[geom] for geom in pair]
-        element = scene.source.pair(*(model.geom(int(geom)).name for geom in pair))
-        message = f"makes no contact: {reason}"
-        yield Finding("pair", names[0], (names[1],), "pair", float(index), None, "1", message, element=element)
+    for geom in np.flatnonzero(scene.counts & (model.geom_gap > 0.0) & (model.geom_margin >= model.geom_gap))[:1]:
+        margin, wide = float(model.geom_margin[geom]), float(model.geom_gap[geom])
+        old = f"presses from margin − gap, {margin - wide:.3g} m, on and lists contacts from margin on"
+        new = f"presses from margin, {margin:.3g} m, on and lists contacts from margin + gap on"
+        now, other = (new, f"before 3.9 it {old}") if NEW_GAP else (old, f"from 3.9 on it {new}")
+        said = f'for what it was before 3.9 write margin="{margin - wide:.6g}"' if NEW_GAP else "see MuJoCo's changelog"
+        advice = Advice((), said)
+        message = f"beside a margin of {margin:.3g} m: this release {now}; {other}"
+        element = scene.source.authored(int(geom), "gap")
+        yield Finding("gap", scene.names[geom], (), "gap", wide, None, "m", message, "note", element, advice)
 
 
-def flags(scene: Scene) -> Iterator[Finding]:
+def override(scene: Scene) -> Iterator[Finding]:
     """Yield the override flag, which leaves all that geoms say of contacts unread."""
-    model, opt = scene.model, scene.model.opt
+    opt = scene.model.opt
     if opt.enableflags & OVERRIDE and len(scene.contacts):
         message = "is on: all contacts have the option's solref, solimp and friction, whatever their geoms say"
         advice = for_option(scene, {}, 'take <flag override="enable"/> away: geoms count again')
         yield _whole(scene, "override", "o_solref", float(opt.o_solref[0]), None, message, advice)
-    authored = ~np.isclose(model.geom_solref[scene.counts], DEFAULT_SOLREF).all(axis=1)
-    if not scene.option.refsafe and authored.any():
-        short = scene.contacts.solref[:, 0]
-        least = short[short > 0.0].min(initial=np.inf)
-        if least < 2.0 * scene.option.timestep_s and scene.option.integrator != DISCRETE:
-            message = "is below two steps and refsafe is off: contacts may go unstable"
-            advice = shorter_step(scene, float(least))
-            yield _whole(scene, "refsafe", "timeconst", float(least), None, message, advice, unit="s")
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
-    """Yield what MuJoCo Warp refuses, or takes otherwise than MuJoCo C."""
+    """Yield what MuJoCo Warp says of a scene, in its words; where it is not installed what no early release takes."""
     if scene.engine.name != "warp":
         return
     opt = scene.model.opt
+    if (answer := asked(scene.model)) is not None:
+        refused, told = answer
+        if refused:
+            yield _whole(
+                scene, "engine", "put_model", 1.0, None, f"of MuJoCo Warp refuses it: {refused}", None, "error"
+            )
+        for line in told:
+            yield _whole(scene, "engine", "put_model", 0.0, None, f"of MuJoCo Warp warns: {line}", None)
+        return
     for name, value, refused in (
         ("noslip_iterations", opt.noslip_iterations, opt.noslip_iterations > 0),
         ("solver", opt.solver, opt.solver not in WARP_SOLVERS),
-        ("integrator", opt.integrator, opt.integrator == DISCRETE),
         ("override", opt.enableflags & OVERRIDE, bool(opt.enableflags & OVERRIDE)),
     ):
         if refused:

@@ -60,6 +60,8 @@ class Touch:
     """Share of the cone that it uses."""
     weight_1_kg: float
     """The diagonal of A that the engine gives it."""
+    softer: float
+    """Times that R is larger along its friction than along the first axis: a ``<pair>`` has a μ for each."""
 
 
 @dataclass(frozen=True)
@@ -110,14 +112,11 @@ class Hold:
         return [Finding("creep", self.name, touching, "creep", self.mm_s, below_mm_s, "mm/s", message, advice=advice)]
 
     def as_json(self) -> dict[str, Any]:
+        told = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
         return {
             "body": self.name,
-            "load_n": self.load_n,
-            "point_count": self.point_count,
+            **{name: getattr(self, name) for name in told},
             "mm_s": None if self.slides else self.mm_s,
-            "acceleration_mm_s": self.acceleration_mm_s,
-            "slides": self.slides,
-            "moves_mm_s": self.moves_mm_s,
         }
 
 
@@ -182,14 +181,14 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
         Touch(
             *(pair, next(int(each) for each in model.geom_bodyid[list(pair)] if not own[each])),
             *(count / step_count, float(total[0]) / step_count, total[1:4] / step_count),
-            *(total[4:7] / count, total[7:10] / count, float(total[10]) / count, float(total[11]) / count),
+            *(total[4:7] / count, total[7:10] / count, *(float(each) / count for each in total[10:])),
         )
         for (pair, _), (count, total) in sums.items()
     ]
 
 
 def _told(scene: Scene, data: mujoco.MjData, index: int) -> np.ndarray | None:
-    """Return normal force, friction on the second geom, normal, position, cone use and weight of one contact."""
+    """Return normal force, friction on the second geom, normal, position, cone use, weight, softness of a contact."""
     model, contact, force = scene.model, data.contact[index], np.zeros(6)
     if contact.efc_address < 0:
         return None
@@ -208,7 +207,9 @@ def _told(scene: Scene, data: mujoco.MjData, index: int) -> np.ndarray | None:
     if is_pyramid and contact.dim > 1:
         mu = contact.friction[0]
         weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))
-    return np.concatenate([force[:1], force[1:3] @ frame[1:], frame[0], contact.pos, [used, weight]])
+    one, other = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
+    softer = one + other * (contact.friction[0] / contact.friction[1]) ** 2 if one + other else 1.0
+    return np.concatenate([force[:1], force[1:3] @ frame[1:], frame[0], contact.pos, [used, weight, softer]])
 
 
 def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: mujoco.MjData) -> Hold:
@@ -226,7 +227,9 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
     turning, points = np.zeros(3), []
     for touch in touches:
         contact = replace(scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg)
-        response = response_of(contact, option, settled_impedance(contact, option, touch.normal_n))
+        plain = response_of(contact, option, settled_impedance(contact, option, touch.normal_n))
+        mu = plain.mu / math.sqrt(touch.softer)
+        response = replace(plain, load_m_s_n=plain.load_m_s_n * touch.softer, mu=mu)
         points.append((response, touch.normal_n))
         arm = touch.position - data.xpos[model.body_rootid[touch.support]]
         outward = work.turn_rad_s**2 * (arm - (arm @ down) * down)

@@ -1,5 +1,7 @@
 """Rules on what a scene does when it is stepped; each change that they name has been measured."""
 
+import contextlib
+import math
 from collections.abc import Callable, Iterator, Sequence
 
 import mujoco
@@ -9,7 +11,7 @@ from newton_lint.advice import for_exclude, for_option
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M
 from newton_lint.scene import Scene
-from newton_lint.stepped import Run, changed, forces_of, free_joints, run, starts
+from newton_lint.stepped import MOST_DOFS, Run, changed, forces_of, free_joints, run, starts
 from newton_lint.target import Target
 
 THROWN_M_S = 0.5
@@ -24,6 +26,12 @@ LIMITED = 0.5
 """Share of steps in which the solver uses up its iterations."""
 DIFFERS_M = 1e-3
 """What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
+SAG, HELD, AGREES = 2e-3, 0.99, 0.7
+"""Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
+MANY, FEW = 1000, 64
+"""Vertices of a convex hull that are many, and as many as do."""
+HINGE, MESH = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtGeom.mjGEOM_MESH)
+DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 Way = tuple[dict[str, float], dict[str, str]]
 """Options of the model, and how they are written."""
 
@@ -31,10 +39,14 @@ Way = tuple[dict[str, float], dict[str, str]]
 def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
     """Return what the runs show: what blows up, is thrown, overlaps, is pressed too hard or is not solved."""
     found: dict[tuple, Finding] = {}
+    if not runs:
+        message = f"move, and more than {MOST_DOFS} are not stepped: no rule has looked at what the scene does"
+        return [Finding("unstepped", "", (), "nv", float(scene.model.nv), None, "1", message, "note")]
     for index, each in enumerate(runs):
-        for finding in (*_unstable(scene, target, each, index), *_overlapping(scene, each, len(runs) > 1)):
+        overlaps = _overlapping(scene, each, len(runs) > 1)
+        for finding in (*_unstable(scene, target, each, index), *overlaps, *_sagging(scene, target, each, index)):
             found.setdefault((finding.rule, finding.shape, finding.against), finding)
-    return list(found.values())
+    return [*found.values(), *_hulls(scene, target, runs[0])]
 
 
 def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> Run:
@@ -116,4 +128,61 @@ def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Findi
             severity="note" if is_note else "warning",
             element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
             advice=advice,
+        )
+
+
+def _sagging(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+    """Yield joints that dry friction holds, and that creep as contacts do."""
+    model = scene.model
+    for dof, rate in _sags(model, seen).items():
+        joint = model.joint(model.dof_jntid[dof])
+        unit, scale = ("°/s", math.degrees(1.0)) if joint.type[0] == HINGE else ("mm/s", M)
+        gain = 'solimpfriction="0.999 0.999 0.001" on the joint slows it 100 times'
+        advice = Advice((), gain)
+        if scene.engine.name == "mujoco":
+            after = _sags(model, _again(target, changed(model, noslip_iterations=10), index, seen.time_s)).get(dof, 0.0)
+            said = f"{scale * rate:.3g} → {scale * after:.3g} {unit}, in MuJoCo C"
+            advice = for_option(scene, {"noslip_iterations": "10"}, f"{said}; or {gain}, in all engines")
+        message = (
+            f"is how fast it gives way to {abs(seen.data.qfrc_constraint[dof]):.3g} of the "
+            f"{model.dof_frictionloss[dof]:.3g} that its frictionloss can bear, from {seen.start}: it brakes and "
+            "does not hold, and impratio does not count"
+        )
+        name = joint.name or f"joint_{joint.id}"
+        yield Finding("sag", name, (), "speed", scale * rate, None, unit, message, "warning", None, advice)
+
+
+def _sags(model: mujoco.MjModel, seen: Run) -> dict[int, float]:
+    """Return speeds of joints that move as fast as their friction gives way to less than it can bear [m/s or rad/s]."""
+    data, found = seen.data, {}
+    for row in () if seen.bad else np.flatnonzero(data.efc_type == DRY_FRICTION).tolist():
+        dof, force = int(data.efc_id[row]), abs(float(data.efc_force[row]))
+        rate, gives = abs(float(data.qvel[dof])), float(data.efc_R[row]) * force / float(data.efc_KBIP[row, 1])
+        if rate > SAG and force < HELD * model.dof_frictionloss[dof] and AGREES < rate / gives < 1.0 / AGREES:
+            found[dof] = rate
+    return found
+
+
+def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
+    """Yield meshes that collide with more vertices than it takes, and what a step costs with fewer."""
+    model = scene.model
+    touch = (model.geom_contype | model.geom_conaffinity) != 0
+    meshes = np.unique(model.geom_dataid[touch & (model.geom_type == MESH)])
+    counts = {
+        mesh: int(model.mesh_graph[model.mesh_graphadr[mesh]]) for mesh in meshes if model.mesh_graphadr[mesh] >= 0
+    }
+    large = {mesh: count for mesh, count in counts.items() if count >= MANY}
+    if not large or target.path is None or target.path.suffix == ".mjb":
+        return
+    with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
+        spec = mujoco.MjSpec.from_file(str(target.path))
+        for mesh in spec.meshes:
+            mesh.maxhullvert = FEW
+        after = _again(target, spec.compile(), 0, seen.time_s)
+        before_us, after_us = (1e6 * each.cost_s * model.opt.timestep for each in (seen, after))
+        worst = max(large, key=large.get)
+        message = f"vertices has its convex hull: a step takes {before_us:.3g} µs, and with {FEW} {after_us:.3g} µs"
+        advice = Advice((), f'maxhullvert="{FEW}" on its <mesh>')
+        yield Finding(
+            "hull", model.mesh(worst).name, (), "hull", large[worst], None, "1", message, "note", None, advice
         )
