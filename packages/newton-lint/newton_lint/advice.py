@@ -57,12 +57,6 @@ def either(first: Advice, *others: Advice) -> Advice:
     return Ways(first.changes, first.gain, more)
 
 
-def for_exclude(scene: Scene, names: Sequence[str], gain: str) -> Advice:
-    """Return an ``<exclude>`` of two bodies."""
-    attributes = (("body1", names[0]), ("body2", names[1]))
-    return Advice((Change("exclude", attributes, None),), gain)
-
-
 def shorter_step(scene: Scene, timeconst_s: float) -> Advice:
     step = 0.5 * timeconst_s
     more = scene.option.timestep_s / step

@@ -123,14 +123,8 @@ def asked_of(given: argparse.Namespace, table: dict[str, Any]):
 
     ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
     load = Load(given.acceleration, given.load, given.press)
-    return Asked(
-        engine_of(given, table),
-        load,
-        work_of(given),
-        given.below or table.get("below"),
-        frozenset(ignore),
-        not given.no_step,
-    )
+    below = given.below or table.get("below")
+    return Asked(engine_of(given, table), load, work_of(given), below, frozenset(ignore), not given.no_step)
 
 
 def engine_of(given: argparse.Namespace, table: dict[str, Any]):

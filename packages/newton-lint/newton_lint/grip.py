@@ -68,14 +68,11 @@ def _found(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, s
     between = float((normals @ normals.T).min()) < OPPOSE
     if between:
         yield from _turns(scene, hold, start)
-    if hold.slides or not hold.rests or hold.load_n < AGREES * _weight(scene, body) * (1.0 if between else 0.05):
+    weight_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
+    if hold.slides or not hold.rests or hold.load_n < AGREES * weight_n * (1.0 if between else 0.05):
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
         yield _slips(scene, hold, "between fingers" if between else "down a slope", start)
-
-
-def _weight(scene: Scene, body: int) -> float:
-    return float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
 
 
 def _slips(scene: Scene, hold: Hold, where: str, start: str) -> Finding:

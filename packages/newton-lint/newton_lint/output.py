@@ -13,8 +13,6 @@ WORST = 5
 """Creeps that are shown where not all are asked for."""
 LEAST_MM_S = 1e-3
 """Slower creep is told as being below it."""
-LEVELS = {"note": "notice", "warning": "warning", "error": "error"}
-"""What GitHub calls a severity."""
 USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
 """What ``used`` is called where it is not what the engine uses."""
 
@@ -123,7 +121,7 @@ def _github(report: Report) -> Iterator[str]:
         element = finding.element
         place = f"file={element.file},line={element.line}," if element else f"file={report.target},"
         said = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
-        yield f"::{LEVELS[finding.severity]} {place}title=newton-lint {finding.rule}::{said}"
+        yield f"::{finding.severity.replace('note', 'notice')} {place}title=newton-lint {finding.rule}::{said}"
 
 
 def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:

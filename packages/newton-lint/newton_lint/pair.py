@@ -28,37 +28,35 @@ def main(arguments: Sequence[str]) -> int:
     scene = scene_of(target, engine_of(given, {}))
     one, other = (_geom(scene, target.name, name) for name in given.geoms)
     contacts = scene.contacts
-    found = np.flatnonzero((contacts.first == one) & (contacts.second == other))
-    found = np.append(found, np.flatnonzero((contacts.first == other) & (contacts.second == one)))
-    lines = _table(scene, contacts, int(found[0]), one, other) if len(found) else [_apart(scene, one, other)]
+    found = np.flatnonzero(np.isin(contacts.first, (one, other)) & np.isin(contacts.second, (one, other)))
+    lines = (
+        _table(scene, contacts, int(found[0]), one, other)
+        if len(found)
+        else [f"{' and '.join(given.geoms)} make no contact: {_apart(scene, [one, other])}"]
+    )
     print("\n".join(map(shown, lines)))
     return CLEAN if len(found) else FOUND
 
 
 def _geom(scene: Scene, target: str, name: str) -> int:
     """Return the geom of a name, or the only one of a body of that name."""
-    own = [index for index in range(scene.model.ngeom) if name in (scene.model.geom(index).name, scene.names[index])]
-    bodies = scene.model.geom_bodyid
-    own = own or [index for index in range(scene.model.ngeom) if scene.bodies[bodies[index]] == name]
+    model = scene.model
+    own = [index for index, known in enumerate(scene.names) if name in (known, model.geom(index).name)]
+    own = own or [index for index, body in enumerate(model.geom_bodyid) if scene.bodies[body] == name]
     if len(own) != 1:
-        raise TargetError(
-            f"{target}: has {len(own) or 'no'} geom{'s' * (len(own) > 1)} {name}; {', '.join(scene.names[:12])}"
-        )
+        raise TargetError(f"{target}: {len(own) or 'no'} geoms are {name}; it has {', '.join(scene.names[:12])}")
     return own[0]
 
 
-def _apart(scene: Scene, one: int, other: int) -> str:
+def _apart(scene: Scene, geoms: Sequence[int]) -> str:
     """Say why two geoms never touch."""
-    model, weld = scene.model, scene.model.body_weldid[scene.model.geom_bodyid[[one, other]]]
-    types, affinities = model.geom_contype[[one, other]], model.geom_conaffinity[[one, other]]
-    why = "a body of the one is the parent of the other's, or an <exclude> names their bodies"
-    if weld[0] == weld[1]:
-        why = "they are fixed to each other"
-    elif not (model.body_dofnum[weld] > 0).any():
-        why = "neither moves"
-    elif not (types[0] & affinities[1] or types[1] & affinities[0]):
-        why = f"contype {types.tolist()} and conaffinity {affinities.tolist()} have no bit in common"
-    return f"{scene.names[one]} and {scene.names[other]} make no contact: {why}"
+    model, weld = scene.model, scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
+    types, affinities = model.geom_contype[geoms], model.geom_conaffinity[geoms]
+    if weld[0] == weld[1] or not (model.body_dofnum[weld] > 0).any():
+        return "they do not move against each other"
+    if not (types[0] & affinities[1] or types[1] & affinities[0]):
+        return f"contype {types.tolist()} and conaffinity {affinities.tolist()} have no bit in common"
+    return "contacts are off, one hangs on the other's body, or an <exclude> names their bodies"
 
 
 def _table(scene: Scene, contacts: Contacts, pair: int, one: int, other: int) -> Iterator[str]:
@@ -70,25 +68,20 @@ def _table(scene: Scene, contacts: Contacts, pair: int, one: int, other: int) ->
     least = "the smaller of each: one is direct" if contact.solref[0] <= 0.0 else mixed
     sums = "the sum", "the sum; forces act from margin on, and contacts are listed from margin + gap on"
     larger = "the larger", "the larger; forces act from margin − gap on, and contacts are listed from margin on"
-    margins, wide = model.geom_margin[[one, other]], model.geom_gap[[one, other]]
-    together = np.sum if NEW_GAP else np.max
-    rules = sums if NEW_GAP else larger
-    rows: list[tuple[str, object, object, object, str]] = [
-        ("priority", model.geom_priority[one], model.geom_priority[other], "", ranked),
-        ("solref", model.geom_solref[one], model.geom_solref[other], contact.solref, ranked or least),
-        ("solimp", model.geom_solimp[one], model.geom_solimp[other], contact.solimp, ranked or mixed),
-        *(
-            (
-                name,
-                getattr(model, f"geom_{name}")[one],
-                getattr(model, f"geom_{name}")[other],
-                used,
-                ranked or "the larger",
-            )
-            for name, used in (("friction", contacts.friction[pair]), ("condim", contact.condim))
-        ),
-        ("margin", *margins, together(margins), rules[0]),
-        ("gap", *wide, together(wide), rules[1]),
+    together, rules = (np.sum, sums) if NEW_GAP else (np.max, larger)
+
+    def row(name: str, used: object, rule: str) -> tuple[object, ...]:
+        values = getattr(model, f"geom_{name}")
+        return name, values[one], values[other], used, rule
+
+    rows = [
+        row("priority", "", ranked),
+        row("solref", contact.solref, ranked or least),
+        row("solimp", contact.solimp, ranked or mixed),
+        row("friction", contacts.friction[pair], ranked or "the larger"),
+        row("condim", contact.condim, ranked or "the larger"),
+        row("margin", together(model.geom_margin[[one, other]]), rules[0]),
+        row("gap", together(model.geom_gap[[one, other]]), rules[1]),
     ]
     yield "  ".join([f"{'':8}", *(f"{name:{WIDTH}}" for name in (scene.names[one], scene.names[other], "contact"))])
     for name, *values, rule in rows:

@@ -1,6 +1,5 @@
 """``newton-lint prescribe``: settings that keep a held body's creep below a bound, found by the law, then measured."""
 
-import copy
 import itertools
 import time
 from collections.abc import Iterator, Sequence
@@ -16,7 +15,8 @@ from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
-from newton_lint.settle import Hold, Work, held, predicted_hold, settled, started
+from newton_lint.settle import Hold, Work, held, pair_indices, predicted_hold, settled, started
+from newton_lint.stepped import changed
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
@@ -30,6 +30,7 @@ TIMECONSTS_S = (0.01, 0.005, 0.002)
 IMPRATIOS = (10.0, 100.0, 1000.0)
 SHORTER = (1.0, 0.5, 0.25)
 NOSLIP = 10
+ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 UPRIGHT = 0.99
 """Cosine to the vertical from which a hinge turns about it."""
@@ -39,30 +40,22 @@ FLYWHEEL = 1e6
 
 @dataclass(frozen=True)
 class Setting:
-    """A setting; None is left as the scene has it."""
+    """A setting: a timeconst of what touches, and options; what is not said is left as the scene has it."""
 
     timeconst_s: float | None = None
-    impratio: float | None = None
-    elliptic: bool = False
-    timestep_s: float | None = None
-    noslip: bool = False
+    options: tuple[tuple[str, float], ...] = ()
 
-    def option(self) -> dict[str, str]:
+    def attributes(self) -> dict[str, str]:
         """Return attributes of ``<option>``."""
-        said = {
-            "timestep": self.timestep_s and f"{self.timestep_s:g}",
-            "cone": "elliptic" if self.elliptic else None,
-            "impratio": self.impratio and f"{self.impratio:g}",
-            "noslip_iterations": str(NOSLIP) if self.noslip else None,
-        }
-        return {name: value for name, value in said.items() if value}
+        return {name: "elliptic" if name == "cone" else f"{value:g}" for name, value in self.options}
 
     @property
     def change_count(self) -> int:
-        return len(self.option()) + (self.timeconst_s is not None)
+        """Count what changes; a noslip pass counts as two: MuJoCo Warp has none in most releases."""
+        return len(self.options) + (self.timeconst_s is not None) + ("noslip_iterations" in self.attributes())
 
     def __str__(self) -> str:
-        said = [f'{name}="{value}"' for name, value in self.option().items()]
+        said = [f'{name}="{value}"' for name, value in self.attributes().items()]
         if self.timeconst_s is not None:
             said.append(f'solref="{self.timeconst_s:g} 1"')
         return " ".join(said) or "as it is"
@@ -75,8 +68,6 @@ class Trial:
     setting: Setting
     predicted_mm_s: float
     measured_mm_s: float
-    step_us: float
-    """Time of the processor that a step takes."""
     second_s: float
     """Time of the processor that a simulated second takes."""
 
@@ -84,9 +75,7 @@ class Trial:
 def main(arguments: Sequence[str]) -> int:
     about = "Search settings that keep a held body's creep below a bound, and measure the best of them."
     made = Parser(prog="newton-lint prescribe", description=about)
-    made.add_argument(
-        "target", metavar="TARGET", help="FILE.xml, or FILE.py:function that returns a model, or with its data"
-    )
+    made.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function")
     add_work(made)
     made.add_argument("--fix", action="store_true", help="write the cheapest that reaches the bound into the files")
     given = made.parse_args(arguments)
@@ -96,16 +85,14 @@ def main(arguments: Sequence[str]) -> int:
     if target.model is None:
         raise TargetError(f"{given.target}: is no model of MuJoCo's")
     scene, bound = scene_of(target, engine_of(given, {})), given.below or BELOW_MM_S
-    found = prescribed(scene, target, work_of(given), bound)
-    geoms = touched(scene, found.hold)
-    print("\n".join(_table(found.trials, bound)))
-    best = found.best(bound)
-    if best is None:
+    hold, trials = prescribed(scene, target, work_of(given), bound)
+    print("\n".join(_table(trials, bound)))
+    if trials[-1].measured_mm_s > bound:
         beyond = "slides: what it bears is beyond its friction, which takes a larger μ or a firmer grip"
         tried = f"creeps: nothing that was tried keeps it below {bound:g} mm/s"
-        print(f"{given.hold} {beyond if found.hold.slides else tried}")
+        print(f"{given.hold} {beyond if hold.slides else tried}")
         return FOUND
-    changes = changes_of(scene, best.setting, geoms)
+    changes = changes_of(scene, trials[-1].setting, touched(scene, hold))
     print("the least that does:" if changes else "nothing has to change")
     print("\n".join(f"  {change}" for change in changes))
     if given.fix:
@@ -113,39 +100,19 @@ def main(arguments: Sequence[str]) -> int:
     return CLEAN
 
 
-@dataclass(frozen=True)
-class Prescription:
-    """Trials on a held body; the first is of the scene as it is."""
-
-    hold: Hold
-    trials: Sequence[Trial]
-
-    def best(self, bound_mm_s: float) -> Trial | None:
-        """Return the cheapest that was measured below a bound; of those that cost alike the one that changes least."""
-        good = [trial for trial in self.trials if trial.measured_mm_s <= bound_mm_s]
-        dearest = min((trial.second_s for trial in good), default=0.0) * 1.25
-        affordable = (trial for trial in good if trial.second_s <= dearest)
-        return min(
-            affordable,
-            key=lambda trial: (trial.setting.change_count + trial.setting.noslip, -trial.predicted_mm_s),
-            default=None,
-        )
-
-
-def prescribed(scene: Scene, target: Target, work: Work, bound_mm_s: float) -> Prescription:
-    """Search settings by the law and measure the best of them."""
+def prescribed(scene: Scene, target: Target, work: Work, bound_mm_s: float) -> tuple[Hold, list[Trial]]:
+    """Measure a held body as it is, and settings that the law finds good, the least first, until one is."""
     since = time.perf_counter()
     if (hold := held(scene, target, work)) is None:
         raise TargetError(f"{target.name}: nothing touches {work.body}; --settle gives it longer, a keyframe a grip")
-    ranked = sorted(candidates(scene, hold, work), key=lambda each: _rank(each, bound_mm_s, scene))
     trials = [measured(scene, target, work, Setting(), hold, hold.mm_s)]
+    ranked = sorted(candidates(scene, hold, work), key=lambda each: _rank(each, bound_mm_s, scene))
     for setting, predicted in () if hold.slides else ranked:
-        if len(trials) > MOST_TRIES or time.perf_counter() - since > MOST_S:
+        late = len(trials) > MOST_TRIES or time.perf_counter() - since > MOST_S
+        if late or trials[-1].measured_mm_s <= bound_mm_s:
             break
         trials.append(measured(scene, target, work, setting, hold, predicted))
-        if trials[-1].measured_mm_s <= bound_mm_s and len(trials) > 3:
-            break
-    return Prescription(hold, trials)
+    return hold, trials
 
 
 def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, float]]:
@@ -159,16 +126,16 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
         step = option.timestep_s * share
         if timeconst is not None and option.refsafe and timeconst < 2.0 * step:
             continue
-        setting = Setting(
-            timeconst,
-            impratio,
-            elliptic=option.cone == "pyramidal" and (impratio is not None),
-            timestep_s=step if share < 1.0 else None,
-            noslip=noslip,
-        )
+        options = {
+            "timestep": step if share < 1.0 else None,
+            "cone": ELLIPTIC if option.cone == "pyramidal" and impratio is not None else None,
+            "impratio": impratio,
+            "noslip_iterations": NOSLIP if noslip else None,
+        }
+        setting = Setting(timeconst, tuple((name, value) for name, value in options.items() if value is not None))
         if setting.change_count:
-            changed = replace(scene, model=with_setting(scene, setting, hold))
-            yield setting, predicted_hold(changed, hold.body, hold.touches, work, hold.data).mm_s
+            other = replace(scene, model=with_setting(scene, setting, hold))
+            yield setting, predicted_hold(other, hold.body, hold.touches, work, hold.data).mm_s
 
 
 def touched(scene: Scene, hold: Hold) -> list[int]:
@@ -179,34 +146,20 @@ def touched(scene: Scene, hold: Hold) -> list[int]:
 
 def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
     """Return a copy of the model with a setting."""
-    model = copy.copy(scene.model)
+    model = changed(scene.model, **dict(setting.options))
     if setting.timeconst_s is not None:
-        for geom in touched(scene, hold):
-            model.geom_solref[geom] = (setting.timeconst_s, 1.0)
-        pairs = [sorted(touch.geoms) for touch in hold.touches]
-        for index, pair in enumerate(np.sort(np.stack([model.pair_geom1, model.pair_geom2], axis=1), axis=1).tolist()):
-            if pair in pairs:
-                model.pair_solref[index] = (setting.timeconst_s, 1.0)
-    opt = model.opt
-    opt.timestep = setting.timestep_s or opt.timestep
-    opt.impratio = setting.impratio or opt.impratio
-    if setting.elliptic:
-        opt.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
-    if setting.noslip:
-        opt.noslip_iterations = NOSLIP
+        model.geom_solref[touched(scene, hold)] = (setting.timeconst_s, 1.0)
+        pairs = pair_indices(scene)
+        named = [scene.contacts.named[pairs[touch.geoms]] for touch in hold.touches]
+        model.pair_solref[[each for each in named if each >= 0]] = (setting.timeconst_s, 1.0)
     return model
 
 
 def _rank(candidate: tuple[Setting, float], bound_mm_s: float, scene: Scene) -> tuple:
-    """Rank what is predicted to be good first, of that the cheap, then what changes least; the rest by creep.
-
-    A noslip pass counts as one change more: MuJoCo Warp has none in most releases.
-    """
+    """Rank what is predicted to be good first, of that the cheap, then what changes least; the rest by creep."""
     setting, predicted = candidate
-    good = predicted <= SAFETY * bound_mm_s
-    steps = scene.option.timestep_s / (setting.timestep_s or scene.option.timestep_s)
-    changes = setting.change_count + setting.noslip
-    return (0, steps, changes, -predicted) if good else (1, predicted, steps, changes)
+    steps, changes = -dict(setting.options).get("timestep", scene.option.timestep_s), setting.change_count
+    return (0, steps, changes, -predicted) if predicted <= SAFETY * bound_mm_s else (1, predicted, steps, changes)
 
 
 def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: Hold, predicted_mm_s: float) -> Trial:
@@ -220,13 +173,7 @@ def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: H
     since = time.process_time()
     moved = along(model, data, hold, MEASURED_S)
     spent = time.process_time() - since
-    return Trial(
-        setting,
-        predicted_mm_s,
-        M * moved / MEASURED_S,
-        1e6 * spent * model.opt.timestep / MEASURED_S,
-        spent / MEASURED_S,
-    )
+    return Trial(setting, predicted_mm_s, M * moved / MEASURED_S, spent / MEASURED_S)
 
 
 def turn(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, rate_rad_s: float) -> None:
@@ -271,10 +218,9 @@ def within(data: mujoco.MjData, body: int, support: int) -> np.ndarray:
 
 
 def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Change]:
-    option = setting.option()
-    changes = []
-    if option:
-        changes.append(Change("option", tuple(option.items()), scene.source.option(next(iter(option)))))
+    said, changes = setting.attributes(), []
+    if said:
+        changes.append(Change("option", tuple(said.items()), scene.source.option(next(iter(said)))))
     if setting.timeconst_s is not None:
         attributes = (("solref", f"{setting.timeconst_s:g} 1"),)
         changes += [Change(scene.names[geom], attributes, scene.source.geom(geom)) for geom in geoms]
@@ -282,11 +228,7 @@ def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Cha
 
 
 def _table(trials: Sequence[Trial], bound_mm_s: float) -> Iterator[str]:
-    head = f"{'':2}{'predicted':>18}{'measured':>18}{'a step':>10}{'a second':>12}"
-    yield f"{head}  setting (bound {bound_mm_s:g} mm/s)"
+    yield f"{'':2}{'predicted':>18}{'measured':>18}{'a second':>12}  setting (bound {bound_mm_s:g} mm/s)"
     for trial in trials:
         predicted = "slides" if np.isinf(trial.predicted_mm_s) else rated(trial.predicted_mm_s)
-        yield (
-            f"{'':2}{predicted:>18}{rated(trial.measured_mm_s):>18}"
-            f"{trial.step_us:>7.0f} µs{trial.second_s:>10.3f} s  {trial.setting}"
-        )
+        yield f"{'':2}{predicted:>18}{rated(trial.measured_mm_s):>18}{trial.second_s:>10.3f} s  {trial.setting}"

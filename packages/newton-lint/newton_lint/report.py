@@ -1,8 +1,7 @@
 """What is said of a target: its size, what was found in it and the creep to expect."""
 
-import importlib
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from newton_lint.findings import SEVERITIES, Finding
@@ -12,10 +11,12 @@ from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
 from newton_lint.settle import Hold, Work, held
-from newton_lint.source import Source
+from newton_lint.source import Element, Source
 from newton_lint.step_rules import stepped
 from newton_lint.stepped import runs_of
-from newton_lint.target import Target, newtons
+from newton_lint.target import READER, Target, newtons
+
+NEWTONS = "newton_lint.newton_models.report"
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ def report_of(target: Target, asked: Asked) -> Report:
         TargetError: It has no such body as is to be held, or Newton is needed and is not there.
     """
     if target.newton_model is not None:
-        return newtons(target.name, "newton_lint.newton_models.report", "report_of", target, asked)
+        return newtons(target.name, NEWTONS, "report_of", target, asked)
     scene = scene_of(target, asked.engine)
     found = lint(scene)
     refused = any(each.rule == "engine" and each.severity == "error" for each in found)  # nothing creeps there
@@ -74,6 +75,11 @@ def report_of(target: Target, asked: Asked) -> Report:
         told = ("slides", asked.work.body, (), "settle", asked.work.settle_s, None, "s")
         message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
         found.append(Finding(*told, message, "error"))
+    if asked.engine.name == "newton" and target.path:
+        theirs = replace(target, newton_model=newtons(target.name, READER, "imported", target.path))
+        known = {each.rule for each in found}
+        more = newtons(target.name, NEWTONS, "report_of", theirs, asked).findings
+        found += [each for each in more if each.rule not in known]
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
@@ -82,7 +88,6 @@ def report_of(target: Target, asked: Asked) -> Report:
         load=asked.load,
         findings=[each for each in found if not is_ignored(each, scene.source, asked.ignore)],
         creep=[] if refused else predictions(scene, asked.load),
-        newton=importlib.import_module("newton").__version__ if asked.engine.name == "newton" else None,
         hold=hold,
         source=scene.source,
     )
@@ -95,13 +100,10 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
 
 def as_json(report: Report) -> dict[str, Any]:
     """Return what ``--json`` prints; docs/lint.md is its schema."""
+    told = ("target", "newton", "dt_s", "shape_count", "pair_count")
     return {
         "schema": 2,
-        "target": report.target,
-        "newton": report.newton,
-        "dt_s": report.dt_s,
-        "shape_count": report.shape_count,
-        "pair_count": report.pair_count,
+        **{name: getattr(report, name) for name in told},
         "findings": [_finding_json(finding) for finding in report.findings],
         "creep": [_creep_json(prediction, report.load) for prediction in report.creep],
         "hold": report.hold.as_json() if report.hold else None,
@@ -109,37 +111,27 @@ def as_json(report: Report) -> dict[str, Any]:
 
 
 def _finding_json(finding: Finding) -> dict[str, Any]:
-    element, advice = finding.element, finding.advice
     names = ("rule", "shape", "against", "parameter", "value", "used", "unit", "message", "severity")
-    changes = advice.changes if advice else ()
+    changes = finding.advice.changes if finding.advice else ()
     return {
         **{name: getattr(finding, name) for name in names},
-        "file": str(element.file) if element else None,
-        "line": element.line if element else None,
-        "advice": str(advice) if advice else None,
+        **_place(finding.element),
+        "advice": str(finding.advice) if finding.advice else None,
         "changes": [
-            {
-                "subject": change.subject,
-                "attributes": dict(change.attributes),
-                "file": str(change.element.file) if change.element else None,
-                "line": change.element.line if change.element else None,
-            }
+            {"subject": change.subject, "attributes": dict(change.attributes), **_place(change.element)}
             for change in changes
         ],
     }
 
 
+def _place(element: Element | None) -> dict[str, Any]:
+    return {"file": str(element.file) if element else None, "line": element.line if element else None}
+
+
 def _creep_json(prediction: Prediction, load: Load) -> dict[str, Any]:
-    return {
-        "pairs": [list(pair) for pair in prediction.pairs],
-        "timeconst_s": prediction.timeconst_s,
-        "dmax": prediction.dmax,
-        "response_s": prediction.response_s,
-        "acceleration_m_s2": load.acceleration_m_s2,
-        "acceleration_mm_s": prediction.acceleration_mm_s,
-        "load_n": load.load_n,
-        "load_deep_mm_s": prediction.load_mm_s[0],
-        "load_shallow_mm_s": prediction.load_mm_s[1],
-        "acceleration_response_s": prediction.acceleration_s,
-        "is_free": prediction.is_free,
-    }
+    own = vars(prediction) | {"pairs": [list(pair) for pair in prediction.pairs]}
+    own["load_deep_mm_s"], own["load_shallow_mm_s"] = prediction.load_mm_s
+    names = ("pairs", "timeconst_s", "dmax", "response_s", "acceleration_m_s2", "acceleration_mm_s", "load_n")
+    more = ("load_deep_mm_s", "load_shallow_mm_s", "acceleration_s", "is_free")
+    told = {name: (own | vars(load))[name] for name in (*names, *more)}
+    return {"acceleration_response_s" if name == "acceleration_s" else name: each for name, each in told.items()}

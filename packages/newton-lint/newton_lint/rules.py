@@ -19,7 +19,7 @@ from newton_lint.advice import (
 )
 from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, findings_of, hits
-from newton_lint.law import DEFAULT_SOLREF, settled_depth_m
+from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import engine, gap, lost, override, pyramid
 
@@ -29,23 +29,15 @@ STIFF = 1.9
 """b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
 DEEP_M = 1e-3
 """Depth from which what lies is said to sink in."""
-CAPSULE = int(mujoco.mjtGeom.mjGEOM_CAPSULE)
-POINTS = {int(mujoco.mjtGeom.mjGEOM_SPHERE): 1, int(mujoco.mjtGeom.mjGEOM_ELLIPSOID): 1, CAPSULE: 2}
-"""Points that bear a geom that lies, by its type; of others 4."""
-DEFAULTS = {
-    "solref": DEFAULT_SOLREF,
-    "solimp": (0.9, 0.95, 0.001, 0.5, 2.0),
-    "friction": (1.0, 0.005, 0.0001),
-    "condim": (3,),
-}
+SPHERE, CAPSULE = int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE)
+DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
 SPINNING, ROLLING = 4, 6
 """Least condim with which a contact resists to spinning, and to rolling."""
-OVERRULED = "never reaches the solver: the other geom has the higher priority"
 
 
 def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
-    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, depth, priority, unused)
+    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, depth, unused)
     names = scene.names
     found = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, names)]
     of_the_whole = (lost, pyramid, gap, override, engine)
@@ -185,12 +177,11 @@ def friction(scene: Scene) -> Iterator[Hits]:
     least = np.full(len(own), np.inf)
     for side in (contacts.first, contacts.second):
         np.minimum.at(least, side[plain], contacts.friction[plain, 0])
-    least[contacts.second[contacts.outranked]] = 0.0  # which ``priority`` tells
     shape = np.flatnonzero((own * FAR <= least) & np.isfinite(least))
     rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
     yield hits(
         *("friction", "friction", shape, None, own[shape], least[shape]),
-        "counts nowhere: of two geoms the larger friction is taken, unless the other has the higher priority",
+        "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority",
         element=lambda index: scene.source.authored(int(shape[index]), "friction"),
         advise=lambda index: for_geom(
             scene, int(shape[index]), rank, "its friction alone counts, with its solref, solimp and condim"
@@ -199,55 +190,34 @@ def friction(scene: Scene) -> Iterator[Hits]:
 
 
 def depth(scene: Scene) -> Iterator[Hits]:
-    """Yield bodies that their own weight presses far into what they lie on."""
-    contacts, model = scene.contacts, scene.model
+    """Yield bodies that their own weight presses far into what they lie on: by (1 - dmax) g (timeconst dampratio)²."""
+    contacts, model, option = scene.contacts, scene.model, scene.option
     own = np.where(scene.free[model.geom_bodyid[contacts.first]], contacts.first, contacts.second)
     other, body = contacts.first + contacts.second - own, model.body_weldid[model.geom_bodyid[own]]
-    lies = scene.free[body] & ~scene.free[model.geom_bodyid[other]]
-    lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body]) & (contacts.solref > 0.0).all(axis=1)
-    share = 1.0 - np.clip(contacts.solimp[:, 1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
-    gravity = float(np.linalg.norm(model.opt.gravity))
-    least = 0.25 * gravity * share * (contacts.solref[:, 0] * contacts.solref[:, 1]) ** 2  # a guess that is too small
-    deep_m = np.zeros(len(own))
-    for pair in np.flatnonzero(lies & (least > 0.1 * DEEP_M)).tolist():
-        points = POINTS.get(int(model.geom_type[own[pair]]), 4)
-        weight_n = float(model.body_mass[body[pair]]) * gravity / points
-        deep_m[pair] = settled_depth_m(contacts.contact(pair), scene.option, weight_n)
-    there = np.flatnonzero(deep_m > DEEP_M)
+    lies = scene.free[body] & ~scene.free[model.geom_bodyid[other]] & (contacts.solref > 0.0).all(axis=1)
+    lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body])
+    timeconst = np.maximum(contacts.solref[:, 0], 2.0 * option.timestep_s)
+    soft = (1.0 - np.clip(contacts.solimp[:, 1], 0.0, 1.0)) * (timeconst * contacts.solref[:, 1]) ** 2
+    mu, rows = contacts.friction[:, 0], np.maximum(contacts.condim - 1, 1)
+    is_pyramid = (option.cone == "pyramidal") & (contacts.condim > 1)
+    steep = np.where(is_pyramid, (1.0 + mu**2) * mu**2 / option.impratio / rows, 1.0)
+    points = np.select([model.geom_type[own] == SPHERE, model.geom_type[own] == CAPSULE], [1.0, 2.0], 4.0)
+    deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / points
+    there = np.flatnonzero(lies & (deep_m > DEEP_M))
 
     def shallower(pair: int) -> Advice:
-        timeconst_s = max(contacts.solref[pair, 0] * (DEEP_M / deep_m[pair]) ** 0.5, 2.0 * scene.option.timestep_s)
-        said = f"{1e3 * deep_m[pair]:.3g} → {1e3 * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
-        return for_contact(scene, pair, lambda solref: f"{timeconst_s:.3g} {solref[1]:g}", said)
+        less = max(timeconst[pair] * (DEEP_M / deep_m[pair]) ** 0.5, 2.0 * option.timestep_s)
+        said = f"{M * deep_m[pair]:.3g} → {M * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
+        return for_contact(scene, pair, lambda solref: f"{less:.3g} {solref[1]:g}", said)
 
     yield hits(
-        *("depth", "depth", own[there], other[there], 1e3 * deep_m[there], np.nan),
-        "is how deep its own weight presses it in, and a body of another mass as deep: contacts are as stiff as the "
-        "mass is large, and solref and solimp decide",
+        *("depth", "depth", own[there], other[there], M * deep_m[there], np.nan),
+        "is how deep its weight presses it in, whatever its mass: stiffness grows with mass; solref and solimp decide",
         unit="mm",
         severity="note",
         element=lambda index: _says(scene, int(there[index]), int(other[there[index]]), "solref"),
         advise=lambda index: shallower(int(there[index])),
     )
-
-
-def priority(scene: Scene) -> Iterator[Hits]:
-    """Yield authored parameters of geoms that are outranked wherever they touch."""
-    contacts, model = scene.contacts, scene.model
-    there = np.flatnonzero(contacts.outranked & ~scene.counts[contacts.second])
-    winner, loser = contacts.first[there], contacts.second[there]
-    for name, defaults in DEFAULTS.items():
-        values = np.asarray(getattr(model, f"geom_{name}"), dtype=float).reshape(model.ngeom, len(defaults))
-        for column, default in enumerate(defaults):
-            mine, used = values[loser, column], values[winner, column]
-            lost = np.flatnonzero(~np.isclose(mine, default, rtol=SAME) & ~np.isclose(mine, used, rtol=SAME))
-            parameter = name if len(defaults) == 1 else f"{name}[{column}]"
-            shape = loser[lost]
-            yield hits(
-                *("priority", parameter, shape, winner[lost], mine[lost], used[lost], OVERRULED),
-                severity="note",
-                element=lambda index, shape=shape, name=name: scene.source.authored(int(shape[index]), name),
-            )
 
 
 def unused(scene: Scene) -> Iterator[Hits]:
@@ -260,7 +230,7 @@ def unused(scene: Scene) -> Iterator[Hits]:
     np.maximum.at(largest, contacts.second[both], contacts.condim[both])
     for column, least, kind in ((1, SPINNING, "spinning"), (2, ROLLING, "rolling")):
         values = model.geom_friction[:, column]
-        authored = ~np.isclose(values, DEFAULTS["friction"][column], rtol=SAME) & (values != 0.0)
+        authored = ~np.isclose(values, DEFAULT_FRICTION[column], rtol=SAME) & (values != 0.0)
         shape = np.flatnonzero((largest > 0) & (largest < least) & authored)
         yield hits(
             *("unused", f"friction[{column}]", shape, None, values[shape], np.nan),

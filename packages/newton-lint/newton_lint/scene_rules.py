@@ -10,9 +10,8 @@ from newton_lint.combined import OVERRIDE
 from newton_lint.findings import Advice, Finding
 from newton_lint.pairs import OFF
 from newton_lint.scene import Scene
-from newton_lint.warp_engine import asked
+from newton_lint.warp_engine import refusal
 
-WARP_SOLVERS = (int(mujoco.mjtSolver.mjSOL_CG), int(mujoco.mjtSolver.mjSOL_NEWTON))
 STEEP = 3.0
 """Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
 NEW_GAP = tuple(map(int, mujoco.__version__.split(".")[:2])) >= (3, 9)
@@ -52,12 +51,12 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
     advice = elliptic(scene, steepest)
     if option.impratio > 1.0:
         message = "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart"
-        yield _whole(scene, "pyramid", "impratio", option.impratio, None, message, advice)
+        yield _whole(scene, "pyramid", "impratio", option.impratio, message, advice)
     if steepest > 1.0:
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)
         message = f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more"
         severity = "warning" if steepest > STEEP else "note"
-        yield _whole(scene, "pyramid", "friction", steepest, None, message, advice, severity)
+        yield _whole(scene, "pyramid", "friction", steepest, message, advice, severity)
 
 
 def gap(scene: Scene) -> Iterator[Finding]:
@@ -81,7 +80,7 @@ def override(scene: Scene) -> Iterator[Finding]:
     if opt.enableflags & OVERRIDE and len(scene.contacts):
         message = "is on: all contacts have the option's solref, solimp and friction, whatever their geoms say"
         advice = for_option(scene, {}, 'take <flag override="enable"/> away: geoms count again')
-        yield _whole(scene, "override", "o_solref", float(opt.o_solref[0]), None, message, advice)
+        yield _whole(scene, "override", "o_solref", float(opt.o_solref[0]), message, advice)
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
@@ -89,34 +88,15 @@ def engine(scene: Scene) -> Iterator[Finding]:
     if scene.engine.name != "warp":
         return
     opt = scene.model.opt
-    if (answer := asked(scene.model)) is not None:
-        refused, told = answer
-        if refused:
-            yield _whole(
-                scene, "engine", "put_model", 1.0, None, f"of MuJoCo Warp refuses it: {refused}", None, "error"
-            )
-        for line in told:
-            yield _whole(scene, "engine", "put_model", 0.0, None, f"of MuJoCo Warp warns: {line}", None)
+    if refused := refusal(scene.model):
+        yield _whole(scene, "engine", "put_model", 1.0, f"of MuJoCo Warp refuses it: {refused}", severity="error")
+    if refused is not None:
         return
-    for name, value, refused in (
-        ("noslip_iterations", opt.noslip_iterations, opt.noslip_iterations > 0),
-        ("solver", opt.solver, opt.solver not in WARP_SOLVERS),
-        ("override", opt.enableflags & OVERRIDE, bool(opt.enableflags & OVERRIDE)),
-    ):
-        if refused:
-            yield _whole(scene, "engine", name, float(value), None, "is not in all releases of MuJoCo Warp", None)
+    for name, value in (("noslip_iterations", opt.noslip_iterations), ("override", opt.enableflags & OVERRIDE)):
+        if value:
+            yield _whole(scene, "engine", name, float(value), "is not in all releases of MuJoCo Warp")
 
 
-def _whole(
-    scene: Scene,
-    rule: str,
-    parameter: str,
-    value: float,
-    used: float | None,
-    message: str,
-    advice: Advice | None,
-    severity: str = "warning",
-    unit: str = "1",
-) -> Finding:
+def _whole(scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"):
     element = scene.source.option(parameter)
-    return Finding(rule, "", (), parameter, value, used, unit, message, severity, element, advice)
+    return Finding(rule, "", (), parameter, value, None, "1", message, severity, element, advice)

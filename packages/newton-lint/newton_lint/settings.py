@@ -2,6 +2,7 @@
 
 import functools
 import re
+import sys
 from collections.abc import Collection
 from pathlib import Path
 from typing import Any
@@ -9,6 +10,11 @@ from typing import Any
 from newton_lint.findings import Finding
 from newton_lint.source import Source
 from newton_lint.target import TargetError
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 COMMENT = re.compile(r"<!--\s*newton-lint:\s*ignore(?:=([\w,\s-]+?))?\s*-->")
 
@@ -18,19 +24,11 @@ def table_of(folder: Path) -> dict[str, Any]:
     for place in (folder, *folder.parents):
         file = place / "pyproject.toml"
         if file.is_file():
-            return _toml(file).get("tool", {}).get("newton-lint", {})
+            try:
+                return tomllib.loads(file.read_text(encoding="utf-8")).get("tool", {}).get("newton-lint", {})
+            except (ValueError, OSError) as error:
+                raise TargetError(f"{file}: cannot be read: {error}") from error
     return {}
-
-
-def _toml(file: Path) -> dict[str, Any]:
-    try:
-        import tomllib
-    except ImportError:  # Python 3.10
-        import tomli as tomllib
-    try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
-    except (ValueError, OSError) as error:
-        raise TargetError(f"{file}: cannot be read: {error}") from error
 
 
 def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:

@@ -126,7 +126,9 @@ def held(scene: Scene, target: Target, work: Work) -> Hold | None:
     Raises:
         TargetError: There is no such body.
     """
-    body = body_of(scene, target.name, work.body)
+    if work.body not in scene.bodies[1:]:
+        raise TargetError(f"{target.name}: has no body {work.body}; it has {', '.join(scene.bodies[1:][:12])}")
+    body = scene.bodies.index(work.body)
     for share in EARLIER:
         time_s = share * work.settle_s
         data = settled(scene.model, started(scene.model, target.data), time_s * (1.0 - READ_SHARE))
@@ -135,12 +137,6 @@ def held(scene: Scene, target: Target, work: Work) -> Hold | None:
             hold = predicted_hold(scene, body, touches, work, data)
             return hold if share == 1.0 else replace(hold, mm_s=math.inf)  # it was held, and is lost
     return None
-
-
-def body_of(scene: Scene, target: str, name: str) -> int:
-    if name not in scene.bodies[1:]:
-        raise TargetError(f"{target}: has no body {name}; it has {', '.join(scene.bodies[1:][:12])}")
-    return scene.bodies.index(name)
 
 
 def started(model: mujoco.MjModel, given: mujoco.MjData | None = None) -> mujoco.MjData:

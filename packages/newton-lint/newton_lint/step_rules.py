@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Sequence
 import mujoco
 import numpy as np
 
-from newton_lint.advice import for_exclude, for_option
-from newton_lint.findings import Advice, Finding
+from newton_lint.advice import for_option
+from newton_lint.findings import Advice, Change, Finding
 from newton_lint.law import M
 from newton_lint.scene import Scene
 from newton_lint.stepped import MOST_DOFS, Run, changed, forces_of, free_joints, run, starts
@@ -99,7 +99,7 @@ def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Findi
     body = model.body_weldid[model.geom_bodyid]
     weight = float(model.body_mass.sum() * np.linalg.norm(model.opt.gravity))
     worst: dict[tuple[int, int], tuple[float, tuple[int, int]]] = {}
-    for pair, (depth, _) in seen.first.items():
+    for pair, depth in seen.first.items():
         sizes = [model.geom_rbound[geom] for geom in pair if model.geom_rbound[geom] > 0.0]
         if depth > max(OVERLAP_M, OVERLAP_SHARE * min(sizes, default=0.0)):
             bodies = min(body[list(pair)]), max(body[list(pair)])
@@ -120,7 +120,8 @@ def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Findi
         elif thrown and hard:
             message += f": it throws them apart at {max(thrown):.2g} m/s"
         own = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> keeps them apart'
-        advice = for_exclude(scene, names, own) if one_tree else Advice((), f"move one by {M * depth:.3g} mm")
+        exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), own)
+        advice = exclude if one_tree else Advice((), f"move one by {M * depth:.3g} mm")
         is_note = not hard or (has_keyframes and seen.start == "the start")
         geoms = [scene.names[geom] for geom in pair]
         yield Finding(
@@ -172,7 +173,7 @@ def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
         mesh: int(model.mesh_graph[model.mesh_graphadr[mesh]]) for mesh in meshes if model.mesh_graphadr[mesh] >= 0
     }
     large = {mesh: count for mesh, count in counts.items() if count >= MANY}
-    if not large or target.path is None or target.path.suffix == ".mjb":
+    if not large or target.path is None:
         return
     with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
         spec = mujoco.MjSpec.from_file(str(target.path))

@@ -34,8 +34,8 @@ class Run:
     """How long it was stepped; less where it blew up or took too long."""
     bad: str
     """The engine's name for what blew up; empty where nothing did."""
-    first: dict[tuple[int, int], tuple[float, np.ndarray]]
-    """Deepest overlap of each pair of geoms at the start [m], and its normal."""
+    first: dict[tuple[int, int], float]
+    """Deepest overlap of each pair of geoms at the start [m]."""
     deepest_m: float
     """Of all contacts at all times."""
     late_m: float
@@ -82,7 +82,7 @@ def runs_of(model: mujoco.MjModel, target: Target, time_s: float = STEPPED_S) ->
 def run(model: mujoco.MjModel, data: mujoco.MjData, name: str, time_s: float) -> Run:
     """Step a state and say what was seen."""
     mujoco.mj_forward(model, data)
-    first = overlaps(model, data)
+    first = overlaps(data)
     free = free_joints(model)
     places, speeds = model.jnt_qposadr[free][:, None] + np.arange(3), model.jnt_dofadr[free][:, None] + np.arange(3)
     gravity = np.zeros(3) if model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY) else model.opt.gravity
@@ -114,14 +114,12 @@ def deepest_of(data: mujoco.MjData) -> float:
     return float(-min(np.min(rows), 0.0)) if len(rows) else 0.0
 
 
-def overlaps(model: mujoco.MjModel, data: mujoco.MjData) -> dict[tuple[int, int], tuple[float, np.ndarray]]:
+def overlaps(data: mujoco.MjData) -> dict[tuple[int, int], float]:
     """Return the deepest contact of each pair of geoms that overlap."""
-    found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
-    for index in range(data.ncon):
-        contact = data.contact[index]
-        pair = (int(contact.geom[0]), int(contact.geom[1]))
-        if contact.dist < 0.0 <= min(pair) and -contact.dist > found.get(pair, (0.0, None))[0]:
-            found[pair] = float(-contact.dist), contact.frame[:3].copy()
+    found: dict[tuple[int, int], float] = {}
+    for pair, distance in zip(data.contact.geom.tolist(), data.contact.dist.tolist(), strict=True):
+        if distance < 0.0 <= min(pair):
+            found[tuple(pair)] = max(-distance, found.get(tuple(pair), 0.0))
     return found
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import mujoco
 
-MUJOCOS = (".xml", ".urdf", ".mjb")
+MUJOCOS = (".xml", ".urdf")
 USD = (".usd", ".usda", ".usdc", ".usdz")
 ENDINGS = (*MUJOCOS, *USD)
 ROOTS = re.compile(rb"<(mujoco|robot)[\s>/]")
@@ -139,8 +139,6 @@ def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> mujoco.Mj
         ValueError: MuJoCo refuses it.
     """
     try:
-        if path.suffix.lower() == ".mjb":
-            return mujoco.MjModel.from_binary_path(str(path))
         return mujoco.MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
     except ValueError:
         if texts:
