@@ -157,6 +157,7 @@ def _settings(kind: str) -> Iterator[tuple[tuple[str, object], ...]]:
         yield (("rest", PAIR.format(one="floor", more='solref="0.006 1"')),)
         yield (("rest", PAIR.format(one="floor", more='solreffriction="0.005 1"')),)
         yield (("rest", PAIR.format(one="floor", more='solreffriction="-500 -80" friction="0.8 0.8"')),)
+        yield (("rest", PAIR.format(one="floor", more='friction="0.8 0.3"')),)
         yield (("rest", '<default><pair solref="0.008 1"/></default>' + PAIR.format(one="floor", more="")),)
     if kind == "incline":
         yield from (

@@ -88,6 +88,12 @@ def test_a_direct_solref_that_is_too_stiff_for_the_step_is_an_error(solref, stat
     assert main([str(path)]) == 0
 
 
+def test_what_moves_in_too_many_ways_is_said(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("newton_lint.stepped.MOST_DOFS", 5)
+    (tmp_path / "many.xml").write_text(STIFF.format(solref="0.02 1"))
+    assert main([str(tmp_path / "many.xml")]) == 0 and "note unstepped" in capsys.readouterr().out
+
+
 def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
     (tmp_path / "folder.xml").mkdir()
     os.mkfifo(tmp_path / "pipe.xml")

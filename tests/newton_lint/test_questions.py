@@ -47,6 +47,13 @@ FLOOR = """
   </worldbody>
 </mujoco>
 """
+ARM = """
+<mujoco>
+  <option cone="elliptic" impratio="100"/>
+  <worldbody><body name="body"><joint axis="0 1 0" frictionloss="20"/>
+    <geom type="capsule" size="0.03" fromto="0 0 0 0.5 0 0" mass="3"/></body></worldbody>
+</mujoco>
+"""
 BESIDE = {"option": "", "pads": 'friction="0.7"', "mass": 0.045, "dt": 0.002, "default": "", "geom": "", "slope": 0}
 SETTLE_S, MEASURED_S = 1.0, 0.4
 QUESTIONS = {
@@ -62,6 +69,7 @@ QUESTIONS = {
     "turns-in-the-fingertips": (TIPS, {}, "condim", "turn", 0.1),
     "falls-through-the-floor": (FLOOR, {"default": 'conaffinity="0"'}, "lost", "sink", 0.1),
     "solimp-in-the-wrong-order": (FLOOR, {"default": 'solimp="0.95 0.5 0.0001"', "slope": 8}, "solimp", "creep", 0.2),
+    "sags-by-its-frictionloss": (ARM, {}, "sag", "turn", 0.01),
     "solref-below-the-time-step": (FLOOR, {"dt": 0.01, "default": 'solref="0.004 1"'}, "timeconst", "sink", 1.001),
 }
 """Scene, what is in it, the rule that names it, what is measured, and which share of it the change leaves at most."""
@@ -98,3 +106,40 @@ def test_the_change_that_is_named_cures_it(question, tmp_path, capsys):
     again = path.read_bytes()
     main([str(path), "--fix"])
     assert path.read_bytes() == again
+
+
+SIDES = {
+    "depth": ('solref="0.2 1" solimp="0.5 0.5 0.001" priority="1"', "", "depth 49.05 mm", "0.0286 1"),
+    "friction": ("", 'friction="0.05"', "friction 0.05 counts nowhere", 'priority="1"'),
+    "gap": ('margin="0.01" gap="0.01"', "", "presses from margin", 'margin="0"'),
+}
+"""Floor and what lies on it, what is said of them, and the advice."""
+
+
+@pytest.mark.parametrize("rule", SIDES)
+def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
+    floor, part, said, advice = SIDES[rule]
+    path = tmp_path / "scene.xml"
+    path.write_text(
+        f'<mujoco><worldbody><geom name="mat" type="plane" size="1 1 1" {floor}/><body name="part" pos="0 0 0.1">'
+        f'<freejoint/><geom name="part" type="box" size="0.1 0.1 0.1" {part}/></body></worldbody></mujoco>'
+    )
+    main([str(path)])
+    out = capsys.readouterr().out
+    assert f" {rule}: " in out and said in out and advice in out
+    assert main(["pair", str(path), "mat", "part"]) == 0 and main(["pair", str(path), "mat", "mat"]) == 1
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    contact, rows = data.contact[0], dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()[1:8])
+    assert f"  {' '.join(f'{each:.4g}' for each in contact.solref)}  " in rows["solref"]
+    assert f"  {' '.join(f'{each:.4g}' for each in contact.friction[[0, 2, 3]])}  " in rows["friction"]
+    assert f"  {contact.includemargin:.4g}  " in rows["margin"]
+
+
+def test_what_mujoco_warp_refuses_is_said_in_its_words(tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    path.write_text(FLOOR.format(**BESIDE).replace("<option", '<option solver="PGS"'))
+    assert main([str(path), "--engine", "warp"]) == 1
+    out = capsys.readouterr().out
+    assert "error engine" in out and "mjSOL_PGS is unsupported" in out and "predicted creep" not in out

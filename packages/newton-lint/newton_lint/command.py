@@ -151,10 +151,10 @@ def _pipe_may_close() -> Iterator[None]:
 
 def parser() -> Parser:
     """Make the parser of the lint's own options."""
-    about = (
-        "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to change."
+    about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
+    others = (
+        "Also: newton-lint prescribe searches settings for what is held, page writes a page, pair tells of a contact."
     )
-    others = "Also: newton-lint prescribe searches settings for a body that is held, newton-lint page writes a page."
     made = Parser(prog=PROGRAM, description=about, epilog=others)
     add = made.add_argument
     targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"

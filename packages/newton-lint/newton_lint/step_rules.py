@@ -169,11 +169,9 @@ def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
     model = scene.model
     touch = (model.geom_contype | model.geom_conaffinity) != 0
     meshes = np.unique(model.geom_dataid[touch & (model.geom_type == MESH)])
-    counts = {
-        mesh: int(model.mesh_graph[model.mesh_graphadr[mesh]]) for mesh in meshes if model.mesh_graphadr[mesh] >= 0
-    }
-    large = {mesh: count for mesh, count in counts.items() if count >= MANY}
-    if not large or target.path is None:
+    places = {mesh: model.mesh_graphadr[mesh] for mesh in meshes.tolist()}
+    counts = {mesh: int(model.mesh_graph[start]) for mesh, start in places.items() if start >= 0}
+    if max(counts.values(), default=0) < MANY or target.path is None:
         return
     with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
         spec = mujoco.MjSpec.from_file(str(target.path))
@@ -181,9 +179,9 @@ def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
             mesh.maxhullvert = FEW
         after = _again(target, spec.compile(), 0, seen.time_s)
         before_us, after_us = (1e6 * each.cost_s * model.opt.timestep for each in (seen, after))
-        worst = max(large, key=large.get)
+        worst = max(counts, key=counts.get)
         message = f"vertices has its convex hull: a step takes {before_us:.3g} µs, and with {FEW} {after_us:.3g} µs"
         advice = Advice((), f'maxhullvert="{FEW}" on its <mesh>')
         yield Finding(
-            "hull", model.mesh(worst).name, (), "hull", large[worst], None, "1", message, "note", None, advice
+            "hull", model.mesh(worst).name, (), "hull", counts[worst], None, "1", message, "note", None, advice
         )
