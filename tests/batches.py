@@ -107,7 +107,7 @@ def spans(log: Path) -> dict[str, tuple[float, float]]:
 def running(log: Path) -> list[int]:
     """Processes that have measured and are still there, a moment later."""
     numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
-    deadline = time.monotonic() + 5.0
+    deadline = time.monotonic() + 60.0  # none is there for longer than a busy machine takes to end it
     while (left := [number for number in numbers if is_running(number)]) and time.monotonic() < deadline:
         time.sleep(0.05)
     return left

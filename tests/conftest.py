@@ -40,6 +40,8 @@ INSTALLED = package_versions()
 CACHES = tempfile.TemporaryDirectory(prefix="caches-")
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
+KERNELS = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "warp-of-tests"
+os.environ.setdefault("WARP_CACHE_PATH", str(KERNELS))  # to compile them takes minutes, and Warp tells what has changed
 os.environ["XDG_CACHE_HOME"] = CACHES.name
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")

@@ -34,7 +34,7 @@ from report.story.found import CASES
 from tests.inert import inert_passages, surveys
 from tests.perturbed import CHANGES, Perturbation, of_editions, perturbed
 
-pytestmark = pytest.mark.words
+pytestmark = [pytest.mark.words, pytest.mark.filterwarnings("error::RuntimeWarning")]
 WORK = ROOT / "tests" / "sentences"
 """What is still to be mended; these lists may only get shorter."""
 NO_NUMBER = re.compile(r"\b(nan|inf)\b")

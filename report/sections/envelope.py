@@ -1,6 +1,7 @@
 """How hard can one shake? Amplitude and frequency, as shipped and with stiff pads, as points and as a map."""
 
 from collections.abc import Mapping
+from statistics import median
 
 import numpy as np
 import pandas as pd
@@ -47,14 +48,14 @@ def _drops(results: Results, trace: Series, lost: Mapping[str, Value], held: Val
 
 def _map_gain(results: Results, trace: Series) -> Claim:
     formula = "median over the map of the ratio of the slips, where the cube is held before and after"
-    median = results.value("map_gain_median", formula, lambda frame: np.median(_gains(frame)), trace)
+    middle = results.value("map_gain_median", formula, lambda frame: median(_gains(frame)), trace)
     least = results.value("map_gain_least", "least ratio on the map", lambda frame: _gains(frame).min(), trace)
     formula = "least of the differences of the slips, as shipped less stiff, in size"
     gap = results.value(
         "map_gap_least", formula, lambda frame: abs(np.subtract(*_slips(frame))).min(), trace, unit="mm"
     )
     outcome = all_of(at_least(least, 1.0, why="less slip"), resolved(noise_floor(results, "slip_floor"), gap))
-    return Claim("map_gain", outcome, {"median": median, "least": least})
+    return Claim("map_gain", outcome, {"median": middle, "least": least})
 
 
 def _gains(frame: pd.DataFrame) -> np.ndarray:
@@ -63,5 +64,5 @@ def _gains(frame: pd.DataFrame) -> np.ndarray:
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
     shipped, stiff = (held_slip(frame, side).to_numpy(dtype=float) for side in SIDES)
-    is_there = np.isfinite(shipped / stiff)
+    is_there = np.isfinite(shipped) & np.isfinite(stiff) & (stiff != 0.0)
     return shipped[is_there], stiff[is_there]
