@@ -12,10 +12,13 @@ import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partialmethod
 from pathlib import Path
 
+import jinja2
 import pytest
 from hypothesis import settings
+from jinja2.bccache import Bucket
 
 import report.sections
 from measured_report.changes.compare import Comparison, compare
@@ -45,6 +48,23 @@ os.environ.setdefault("WARP_CACHE_PATH", str(KERNELS))  # to compile them takes 
 os.environ["XDG_CACHE_HOME"] = CACHES.name
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")
+
+
+class Compiled(jinja2.BytecodeCache):
+    """Keep each template compiled: the layout is the same in all tests, and a third of what a small site takes."""
+
+    def __init__(self):
+        self.buckets: dict[tuple, Bucket] = {}
+
+    def get_bucket(self, environment, name, filename, source) -> Bucket:
+        key = environment.finalize, tuple(environment.extensions), name, filename, source
+        return self.buckets.setdefault(key, Bucket(environment, str(key), ""))
+
+    def set_bucket(self, bucket: Bucket) -> None:
+        """Nothing: it is kept already."""
+
+
+jinja2.Environment.__init__ = partialmethod(jinja2.Environment.__init__, bytecode_cache=Compiled())
 
 BY_HAND = {
     "machine": {"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},

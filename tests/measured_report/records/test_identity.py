@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -135,9 +136,14 @@ def identities(root: Path) -> dict[str, tuple[str, str]]:
     return {section: (identity.code, identity.config) for section, identity in found.items()}
 
 
+@cache
+def tracked() -> dict[str, tuple[str, str]]:
+    return identities(ROOT)
+
+
 def test_no_record_is_stale_when_the_simulation_moves(copied):
     before = identities(copied)
-    assert before == identities(ROOT) and len(before) > 20
+    assert before == tracked() and len(before) > 20
     moved = copied / "experiments/elsewhere/deeper"
     moved.parent.mkdir()
     (copied / "experiments/simulation").rename(moved)
@@ -164,7 +170,7 @@ def test_what_simulates_is_stale_after_a_change_of_the_run_and_nothing_else(tmp_
     text = path.read_text(encoding="utf-8")
     assert text.count(old) == 1
     path.write_text(text.replace(old, new), encoding="utf-8")
-    before, after = identities(ROOT), identities(tmp_path)
+    before, after = tracked(), identities(tmp_path)
     with unchanged_files():
         graph = files().graph(roots_of(ROOT))
         node = (str(ROOT / "experiments/simulation/simulation.py"), "run")
@@ -182,7 +188,7 @@ def test_the_generator_never_counts():
 
 def test_every_python_agrees_on_the_identity():
     versions = Path.home() / ".pyenv/versions"
-    pythons = [path for minor in range(10, 14) for path in versions.glob(f"3.{minor}.*/bin/python")]
+    pythons = [path for minor in (10, 13) for path in versions.glob(f"3.{minor}.*/bin/python")]
     if not pythons:
         pytest.skip("there is no other Python here")
     code = (
