@@ -89,18 +89,10 @@ def _by_hand(results: Results) -> Claim:
     cells = (other_cell(results, "stiffness", SHIPPED, f"shake_{name}", unit=unit) for name, unit in SHAKE.items())
     formula = "half of (2π · frequency · amplitude)², over the left-out acceleration"
     arc = results.value("arc", formula, lambda g, a, f: 5e5 * (2 * math.pi * f * a) ** 2 / g, g, *cells, unit="mm")
-    numbers = {
-        "arc": arc,
-        "g": g,
-        "dmax": dmax,
-        "timeconst": timeconst,
-        "step": step,
-        "trailing": trailing,
-        "back": back,
-    }
-    return Claim(
-        "by_hand", at_most(off, 5.0, why="nearly all of it"), {**numbers, "rough": rough, "drift": row.drift_mm_s}
-    )
+    is_of_arm = at_least(arc, 100.0, why="no wrist alone"), at_most(arc, 855.0, why="the reach of the arm")
+    numbers = {"arc": arc, "g": g, "dmax": dmax, "timeconst": timeconst, "step": step}
+    numbers |= {"trailing": trailing, "back": back, "rough": rough, "drift": row.drift_mm_s}
+    return Claim("by_hand", all_of(at_most(off, 5.0, why="nearly all of it"), *is_of_arm), numbers)
 
 
 def _follows(results: Results, runs: Sequence[Run]) -> Claim:
@@ -117,7 +109,7 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts, unit="mm/s")
     formula = "noise of the drift, of the fastest"
     noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
-    outcome = all_of(at_most(largest, bound), resolved(noise, bound)).having_read(width)
+    outcome = all_of(at_most(largest, bound), resolved(noise, bound)).having_read(width, distinct)
     numbers: dict[str, Quantity] = {
         "inside": inside,
         "largest": largest,
@@ -127,7 +119,9 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     }
     numbers["count"] = cell_count(results, "count_kept", "runs that keep the cube, positions compensated", offs)
     numbers["tried"] = cell_count(results, "tried_count", "runs that were tried", [row.pad_ke for row in results.rows])
-    is_wide = at_least(width, 3.0, why="enough to see a law")
+    is_wide = all_of(
+        at_least(width, 3.0, why="enough to see a law"), at_least(distinct, 5, why="more than a line takes")
+    )
     if outcome == HOLDS and is_wide == FAILS:
         reason = "the friction rows of all runs brake too much alike to tell"
         outcome = Outcome("unknown", reason).having_read(width)
