@@ -19,8 +19,6 @@ PROGRAM = "newton-lint"
 OTHERS = ("prescribe", "page", "pair")
 """Commands besides the lint itself, each a module."""
 SEVERITIES = ("note", "warning", "error")
-PASSES = 4
-"""Times that scenes which share files are gone over."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -75,11 +73,13 @@ def _linted(given: argparse.Namespace) -> int:
     form = "json" if given.json else given.format or table.get("format", "text")
     reports, unread, fixes = [], [], []
     targets = list(found_in(given.target, [*given.exclude, *table.get("exclude", [])]))
+    paths = list(dict.fromkeys(path for path in map(Path, targets) if path.is_file()))
     for target in targets:
         try:
             read = read_target(target)
             if (given.fix or given.dry_run) and read.path and read.model is not None:
-                report, lines, why = importlib.import_module("newton_lint.mend").fixed(read, asked, given.dry_run)
+                mend = importlib.import_module("newton_lint.mend")
+                report, lines, why = mend.fixed(read, asked, paths, given.dry_run)
                 fixes += lines
                 unread += [why] if why else []
             else:
@@ -88,10 +88,10 @@ def _linted(given: argparse.Namespace) -> int:
         except TargetError as error:
             unread.append(str(error))
     if given.fix and not given.dry_run and not unread and len(targets) > 1:
-        fixes += _fixed_again(targets, asked)
+        fixes += importlib.import_module("newton_lint.mend").fixed_again(targets, asked, paths)
     with _pipe_may_close():
         if reports or form in ("json", "sarif"):
-            print(written(reports, form, given.all, unread))
+            print(written(reports, form, unread))
     for line in (*unread, *fixes):
         print(shown(line), file=sys.stderr)
     if unread:
@@ -99,21 +99,6 @@ def _linted(given: argparse.Namespace) -> int:
     least = given.fail_on or table.get("fail-on", "warning")
     failed = least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports)
     return FOUND if failed else CLEAN
-
-
-def _fixed_again(targets: Sequence[str], asked: Any) -> list[str]:
-    """Go over scenes that may share files until none has more to write."""
-    from newton_lint.mend import fixed
-    from newton_lint.target import read_target
-
-    told: list[str] = []
-    for _ in range(PASSES):
-        reads = (read_target(target) for target in targets)
-        lines = [fixed(read, asked)[1] for read in reads if read.path and read.model is not None]
-        if not (wrote := [line for each in lines for line in each if line.endswith(": written")]):
-            break
-        told += wrote
-    return told
 
 
 def asked_of(given: argparse.Namespace, table: dict[str, Any]):
@@ -163,7 +148,6 @@ def parser() -> Parser:
     add("--json", action="store_true", help="the same as --format json")
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
     add("--ignore", metavar="RULES", help="rules that do not count, with commas between")
-    add("--all", action="store_true", help="every predicted creep, not the worst five alone")
     add("--fix", action="store_true", help="write changes that were measured to do no harm into the files")
     add("--dry-run", action="store_true", help="the same, and print the patch in place of writing it")
     add("--no-step", action="store_true", help="do not simulate the scene for 0.2 s")

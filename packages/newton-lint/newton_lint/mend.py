@@ -1,9 +1,11 @@
 """``--fix``: what findings say to change, tried in MuJoCo C before it is written, and left out where it does harm."""
 
 import difflib
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from xml.parsers import expat
 
 import mujoco
 import numpy as np
@@ -13,10 +15,10 @@ from newton_lint.findings import Change, Finding
 from newton_lint.fix import Unwritable, edited, undo, write
 from newton_lint.law import M
 from newton_lint.report import Asked, Report, report_of
-from newton_lint.source import Source, Texts
+from newton_lint.source import Source, Texts, parse
 from newton_lint.step_rules import THROWN_M_S
 from newton_lint.stepped import Run, runs_of
-from newton_lint.target import Target, TargetError, compiled, tried
+from newton_lint.target import Target, TargetError, compiled, read_target, tried
 
 MEASURED_S = 1.0
 """Time that a scene is stepped before and after a change, by each of its starts."""
@@ -28,7 +30,8 @@ SHALLOW_M = 2e-3
 """Depth that a body may have which no longer falls through."""
 FREES = ("lost", "stiff", "thrown", "unstable")
 """Rules of what costs little, and has no contacts, only because it falls or flies."""
-MOST_TRIES = 60
+MOST_TRIES, PASSES = 60, 4
+"""Changes that are tried, and times that scenes which share files are gone over."""
 
 
 @dataclass(frozen=True)
@@ -74,8 +77,8 @@ class Measured:
 class Mending:
     """A scene whose findings are mended one after the other, each on top of those before it."""
 
-    def __init__(self, target: Target, asked: Asked):
-        self.target, self.asked = target, asked
+    def __init__(self, target: Target, asked: Asked, others: Sequence[Path]):
+        self.target, self.asked, self.others = target, asked, others
         self.report = self.first = report_of(target, asked)
         self.measured = self.begun = Measured.of(target)
         self.texts: dict[Path, bytes] = dict(target.texts)
@@ -113,23 +116,34 @@ class Mending:
         try:
             texts = self.texts | edited(changes, self.report.source, self.texts)
             target = tried(self.target, texts)
+            elsewhere = self._elsewhere(texts, findings[0].rule)
         except Unwritable as error:
             return str(error)
-        except (ValueError, mujoco.FatalError) as error:
+        except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
         report = report_of(target, self.asked)
         before, after, known = _counted(self.report), _counted(report), {_key(each) for each in self.report.findings}
-        if any(after.get(_key(finding), 0) >= before[_key(finding)] for finding in findings):
+        if any(after[_key(finding)] >= before[_key(finding)] for finding in findings):
             return "it does not change what is found"
-        if more := [key for key, count in after.items() if key not in known or 0 < before.get(key, 0) < count]:
+        if more := [key for key, count in after.items() if key not in known or 0 < before[key] < count]:
             return f"another is found then: {' '.join(filter(None, more[0]))}"
         measured = Measured.of(target)
         why = self.measured.harm(measured, findings[0].rule)
         if "times as long" in why:  # as a busy machine is
             why = self.measured.harm(Measured.of(target), findings[0].rule)
-        if why:
+        if why := why or self.begun.harm(measured, findings[0].rule) or elsewhere:
             return why
         self.texts, self.report, self.measured = texts, report, measured
+        return ""
+
+    def _elsewhere(self, texts: Texts, rule: str) -> str:
+        """Say what harm a change of an included file does to the other scenes that are mended."""
+        included = {file for file in texts if file != self.target.path}
+        for path in self.others if included else ():
+            if path != self.target.path and included & {each.file for each in parse(path).walk()}:
+                other = Target(path.name, compiled(path), path=path)
+                if why := Measured.of(other).harm(Measured.of(tried(other, texts)), rule):
+                    return f"{path.name}: {why}"
         return ""
 
     def lines(self, written: bool) -> Iterator[str]:
@@ -149,21 +163,17 @@ def _key(finding: Finding) -> tuple[str, str, str]:
     return finding.rule, finding.shape, finding.parameter
 
 
-def _counted(report: Report) -> dict[tuple[str, str, str], int]:
-    found: dict[tuple[str, str, str], int] = {}
-    for finding in report.findings:
-        if finding.severity != "note":
-            found[_key(finding)] = found.get(_key(finding), 0) + 1
-    return found
+def _counted(report: Report) -> Counter[tuple[str, str, str]]:
+    return Counter(_key(finding) for finding in report.findings if finding.severity != "note")
 
 
-def fixed(target: Target, asked: Asked, dry: bool = False) -> tuple[Report, list[str], str]:
+def fixed(target: Target, asked: Asked, others: Sequence[Path], dry: bool) -> tuple[Report, list[str], str]:
     """Mend a scene's files.
 
     Returns:
         The report of it as it was, lines that say what was done, and why its files can't be written.
     """
-    mending = Mending(target, asked)
+    mending = Mending(target, asked, others)
     told, why = [], ""
     if mending.texts and not dry:
         try:
@@ -176,16 +186,25 @@ def fixed(target: Target, asked: Asked, dry: bool = False) -> tuple[Report, list
     return mending.first, lines, why
 
 
-def fix(changes: Iterable[Change], source: Source, target: Target) -> Iterator[str]:
-    """Write changes that have been measured, and tell each, or why they can't be written."""
-    changes = list(changes)
+def fixed_again(targets: Sequence[str], asked: Asked, paths: Sequence[Path]) -> list[str]:
+    """Go over scenes that may share files until none has more to write."""
+    told: list[str] = []
+    for _ in range(PASSES):
+        reads = (read for read in map(read_target, targets) if read.path and read.model is not None)
+        wrote = [line for read in reads for line in fixed(read, asked, paths, False)[1] if line.endswith(": written")]
+        if not wrote:
+            break
+        told += wrote
+    return told
+
+
+def fix(changes: Sequence[Change], source: Source, target: Target) -> list[str]:
+    """Write changes that have been measured, and tell each."""
     try:
-        if target.path is None:
-            raise Unwritable("no file is known to say it")
         kept = _written(target, edited(changes, source, {})) if changes else []
-        yield from (*(f"{change}: written" for change in changes), *kept)
     except Unwritable as error:
-        yield from (f"{change}: is not written: {error}" for change in changes)
+        raise TargetError(f"{target.name}: is not written: {error}") from error
+    return [*(f"{change}: written" for change in changes), *kept]
 
 
 def _written(target: Target, texts: Texts) -> list[str]:

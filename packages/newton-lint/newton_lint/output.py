@@ -10,7 +10,7 @@ from newton_lint.report import Report, as_json
 SHOWN = 3
 """Names that a line of text has before it counts the rest."""
 WORST = 5
-"""Creeps that are shown where not all are asked for."""
+"""Creeps that are shown."""
 LEAST_MM_S = 1e-3
 """Slower creep is told as being below it."""
 USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
@@ -22,7 +22,7 @@ def shown(text: str) -> str:
     return "".join(each if each.isprintable() else each.encode("unicode_escape", "replace").decode() for each in text)
 
 
-def written(reports: Sequence[Report], form: str, everything: bool, unread: Sequence[str] = ()) -> str:
+def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) -> str:
     """Return all reports as ``text``, ``json``, ``sarif`` or ``github``.
 
     Args:
@@ -33,7 +33,7 @@ def written(reports: Sequence[Report], form: str, everything: bool, unread: Sequ
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1)
     if form == "sarif":
         return json.dumps(_sarif(reports, unread), indent=1)
-    told = _github if form == "github" else lambda report: text_of(report, everything)
+    told = _github if form == "github" else text_of
     lines = [line for report in reports for line in told(report)]
     lines += summary(reports) if form == "text" and len(reports) > 1 else ()
     return "\n".join(map(shown, lines))
@@ -51,7 +51,7 @@ def summary(reports: Sequence[Report]) -> Iterator[str]:
         yield f"  {severity:9}{rule:16}{len(hit):>9}{len(set(hit)):>8}"
 
 
-def text_of(report: Report, everything: bool) -> Iterator[str]:
+def text_of(report: Report) -> Iterator[str]:
     groups = alike(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
     size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
@@ -67,13 +67,12 @@ def text_of(report: Report, everything: bool) -> Iterator[str]:
         hold = report.hold
         rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
         yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
-    shown = report.creep if everything else report.creep[:WORST]
-    if shown:
+    if report.creep:
         yield "predicted creep, which is no finding:"
-    for prediction in shown:
+    for prediction in report.creep[:WORST]:
         yield f"  {creep_line(prediction, report.load)}"
-    if rest := len(report.creep) - len(shown):
-        yield f"  and {rest} more: --all shows them"
+    if len(report.creep) > WORST:
+        yield f"  and {len(report.creep) - WORST} more: --json has them"
 
 
 def sentence(group: Sequence[Finding]) -> str:

@@ -28,7 +28,7 @@ def main(arguments: Sequence[str]) -> int:
     for target in found_in(given.target):
         try:
             reports.append(report_of(read_target(target), asked))
-            text = "\n".join(map(shown, text_of(reports[-1], everything=False)))
+            text = "\n".join(map(shown, text_of(reports[-1])))
             opened = " open" if reports[-1].worst() > 0 else ""
         except TargetError as error:
             text, opened = shown(str(error)), " open"
