@@ -99,7 +99,9 @@ def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
     os.mkfifo(tmp_path / "pipe.xml")
     (tmp_path / "dangling.xml").symlink_to("nowhere.xml")
     (tmp_path / "ends.py").write_text("def model():\n    raise SystemExit(0)\n")
-    for name in ("folder.xml", "pipe.xml", "dangling.xml", "ends.py:model", "a\nb.xml"):
+    (tmp_path / "huge.xml").write_text(SCENE.format("").replace("<mujoco>", '<mujoco><option timestep="1e308"/>'))
+    (tmp_path / "\udcff.xml").write_text("<mujoco/>")
+    for name in ("huge.xml", "\udcff.xml", "folder.xml", "pipe.xml", "dangling.xml", "ends.py:model", "a\nb.xml"):
         assert main([str(tmp_path / name), "--json"]) == 2
         out, err = capsys.readouterr()
         assert out == "[]\n" and len(err.splitlines()) == 1

@@ -129,7 +129,7 @@ def _pipe_may_close() -> Iterator[None]:
     """Let who reads the output stop before its end, as head does."""
     try:
         yield
-        sys.stdout.flush()
+        print(end="", flush=True)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
 

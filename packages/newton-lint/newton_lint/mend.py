@@ -40,10 +40,6 @@ class Measured:
 
     runs: Sequence[Run]
 
-    @classmethod
-    def of(cls, target: Target) -> "Measured":
-        return cls(runs_of(target.model, target, MEASURED_S))
-
     def harm(self, after: "Measured", rule: str) -> str:
         """Say in what a change made it worse; empty where it did in nothing."""
         for old, new in zip(self.runs, after.runs, strict=True):
@@ -64,7 +60,7 @@ class Measured:
             speed, other = (float(np.abs(each.data.qvel).max(initial=0.0)) for each in (old, new))
             if other > FASTER * speed + FASTER_M_S:
                 return f"what moves fastest after {new.time_s:.3g} s: {speed:.3g} → {other:.3g} m/s or rad/s"
-        cost, other = (sum(each.cost_s for each in measured.runs) for measured in (self, after))
+        cost, other = (sum(each.cost_s for each in one.runs) for one in (self, after))
         slower = other > SLOWER * cost and rule not in FREES
         return f"a simulated second takes {other / cost:.2g} times as long" if slower else ""
 
@@ -74,13 +70,17 @@ class Measured:
         return f"deepest contact {M * depth:.3g} mm, {cost:.2g} s a simulated second"
 
 
+def measured(target: Target) -> Measured:
+    return Measured(runs_of(target.model, target, MEASURED_S))
+
+
 class Mending:
     """A scene whose findings are mended one after the other, each on top of those before it."""
 
     def __init__(self, target: Target, asked: Asked, others: Sequence[Path]):
         self.target, self.asked, self.others = target, asked, others
         self.report = self.first = report_of(target, asked)
-        self.measured = self.begun = Measured.of(target)
+        self.measured = self.begun = measured(target)
         self.texts: dict[Path, bytes] = dict(target.texts)
         self.said: dict[str, str] = {}
         self._left = MOST_TRIES
@@ -127,13 +127,13 @@ class Mending:
             return "it does not change what is found"
         if more := [key for key, count in after.items() if key not in known or 0 < before[key] < count]:
             return f"another is found then: {' '.join(filter(None, more[0]))}"
-        measured = Measured.of(target)
-        why = self.measured.harm(measured, findings[0].rule)
+        after_it = measured(target)
+        why = self.measured.harm(after_it, findings[0].rule)
         if "times as long" in why:  # as a busy machine is
-            why = self.measured.harm(Measured.of(target), findings[0].rule)
-        if why := why or self.begun.harm(measured, findings[0].rule) or elsewhere:
+            why = self.measured.harm(measured(target), findings[0].rule)
+        if why := why or self.begun.harm(after_it, findings[0].rule) or elsewhere:
             return why
-        self.texts, self.report, self.measured = texts, report, measured
+        self.texts, self.report, self.measured = texts, report, after_it
         return ""
 
     def _elsewhere(self, texts: Texts, rule: str) -> str:
@@ -142,7 +142,7 @@ class Mending:
         for path in self.others if included else ():
             if path != self.target.path and included & {each.file for each in parse(path).walk()}:
                 other = Target(path.name, compiled(path), path=path)
-                if why := Measured.of(other).harm(Measured.of(tried(other, texts)), rule):
+                if why := measured(other).harm(measured(tried(other, texts)), rule):
                     return f"{path.name}: {why}"
         return ""
 

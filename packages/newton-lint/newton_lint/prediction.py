@@ -10,6 +10,8 @@ from newton_lint.grouping import alike
 from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of, settled_depth_m
 from newton_lint.scene import Scene
 
+MOST_PAIRS = 1_000_000
+
 
 @dataclass(frozen=True)
 class Load:
@@ -42,10 +44,10 @@ class Prediction:
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
-    """Return predictions of all pairs with friction and damping, those alike together, free bodies first, by creep."""
+    """Return predictions of pairs with friction and damping, alike together, free bodies first; none of a million."""
     contacts = scene.contacts
     rows = np.flatnonzero(contacts.condim > 1)
-    if not len(rows):
+    if not 0 < len(rows) < MOST_PAIRS:
         return []
     first, which = alike(_kinds(scene)[rows])
     order = np.argsort(which, kind="stable")

@@ -14,7 +14,7 @@ from newton_lint.settle import Hold, Work, held
 from newton_lint.source import Element, Source
 from newton_lint.step_rules import stepped
 from newton_lint.stepped import runs_of
-from newton_lint.target import READER, Target, newtons
+from newton_lint.target import READER, Target, TargetError, newtons
 
 NEWTONS = "newton_lint.newton_models.report"
 
@@ -95,6 +95,8 @@ def report_of(target: Target, asked: Asked) -> Report:
 
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:
     engine = engine or Engine()
+    if target.model.opt.timestep > 10.0:
+        raise TargetError(f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate")
     return Scene(engine.asked(target.model), Source.of(target.path, target.model, target.texts), engine)
 
 

@@ -68,10 +68,9 @@ def gap(scene: Scene) -> Iterator[Finding]:
         new = f"presses from margin, {margin:.3g} m, on and lists contacts from margin + gap on"
         now, other = (new, f"before 3.9 it {old}") if NEW_GAP else (old, f"from 3.9 on it {new}")
         said = f'for what it was before 3.9 write margin="{margin - wide:.6g}"' if NEW_GAP else "see MuJoCo's changelog"
-        advice = Advice((), said)
         message = f"beside a margin of {margin:.3g} m: this release {now}; {other}"
-        element = scene.source.authored(int(geom), "gap")
-        yield Finding("gap", scene.names[geom], (), "gap", wide, None, "m", message, "note", element, advice)
+        told = ("gap", scene.names[geom], (), "gap", wide, None, "m", message, "note")
+        yield Finding(*told, scene.source.authored(int(geom), "gap"), Advice((), said))
 
 
 def override(scene: Scene) -> Iterator[Finding]:

@@ -40,7 +40,7 @@ def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
     """Return what the runs show: what blows up, is thrown, overlaps, is pressed too hard or is not solved."""
     found: dict[tuple, Finding] = {}
     if not runs:
-        message = f"move, and more than {MOST_DOFS} are not stepped: no rule has looked at what the scene does"
+        message = f"move, and more than {MOST_DOFS} are not stepped, nor has a million pairs its creep predicted"
         return [Finding("unstepped", "", (), "nv", float(scene.model.nv), None, "1", message, "note")]
     for index, each in enumerate(runs):
         overlaps = _overlapping(scene, each, len(runs) > 1)
@@ -144,13 +144,12 @@ def _sagging(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Fi
             after = _sags(model, _again(target, changed(model, noslip_iterations=10), index, seen.time_s)).get(dof, 0.0)
             said = f"{scale * rate:.3g} → {scale * after:.3g} {unit}, in MuJoCo C"
             advice = for_option(scene, {"noslip_iterations": "10"}, f"{said}; or {gain}, in all engines")
+        bears = f"{abs(seen.data.qfrc_constraint[dof]):.3g} of the {model.dof_frictionloss[dof]:.3g}"
         message = (
-            f"is how fast it gives way to {abs(seen.data.qfrc_constraint[dof]):.3g} of the "
-            f"{model.dof_frictionloss[dof]:.3g} that its frictionloss can bear, from {seen.start}: it brakes and "
-            "does not hold, and impratio does not count"
+            f"is how fast it gives way to {bears} that its frictionloss can bear, from {seen.start}, at any impratio"
         )
-        name = joint.name or f"joint_{joint.id}"
-        yield Finding("sag", name, (), "speed", scale * rate, None, unit, message, "warning", None, advice)
+        told = ("sag", joint.name or f"joint_{joint.id}", (), "speed", scale * rate, None, unit, message)
+        yield Finding(*told, advice=advice)
 
 
 def _sags(model: mujoco.MjModel, seen: Run) -> dict[int, float]:
@@ -171,7 +170,8 @@ def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
     meshes = np.unique(model.geom_dataid[touch & (model.geom_type == MESH)])
     places = {mesh: model.mesh_graphadr[mesh] for mesh in meshes.tolist()}
     counts = {mesh: int(model.mesh_graph[start]) for mesh, start in places.items() if start >= 0}
-    if max(counts.values(), default=0) < MANY or target.path is None:
+    worst = max(counts, key=counts.get, default=-1)
+    if counts.get(worst, 0) < MANY or target.path is None:
         return
     with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
         spec = mujoco.MjSpec.from_file(str(target.path))
@@ -179,9 +179,6 @@ def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
             mesh.maxhullvert = FEW
         after = _again(target, spec.compile(), 0, seen.time_s)
         before_us, after_us = (1e6 * each.cost_s * model.opt.timestep for each in (seen, after))
-        worst = max(counts, key=counts.get)
         message = f"vertices has its convex hull: a step takes {before_us:.3g} µs, and with {FEW} {after_us:.3g} µs"
-        advice = Advice((), f'maxhullvert="{FEW}" on its <mesh>')
-        yield Finding(
-            "hull", model.mesh(worst).name, (), "hull", counts[worst], None, "1", message, "note", None, advice
-        )
+        told = ("hull", model.mesh(worst).name, (), "hull", counts[worst], None, "1", message, "note")
+        yield Finding(*told, advice=Advice((), f'maxhullvert="{FEW}" on its <mesh>'))

@@ -116,7 +116,7 @@ def _read_file(target: str, path: Path) -> Target:
         return Target(target, compiled(path), path=path)
     except (ValueError, mujoco.FatalError) as error:
         raise TargetError(f"{path}: MuJoCo refuses it: {_line(error)}") from error
-    except UnicodeError as error:
+    except TypeError as error:
         raise TargetError(f"{path}: has a name that is no text, which MuJoCo cannot open") from error
 
 
