@@ -24,7 +24,7 @@ def derive(results: Results) -> Section:
 def _reading(results: Results, row: Row) -> str:
     cells = row.displacement_mm.value, results.row["cube-in-TCP"].displacement_mm.value
     bound = 0.01 * results.derived["robot_share_bound"].number
-    return "" if None in cells else "moves" if cells[0] > bound * cells[1] else "stands still"
+    return "" if None in cells else "in motion" if cells[0] > bound * cells[1] else "at rest"
 
 
 def _cube_moves_in_fingers(results: Results) -> Claim:
