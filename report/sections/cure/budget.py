@@ -5,7 +5,7 @@ from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.sections.cure.variants import BEST, GRASP_MM, SHIPPED, STIFF, TERM, use_table, what_to_use
-from report.shared.arithmetic import cell_count, rows_with, table_of
+from report.shared.arithmetic import cell_count, rows_with, share, table_of
 
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
 """Columns of the parts of the slip that are predicted from the arm's motion, and what they are called."""
@@ -51,7 +51,12 @@ def _budget_closes(results: Results) -> Claim:
     formula, cells = "of the other runs that keep the cube, those of them", (closed, far_closed, count, far)
     part = results.value("others_share", formula, lambda a, b, c, d: 100 * (a - b) / (c - d), *cells, unit="%")
     numbers = {"closed": closed, "count": count, "far_closed": far_closed, "far": far, "least": least, "most": most}
-    outcome = all_of(at_least(closed, 8.0, why="not by chance"), at_least(part, 90.0, why="nearly all of them"))
+    few = share(results, "far_share", "of shipped pads in the farther shake, those of them", far_closed, far)
+    outcome = all_of(
+        at_least(closed, 8.0, why="not by chance"),
+        at_least(part, 90.0, why="nearly all of them"),
+        at_most(few, 60.0, why="no more than some"),
+    )
     return Claim("budget_closes", outcome, numbers)
 
 
