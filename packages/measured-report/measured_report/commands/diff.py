@@ -6,6 +6,7 @@ from measured_report.changes.alarm import diff_text
 from measured_report.changes.compare import compare
 from measured_report.commands.options import refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
+from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 
@@ -21,7 +22,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
-    editions = editions_of(project, Templates(project.templates), among=names)
+    editions = editions_of(project, Templates(project.templates), DerivedCache(project.root), among=names)
     comparison = compare(*(editions[name] for name in names))
     print(diff_text(comparison, arguments.format, all_values=arguments.values == "all"))
     return int(comparison.is_alarm)
