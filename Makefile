@@ -20,6 +20,7 @@ upgrade:
 bisect:
 history:
 diff:
+replicate:
 
 .PHONY: lint
 lint: $(READY)

@@ -6,14 +6,10 @@ from dataclasses import replace
 import pytest
 from conftest import MODULE, ROWS, Toy, compared, derived
 
-from measured_report.changes import compare as compare_module
-from measured_report.changes import moves
 from measured_report.changes.flips import flips_between
 from measured_report.commands import diff, page
 from measured_report.editions.release import release_of
 from measured_report.editions.status import status_matrix
-from measured_report.files.config import config
-from measured_report.pages import editions
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.records.record import load_record, write_record
@@ -134,27 +130,6 @@ def test_what_may_be_chance_has_not_moved(toy, newer, before, after, moved):
     toy.measure([SOFT, {**STIFF, **before}])
     newer.measure([SOFT, {**STIFF, **before, **after}])
     assert len(compared(toy.project, newer.project).moves) == moved
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "rings"),
-    [
-        ([8.6, 9.1, 44.0, 8.8, 9.9, 11.2, 8.7, 12.5], [1.5, 1.6, 1.7, 1.5, 1.6, 1.7, 1.5, 1.6], True),  # one far off
-        ([8.6, 9.1, 44.0, 8.8, 9.9, 11.2, 8.7, 12.5], [8.7, 9.0, 9.2, 8.5, 9.8, 11.3, 12.6, 30.0], False),
-        ([0.34] * 8, [7e-10] * 8, True),  # to the last bit
-        ([0.34] * 8, [0.34] * 8, False),
-    ],
-)
-def test_samples_are_compared_as_samples_and_an_alarm_rings(toy, newer, monkeypatch, old, new, rings):
-    for module in (moves, compare_module, editions):
-        monkeypatch.setattr(module, "NOISE", "toy")
-    rules = replace(config(), changes=replace(config().changes, thresholds={"toy.soft.slip_mm": 0.05}))
-    monkeypatch.setattr(moves, "config", lambda: rules)
-    for side, (first, *others) in ((toy, old), (newer, new)):
-        repeats = [{**SOFT, "case": f"again-{n}", "of": "soft", "slip_mm": slip} for n, slip in enumerate(others)]
-        side.measure([{**SOFT, "slip_mm": first}, STIFF, *repeats])
-    found = compared(toy.project, newer.project)
-    assert [move.column for move in found.alarms] == ["slip_mm"] * rings
 
 
 def test_rows_of_different_releases_or_machines_are_not_compared_by_accident(toy, newer):

@@ -1,13 +1,10 @@
 """Noise: how far apart runs of one case are, and what it makes of numbers derived from them."""
 
-import math
-from itertools import combinations
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from measured_report.values.noise import Floor, binomial_noise, cell_noise, chance, derived_noise, is_beyond, tolerance
+from measured_report.values.noise import Floor, binomial_noise, cell_noise, derived_noise, is_beyond, tolerance
 
 SIZES = st.floats(1e-12, 1e12)
 
@@ -23,21 +20,6 @@ def test_the_noise_is_what_nearly_all_pairs_stay_within_and_what_is_beyond_it_mo
     assert not is_beyond(0.0, 6.0, 6.005), "rounding"
     assert Floor(spread=0.01, magnitude=5.0).at(1.0) == 0.01
     assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
-
-
-def test_samples_are_compared_by_their_ranks():
-    """Of all ways to deal fourteen ranks to two samples, so many have them as far apart, counted one by one."""
-    before, deals = [0, 1, 2, 4, 5, 6, 9], [sum(deal) for deal in combinations(range(14), 7)]
-    after = [rank for rank in range(14) if rank not in before]
-    as_far = sum(abs(deal - 45.5) >= abs(sum(before) - 45.5) for deal in deals)
-    assert chance(before, after) == chance(after, before) == pytest.approx(as_far / len(deals))
-
-
-def test_one_outlier_of_a_sample_hides_nothing_and_few_runs_tell_nothing():
-    slow, fast = [8.6, 9.1, 44.0, 8.8, 9.9, 11.2, 8.7, 12.5, 9.0], [1.5, 1.6, 1.7, 1.5, 1.6, 1.7, 1.5, 1.6, 1.7]
-    assert tolerance(slow) > 44 and chance(slow, fast) == pytest.approx(2 / math.comb(18, 9))
-    assert chance(slow, slow) == 1.0 and chance(slow[:5], fast[:5]) is None
-    assert chance([*range(40)], [*range(50, 90)]) < 1e-9 < chance([*range(40)], [*range(40)])
 
 
 @pytest.mark.parametrize(

@@ -46,14 +46,21 @@ def check_text(edition: Edition, form: str) -> str:
         "absent": [{"section": section, "reason": reason} for section, reason in absent],
     }
     lines = [fault.text for fault in faults]
-    lines += [f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}" for section, claim in claims]
+    for section, claim in claims:
+        confirmed = f" ({claim.confirmed})" if claim.confirmed else ""
+        lines.append(f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}{confirmed}")
     lines += [f"{'absent':12} {section}: {reason}" for section, reason in absent]
     return _formed("check", bool(faults), lines, parts, form)
 
 
-def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
-    """Return the comparison as text, markdown or json, every value that moved in it or only how many did."""
-    return _formed("diff", found.is_alarm, _diff_lines(found, all_values=all_values), _diff_data(found), form)
+def diff_text(found: Comparison, rate: str, form: str, *, all_values: bool) -> str:
+    """Return the comparison as text, markdown or json, every value that moved in it or only how many did.
+
+    Beside what it counts stands the ``rate`` of false alarms.
+    """
+    first, counts, *lines = _diff_lines(found, all_values=all_values)
+    told = [first, f"{counts}; false alarms: {rate}", *lines]
+    return _formed("diff", found.is_alarm, told, {"false_alarms": rate, **_diff_data(found)}, form)
 
 
 def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
@@ -73,6 +80,7 @@ def _diff_lines(found: Comparison, *, all_values: bool) -> list[str]:
     lines = [" → ".join(f"{config().package} {release}" for release in found.releases)]
     lines += ["; ".join(f"{words}: {len(those)}" for words, those in counts.items())]
     lines += [*(fault.text for fault in found.faults), f"settings: {settings_text(found.settings)}", *largest(found)]
+    lines.append(f"would have shown: {power(found)}")
     for flip in found.flips:
         lines += [f"{flip.claim}: {flip.outcomes}", f"  {flip.before.text}", f"  {flip.after.text}"]
     for section, sums in _sums(found).items():
@@ -114,7 +122,8 @@ def _diff_data(found: Comparison) -> dict[str, Any]:
 
 
 def _claim_data(claim: Claim) -> dict[str, str]:
-    return {"outcome": claim.outcome.name, "said": claim.outcome.said, "text": claim.text}
+    said = {"outcome": claim.outcome.name, "said": claim.outcome.said, "text": claim.text}
+    return said | {"confirmed": claim.confirmed}
 
 
 def _move_data(move: Move) -> dict[str, Any]:
@@ -155,12 +164,14 @@ def _is_told(move: Move) -> bool:
     return not (is_setting or move.is_inconclusive) and bool(move.share or is_lost or move.exceeds_threshold)
 
 
-def _rank(move: Move) -> tuple[bool, bool, float]:
-    """Put alarms first, then what the deciding sections measured, and then what is farthest beyond its noise."""
+def _rank(move: Move) -> tuple[bool, bool, bool, float]:
+    """Put alarms first, of these what the engine was given, then what the deciding sections measured, and then what is
+    farthest beyond its noise."""
     (before, after), sure = move.values, 1.0
     if move.share:
         sure = (abs(after - before) - move.least) / max(abs(before), abs(after))
-    return move.exceeds_threshold, move.section in config().changes.deciding, sure
+    is_cause = move.exceeds_threshold and "given" in column_of(move.column).kinds
+    return move.exceeds_threshold, is_cause, move.section in config().changes.deciding, sure
 
 
 def settings_text(settings: Sequence[Move]) -> str:

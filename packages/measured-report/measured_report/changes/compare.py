@@ -1,16 +1,16 @@
 """Comparison of two editions: what can't be trusted, which claims flipped, and which values moved beyond the noise."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from measured_report.changes.flips import Flip, cells, flips_between
+from measured_report.changes.flips import Flip, backed, cells, flips_between
 from measured_report.changes.moves import Move, cells_between
 from measured_report.files.config import config
 from measured_report.pages.editions import Edition
 from measured_report.records.columns import UNBELIEVED, column_of
-from measured_report.values.noise import NOISE, samples_of
+from measured_report.values.scatter import discoveries
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,8 @@ class Comparison:
     @property
     def missing(self) -> list[str]:
         """Name the numbers with a threshold that are not in both: they can raise no alarm."""
-        return [name for name in config().changes.thresholds if name not in {cell.name for cell in self.cells}]
+        there = {cell.name for cell in self.cells}
+        return [name for name in config().changes.thresholds if name not in there]
 
     @property
     def is_alarm(self) -> bool:
@@ -72,13 +73,14 @@ class Comparison:
 def compare(before: Edition, after: Edition) -> Comparison:
     """Compare the results of two editions."""
     sides = before.chapters, after.chapters
-    samples = [samples_of(side[NOISE].results.record) if NOISE in side else {} for side in sides]
-    shared = [name for name in before.chapters if name in after.chapters]
+    found = [cell for name in sides[0] if name in sides[1] for cell in cells_between(sides[0][name], sides[1][name])]
+    limit = discoveries([cell.chance for cell in found if cell.chance is not None])
+    found = [replace(cell, limit=limit) if cell.chance is not None and cell.is_real else cell for cell in found]
     return Comparison(
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)])),
-        flips=flips_between(*sides),
-        cells=[each for name in shared for each in cells_between(sides[0][name], sides[1][name], samples)],
+        flips=backed(flips_between(*sides), found),
+        cells=found,
         notes=[*_uncompared(before, after)],
     )
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.changes.moves import cost_terms
+from measured_report.changes.moves import Move, cost_terms
 from measured_report.pages.editions import Chapters, Releases
 from measured_report.pages.sections import Page
 from measured_report.parts.claim import Claim
@@ -105,6 +105,30 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
     found = flips({"before": before, "after": after}, "after")
     near = (flip for flip in found if not any(claim.outcome.is_inconclusive for _, claim in flip.said))
     return [flip for flip in near if flip.is_decided or is_whole]
+
+
+def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
+    """Return the flips of which something moved that their tests read, or was measured in one edition alone.
+
+    Where nothing did, the same measured again may flip as well; nor is it one that a replica has no traces.
+    """
+    of_rows: dict[str, list[Move]] = {}
+    for move in compared:
+        for row in move.rows:
+            of_rows.setdefault(row, []).append(move)
+    found = []
+    for flip in flips:
+        read = {pointer for _, claim in flip.said for pointer in claim.outcome.reads if Pointer(pointer).cell}
+        read = {pointer for pointer in read if f"/{NOISE}.json#" not in pointer}
+        moved = (_moved(of_rows.get(row), column) for row, _, column in (pointer.rpartition("/") for pointer in read))
+        is_untold = any(".csv.gz" in claim.outcome.reason for _, claim in flip.said)
+        found += [flip] if not is_untold and (not read or any(moved)) else []
+    return found
+
+
+def _moved(row: Sequence[Move] | None, column: str) -> bool:
+    """Tell whether a number of a row did, or the row is lost in one of both; one that nothing compares has."""
+    return row is None or any(move.is_real for move in row if move.column == column or move.noise is None)
 
 
 @dataclass(frozen=True)

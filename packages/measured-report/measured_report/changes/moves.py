@@ -12,9 +12,10 @@ from measured_report.pages.editions import Chapter, Edition
 from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
-from measured_report.values.noise import EDGES, NOISE, PAIRS, Floor, Samples, cell_noise, chance, is_beyond, is_lost
+from measured_report.values.noise import EDGES, NOISE, PAIRS, Floor, cell_noise, is_beyond, is_lost
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
+from measured_report.values.scatter import Apart, chance_of, key_of
 
 NAMED = 4
 """Chosen: so many claims, and twice as many settings, are named in a line."""
@@ -38,7 +39,11 @@ class Move:
     place: Mapping[str, Any] = field(default_factory=dict)
     """Columns that tell its row apart."""
     chance: float | None = None
-    """How often runs of one edition come out as far apart; None where it was not repeated often enough in both."""
+    """How often measurements of one edition come out as far apart; None where there are no replicas."""
+    rows: tuple[str, str] = ("", "")
+    """Pointers to its row in both."""
+    limit: float = 1 - PAIRS
+    """The largest chance that counts as none."""
 
     @property
     def values(self) -> tuple[Any, Any]:
@@ -62,10 +67,10 @@ class Move:
     def is_beyond(self, times: float) -> bool:
         """Tell whether the values differ; numbers by more than so many times the noise, and than rounding."""
         before, after = self.values
+        if self.chance is not None and self.chance > self.limit:
+            return False
         if self.is_setting or None in (self.noise, before, after):
             return before != after
-        if self.chance is not None:  # samples are compared as samples
-            return self.chance <= 1 - PAIRS and is_beyond(column_of(self.column).resolution, before, after)
         return is_beyond(times * self.least, before, after)
 
     @property
@@ -122,7 +127,7 @@ class Move:
     def text(self) -> str:
         name = " ".join(map(str, self.place.values()))
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
-        noise = noise if self.chance is None else f"  (repeats come out so with a chance of {self.chance:.1g})"
+        noise = noise if self.chance is None else f"  (by chance {self.chance:.1g})"
         words = ["near the noise"] if self.is_inconclusive else [self.direction] if self.direction else []
         return "  ".join([f"{name}  {self.column}: {self.ends}{noise}", *words])
 
@@ -134,13 +139,11 @@ class Move:
         return f"{_said(self.before)} → {_said(self.after)}"
 
 
-def cells_between(before: Chapter, after: Chapter, samples: Sequence[Samples] = ({}, {})) -> Iterator[Move]:
-    """Yield the values of a section that compare between two editions, moved or not, and settings that one lacks.
-
-    ``samples`` are what runs of one case gave in each.
-    """
+def cells_between(before: Chapter, after: Chapter) -> Iterator[Move]:
+    """Yield the values of a section that compare between two editions, moved or not, and settings that one lacks."""
     floors = [one.results.floors or other.results.floors for one, other in ((before, after), (after, before))]
-    is_sampled = before.name in (NOISE, *config().changes.same_runs)
+    measured = [chapter.results.apart for chapter in (before, after)]
+    edge = measured[0].edge | measured[1].edge
     rules, records = config().changes, (before.results.record, after.results.record)
     old, new = _rows_by_key(before), _rows_by_key(after)
     for key in dict.fromkeys((*old, *new)):
@@ -149,16 +152,29 @@ def cells_between(before: Chapter, after: Chapter, samples: Sequence[Samples] = 
             if place.get("kind") in rules.settings:
                 yield Move("value", a and a["value"], b and b["value"], section=before.name, place=place)
         # Where repeats of a run end in different classes it is chance which one the row is about.
-        elif not any(len(set(row[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row):
+        elif key_of(a.plain) not in edge and not any(
+            len(set(row[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row
+        ):
             cells = a.plain, b.plain
             has_same_terms = len(set(map(cost_terms, records, cells))) == 1
+            lost, unlike = [is_lost(cell) for cell in cells], _unlike(*cells)
             for column in cells[0]:
-                if column in cells[1] and _compares(column, *cells, has_same_terms=has_same_terms):
+                if column in cells[1] and _compares(column, cells, lost, unlike, has_same_terms=has_same_terms):
                     are_numbers = all(is_number(cell[column]) for cell in cells)
                     noise, is_chosen = _noise(column, cells, floors) if are_numbers else (None, False)
-                    runs = [each.get((a["case"], column), ()) for each in samples] if is_sampled and noise else ()
-                    seen = chance(*runs) if runs else None
-                    yield Move(column, a[column], b[column], noise, is_chosen, before.name, place, seen)
+                    seen = None
+                    if are_numbers and (known := _scatter(column, cells, measured)):
+                        noise, freedom = max(known[0], 0.0 if is_chosen or noise is None else noise), known[1]
+                        seen, is_chosen = chance_of(abs(cells[0][column] - cells[1][column]) / noise, freedom), False
+                    sides, rows = (a[column], b[column]), (a.source, b.source)
+                    yield Move(column, *sides, noise, is_chosen, before.name, place, seen, rows)
+
+
+def _scatter(column: str, cells: Sequence[Mapping[str, Any]], measured: Sequence[Apart]) -> tuple[float, int] | None:
+    """Return how far measurements of a number come out apart, and its degrees of freedom; None where none tell."""
+    known = [(each.columns[column], cell) for each, cell in zip(measured, cells, strict=True) if column in each.columns]
+    noises = [scatter.noise(key_of(cell), cell[column]) for scatter, cell in known]
+    return (max(noises), min(scatter.all_freedom for scatter, _ in known)) if any(noises) else None
 
 
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
@@ -166,9 +182,22 @@ def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
     return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
 
 
-def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> bool:
+def _unlike(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
+    """Return the kinds of columns in which two runs were not set alike."""
+    names = (name for name in a if None not in (a[name], b.get(name)) and a[name] != b[name])
+    return [kinds for name in names if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
+
+
+def _compares(
+    column: str,
+    cells: Sequence[Mapping[str, Any]],
+    lost: Sequence[bool],
+    unlike: Sequence[frozenset[str]],
+    *,
+    has_same_terms: bool,
+) -> bool:
     """Tell whether a column of two rows is compared; ``has_same_terms`` says whether costs in them are."""
-    rules, about, lost = config().changes, column_of(column), list(map(is_lost, cells))
+    rules, about = config().changes, column_of(column)
     if column in rules.keys or "chance" in about.kinds or column.endswith((REASON, *EDGES)):
         return False
     if any(isinstance(cell[column], str | bool) for cell in cells):
@@ -176,10 +205,7 @@ def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> b
     if any(lost) or ("cost" in about.kinds and not has_same_terms):
         return False
     # Of runs that were not set alike nothing compares, and of those that ran for longer or shorter rates alone.
-    a, b = cells
-    unlike = (name for name in a if None not in (a[name], b.get(name)) and a[name] != b[name])
-    other = [kinds for name in unlike if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
-    return not other or about.is_setting or (about.is_rate and all("setting" in kinds for kinds in other))
+    return not unlike or about.is_setting or (about.is_rate and all("setting" in kinds for kinds in unlike))
 
 
 def _noise(

@@ -4,11 +4,14 @@ import argparse
 
 from measured_report.changes.alarm import diff_text
 from measured_report.changes.compare import compare
+from measured_report.changes.rate import Rate, rate_of
 from measured_report.commands.options import refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
+from measured_report.files.cache import Cache
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
+from measured_report.site.build import inputs_digest
 
 OPTIONS = {
     **shared("a", "b", "profile", "format"),
@@ -22,7 +25,15 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
-    editions = editions_of(project, Templates(project.templates), DerivedCache(project.root), among=names)
-    comparison = compare(*(editions[name] for name in names))
-    print(diff_text(comparison, arguments.format, all_values=arguments.values == "all"))
-    return int(comparison.is_alarm)
+    key = (inputs_digest(project), names, arguments.format, arguments.values)
+    cache = Cache(project.root)
+    found = cache.get("diff", key)
+    if not found:
+        editions = editions_of(project, Templates(project.templates), DerivedCache(project.root), among=names)
+        comparison = compare(*(editions[name] for name in names))
+        rate = sum((rate_of(editions[name]) for name in names), Rate())
+        text = diff_text(comparison, rate.text, arguments.format, all_values=arguments.values == "all")
+        found = text, int(comparison.is_alarm)
+        cache.put("diff", key, found)
+    print(found[0])
+    return found[1]

@@ -6,6 +6,7 @@ from importlib import import_module
 from measured_report.commands.command_line import OWN, commands
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
+from measured_report.editions.replicas import replicas_text
 from measured_report.editions.status import changes_text, states_of, status_matrix
 from measured_report.files.config import config
 
@@ -20,7 +21,8 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     own = (import_module(place) for place in commands().values() if place.startswith(OWN))
     made = [module.state(project) for module in own if hasattr(module, "state")]
-    print("\n".join([status_matrix(project), *(f"{state.section}: {state.summary}" for state in made)]))
+    replicas = replicas_text(project)
+    print("\n".join([status_matrix(project), *replicas, *(f"{state.section}: {state.summary}" for state in made)]))
     if changed := changes_text([*states_of(project), *made]):
         print(f"\n{config().package} {project.release}\n{changed}")
     return 0

@@ -51,6 +51,10 @@ class DerivedCache:
         """Say what the claims of a section are: others that show one are kept with its name alone."""
         self._claims.update({(release, name, claim.name): claim for claim in section.claims})
 
+    def code(self, module: Path) -> str:
+        """Digest all that decides what a module makes, besides what it is given."""
+        return self._code(module)
+
     def derived(self, place: Place, code: Path, given: Sequence[str], derive: Callable[[], Derivation]) -> Entry:
         """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` before.
 

@@ -19,6 +19,7 @@ from measured_report.pages.cache import Derivation, DerivedCache
 from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
+from measured_report.pages.replicas import Measurements, measurements_of
 from measured_report.pages.sections import FRONT, PAGES, LostError, Page, Read, derive_section, file_of, outline_of
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
@@ -28,8 +29,11 @@ from measured_report.records.code import digest_of, files
 from measured_report.records.identity import sections
 from measured_report.records.provenance import files_digest
 from measured_report.records.record import Record, traces_of
+from measured_report.records.replicas import FOLDER
 from measured_report.values.noise import NOISE, Floor, floors_of
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, ResultsError
+from measured_report.values.scatter import Apart
 
 
 @dataclass(frozen=True)
@@ -81,6 +85,7 @@ class Edition:
     left_out: list[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
     cache: DerivedCache = field(default_factory=DerivedCache)
+    measurements: Measurements = field(default_factory=Measurements)
     root: str = ""
     """The way from its pages to the root of the site."""
 
@@ -97,10 +102,10 @@ class Edition:
         bare = {name: replace(each, section=Section()) for name, each in self.chapters.items() if each.compares}
         return {**self.chapters, **bare}
 
-    @cached_property
-    def values_text(self) -> str:
-        """Write the site's values file: what each chapter derived, by its name."""
+    def values_text(self, false_alarms: Mapping[str, Value]) -> str:
+        """Write the site's values file: what each chapter derived, by its name, and how often it rings for nothing."""
         derived = {name: chapter.results.derived for name, chapter in self.chapters.items()}
+        derived |= {FOLDER: dict(false_alarms)} if false_alarms else {}
         values = {name: {each: value.entry for each, value in found.items()} for name, found in derived.items()}
         return json.dumps(values, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
 
@@ -219,6 +224,7 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
     """Derive what the results of one release make by themselves: what compares releases has its results alone."""
     floors: dict[str, Floor] = {}
     records: list[tuple[State, Record]] = []
+    measurements = Measurements()
     left_out: list[State] = []
     for state in states_of(project):
         try:
@@ -235,11 +241,20 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
         read_manifest(project.results)
     except RecordError as error:
         left_out.append(State(MANIFEST, "damaged", notes=(str(error),)))
+    try:
+        tracked = {state.section: record for state, record in records}
+        measurements = measurements_of(project, tracked, cache or DerivedCache())
+    except RecordError as error:
+        left_out.append(State(FOLDER, "damaged", notes=(str(error),)))
+    apart = measurements.apart
     measured = [
-        (state, Results(record, project.record_path(state.section), floors=floors))
+        (
+            state,
+            Results(record, project.record_path(state.section), floors=floors, apart=apart.get(state.section, Apart())),
+        )
         for state, record in sorted(records, key=lambda each: outline_of(each[0].section).order)
     ]
-    edition = Edition(project, {}, left_out, cache or DerivedCache())
+    edition = Edition(project, {}, left_out, cache or DerivedCache(), measurements=measurements)
     return _with_chapters(edition, measured, {}, templates)
 
 
@@ -277,11 +292,12 @@ def _chapter(
         own = replace(results, derived={})
         return derive_section(own, releases), own.derived
 
-    given = [digest, repr(sorted(results.floors.items())), *_digests({"": before, **releases})]
+    given = [digest, repr(sorted(results.floors.items())), results.apart.digest, *_digests({"": before, **releases})]
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
-    section = entry.section.worded(name, text.name, text.words, outline.source)
+    section = edition.measurements.confirmed(name, entry.section)
+    section = section.worded(name, text.name, text.words, outline.source)
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
         "release": results.record.origin.release,

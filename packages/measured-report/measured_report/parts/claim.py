@@ -86,6 +86,8 @@ class Claim:
     """Quantities, and texts and flags."""
     wording: Wording | None = None
     """The words of the section's template, once they are known."""
+    confirmed: str = ""
+    """Says how many measurements agree, where there are several."""
     effect: Outcome = HOLDS
     """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
 

@@ -159,10 +159,10 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
     if traces is not None:
         record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
     try:
-        content = _text(record).encode()
+        content = record_text(record).encode()
     except (TypeError, ValueError) as error:
         raise RecordError(f"{short_path(path)} cannot be written: {error}") from None
-    _read(content, path)
+    read_record(content, path)
     kept = {trace_path(path, case).name: packed for case, (_, packed) in (traces or {}).items()}
     put_record(path, {**kept, path.name: content})
     for left in path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ():
@@ -170,7 +170,7 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
             left.unlink()
 
 
-def _text(record: Record) -> str:
+def record_text(record: Record) -> str:
     rows = [
         {column: float(f"{value:{DIGITS}}") if isinstance(value, float) else value for column, value in row.items()}
         for row in record.rows
@@ -187,7 +187,7 @@ def load_record(path: Path) -> Record:
 
     The traces that it seals are there and are the ones that were measured with it.
     """
-    record = _read(read_own_file(path, BYTE_LIMIT), path)
+    record = read_record(read_own_file(path, BYTE_LIMIT), path)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
         if sha256(read_own_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
@@ -195,7 +195,7 @@ def load_record(path: Path) -> Record:
     return record
 
 
-def _read(content: bytes, path: Path) -> Record:
+def read_record(content: bytes, path: Path) -> Record:
     """Make a record of what its file holds; RecordError unless each field is as it should be."""
     try:
         data = json.loads(content.decode("utf-8"), object_pairs_hook=_plain, parse_constant=_refuse)

@@ -54,7 +54,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     with ExitStack() as stack, staging_folder(project.site) as fresh:
         gc.disable()  # a build keeps what it makes, and is a tenth faster so
         stack.callback(gc.enable)
-        digest, there = _digest(project, address), digests_below(project.site)
+        digest, there = inputs_digest(project, address), digests_below(project.site)
         if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
             elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
@@ -81,7 +81,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     return built
 
 
-def _digest(project: Project, address: str) -> str:
+def inputs_digest(project: Project, address: str = "") -> str:
     """Digest all that the pages are made from."""
     roots = {LAYOUT.parent: ["."], ROOT: INPUTS[:-1], project.root: INPUTS}  # often the same, but for the results
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]

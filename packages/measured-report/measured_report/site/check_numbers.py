@@ -10,6 +10,7 @@ from typing import Any
 
 from measured_report.files.config import config
 from measured_report.pages.sections import labels_of
+from measured_report.records.replicas import measurements_beside
 from measured_report.site.page_reader import PageReader
 from measured_report.values.format import (
     format_code,
@@ -24,6 +25,7 @@ from measured_report.values.format import (
 )
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
+from measured_report.values.scatter import Apart, apart
 
 WRITES = {"": format_number, MOST: format_most, LEAST: format_least}
 """Writers of numbers in words, by how the page says that they are written."""
@@ -51,7 +53,7 @@ class Data:
 
     def __init__(self, folder: Path):
         self.folder = folder
-        self.file, self._floors = cache(self._read), cache(self._floors_beside)
+        self.file, self._floors, self._apart = cache(self._read), cache(self._floors_beside), cache(self._apart_in)
 
     def _read(self, name: str) -> Any:
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
@@ -65,13 +67,19 @@ class Data:
         if not pointer.startswith("/rows/"):
             return kept, None
         place, _, column = pointer.rpartition("/")
-        return kept, cell_noise(column, _resolve(self.file(name), place), self._floors(name.rpartition("/")[0]))
+        row = _resolve(self.file(name), place)
+        known = cell_noise(column, row, self._floors(name.rpartition("/")[0])), self._apart(name).noise(column, row)
+        return kept, max((noise for noise in known if noise is not None), default=None)
 
     def _floors_beside(self, folder: str) -> Mapping[str, Floor]:
         noise = f"{folder}/{NOISE}.json"
         if not (self.folder / noise).is_file():
             return {}
         return floors_of(self.file(noise)["rows"], self.file(noise)["units"])
+
+    def _apart_in(self, name: str) -> Apart:
+        records = measurements_beside(self.folder / name)
+        return apart(records) if len(records) > 1 else Apart()
 
     @cached_property
     def names(self) -> re.Pattern:

@@ -16,6 +16,8 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.flips import flips_between
+from measured_report.changes.rate import rate_of
+from measured_report.editions.replicas import replica_files
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft
@@ -27,6 +29,7 @@ from measured_report.pages.sections import FRONT, Page
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.section import Pictures, draw
 from measured_report.records.record import traces_of
+from measured_report.records.replicas import FOLDER
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 
@@ -227,11 +230,14 @@ class Site:
             for file in (path, *traces_of(path, chapter.results.record)):
                 self.draft.copy(f"{folder}{file.name}", file)
             self.draft.write(f"{folder}{path.stem}.csv", rows_csv(chapter.results.record.rows))
+        for file in replica_files(edition.project):
+            self.draft.copy(f"{folder}{FOLDER}/{file.name}", file)
         for file in edition.plugins.data:
             self.draft.copy(f"{folder}{file.name}", file)
         for name, file in edition.plugins.files.items():
             self.draft.copy(name, file)
-        self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(edition.values_text, self.shown))
+        values = edition.values_text(rate_of(edition).values(edition.project))
+        self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(values, self.shown))
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
@@ -278,7 +284,7 @@ def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: st
 
 
 def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Content]:
-    names = {"releases": links}
+    names = {"releases": links, "false_alarms": rate_of(edition).values(edition.project)}
     return [Content(page, edition.texts(page, templates, names), found) for page, found in edition.pages.items()]
 
 

@@ -105,7 +105,7 @@ def format_code(value: float | int | None) -> str:
 
 
 def format_short(value: float) -> str:
-    """Write ``value`` up to 99, of no known noise, in two digits and as few characters as can be."""
+    """Write ``value`` up to 99, in two digits and as few characters as can be."""
     if value < 0.005:
         return "<.01"
     exact = Decimal(repr(float(value)))
@@ -115,7 +115,7 @@ def format_short(value: float) -> str:
 
 def spellings(value: float | int | None, noise: float | None) -> list[str]:
     """List the ways in which a figure may write a number."""
-    short = [] if value is None or noise is not None or value < 0 else [format_short(value)]
+    short = [] if value is None or value < 0 else [format_short(value)]
     return [format_number(value, noise=noise), *short]
 
 

@@ -3,13 +3,11 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from statistics import NormalDist, fmean, stdev
 from typing import Any
 
 from measured_report.files.config import config
 from measured_report.records.columns import column_of
-from measured_report.records.record import Record
 
 NOISE = config().noise_section
 """The section whose rows are runs of one and the same case, as ``of`` says."""
@@ -94,46 +92,6 @@ def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
             if column not in floors or floor.spread > floors[column].spread:
                 floors[column] = floor
     return floors
-
-
-Samples = Mapping[tuple[str, str], Sequence[float]]
-"""What runs of one and the same case gave, by case and column."""
-
-
-def samples_of(record: Record) -> Samples:
-    """Collect the numbers of cases that the section on noise repeats: of the repeats, and of a case's own row."""
-    found: dict[tuple[str, str], list[float]] = {}
-    repeated = {row.get("of") for row in record.rows}
-    for row in (row for row in record.rows if not is_lost(row)):
-        case = row.get("of") or row["case"]
-        for column in record.units if case in repeated else ():
-            if (value := row.get(column)) is not None:
-                found.setdefault((case, column), []).append(value)
-    return found
-
-
-def chance(before: Sequence[float], after: Sequence[float]) -> float | None:
-    """Tell how often two samples of the same come out as far apart as these; None for fewer runs than can tell.
-
-    It is the two-sided rank test of Mann and Whitney (1947), Annals of Mathematical Statistics 18, 50-60, exact up to
-    400 pairs and by the normal distribution from there on: no outlier counts for more than its rank.
-    """
-    n, m = len(before), len(after)
-    if not n or not m or 2 / math.comb(n + m, n) > 1 - PAIRS:
-        return None
-    greater = sum((a > b) + 0.5 * (a == b) for a in before for b in after)
-    least = math.ceil(min(greater, n * m - greater))
-    if n * m > 400:
-        return min(1.0, 2 * NormalDist(n * m / 2, math.sqrt(n * m * (n + m + 1) / 12)).cdf(least))
-    return min(1.0, 2 * sum(_ways(n, m, count) for count in range(least + 1)) / math.comb(n + m, n))
-
-
-@cache
-def _ways(n: int, m: int, count: int) -> int:
-    """Count the orders of n and m numbers in which so many pairs stand the other way round."""
-    if count < 0 or not n or not m:
-        return int(count == 0)
-    return _ways(n - 1, m, count - m) + _ways(n, m - 1, count)
 
 
 def is_lost(row: Mapping[str, Any]) -> bool:

@@ -56,7 +56,7 @@ class Quantity:
     noise: float | None = None
     """Difference of two measurements of it, in its unit; None where nobody knows, 0 for what is exact."""
     formula: str = ""
-    """Words for how it is computed; empty for what was measured."""
+    """Words for how it is computed; of what was measured more than once between what."""
 
     @property
     def reads(self) -> frozenset[str]:

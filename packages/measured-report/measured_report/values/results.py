@@ -19,6 +19,7 @@ from measured_report.records.traces import load_trace
 from measured_report.values.format import label_of
 from measured_report.values.noise import Floor, cell_noise, derived_noise
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
+from measured_report.values.scatter import Apart
 
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd
@@ -58,6 +59,7 @@ class Row:
         case: str = "",
         floors: Mapping[str, Floor] = MappingProxyType({}),
         labels: Mapping[str, str] = MappingProxyType({}),
+        apart: Apart | None = None,
     ):
         self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
@@ -66,6 +68,7 @@ class Row:
         self._origins = frozenset({record.origin})
         self._floors = floors
         self._labels = labels
+        self._apart = apart or Apart()
         self._read: dict[str, Any] = {}  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
@@ -86,8 +89,10 @@ class Row:
             return value
         said = (self.label, self._cells.get(f"{column}_reason")) if value is None else ()
         reason = ": ".join(filter(None, said))
-        noise = cell_noise(column, self._cells, self._floors)
-        return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise)
+        known = cell_noise(column, self._cells, self._floors), self._apart.noise(column, self._cells)
+        noise = max((each for each in known if each is not None), default=None)
+        interval = self._apart.interval(column, self._cells)
+        return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise, interval)
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
@@ -115,6 +120,11 @@ class Row:
     def columns(self) -> list[str]:
         return list(self._cells)
 
+    @property
+    def source(self) -> str:
+        """Return its pointer below the site's ``data/``, which those of its numbers begin with."""
+        return self._source
+
 
 class Rows(dict):
     """Holds rows by case; of a case that has no single row, one without anything."""
@@ -139,6 +149,8 @@ class Results:
     """Every derived value by name, for the site's values file."""
     floors: Mapping[str, Floor] = field(default_factory=dict, repr=False)
     """Noise of one case with this release, by column."""
+    apart: Apart = field(default_factory=Apart, repr=False)
+    """How the section's measurements differ, where there are several."""
     label: str = ""
     """Name of the section in figures and tables."""
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
@@ -158,7 +170,7 @@ class Results:
     def rows(self) -> list[Row]:
         """Return all rows but those that are damaged in what tells them apart."""
         return [
-            Row(self.record, index, self.source, floors=self.floors, labels=self.labels)
+            Row(self.record, index, self.source, floors=self.floors, labels=self.labels, apart=self.apart)
             for index, is_whole in enumerate(_whole(self.record))
             if is_whole
         ]

@@ -1,0 +1,62 @@
+"""Measure an edition again, or take in a measurement by somebody else, and keep it as a replica."""
+
+import argparse
+import shutil
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+
+from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.report import device_of
+from measured_report.editions.project import Project
+from measured_report.editions.replicas import reasons_text, refused
+from measured_report.editions.status import records_of, states_of
+from measured_report.files.atomic import atomic_file
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.measuring.machine import NO_CUDA, machine_of, needs_gpu
+from measured_report.measuring.measure import measure
+from measured_report.records.replicas import FOLDER, Records, packed, read_replica
+
+ASIDE = "replicate"
+"""The folder below ``results`` of what is being measured again; what is there already is not measured twice."""
+OPTIONS = {
+    "file": {"default": "", "help": "somebody else's replica, a .tgz; without one it is measured here"},
+    **shared("edition", "device", "cluster"),
+}
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Keep a replica beside the records of the edition."""
+    refuse_unmeasured(project, arguments.release.asked)
+    if arguments.file:
+        _keep(project, read_replica(Path(arguments.file)), arguments.file)
+        return 0
+    device = device_of(project, arguments)
+    fresh = [state.section for state in states_of(project) if state.kind == "fresh"]
+    asked = [section for section in fresh if device or not needs_gpu(section, project.root)]
+    if not asked:
+        raise UsageError(NO_CUDA)
+    again = replace(project.of(project.release), aside=ASIDE)
+    if lacking := [section for section in asked if not again.record_path(section).exists()]:
+        again = measure(again, arguments.release, lacking, device or "cpu", arguments.cluster)
+    _keep(project, {record.section: record for record in records_of(again)}, "what was measured")
+    shutil.rmtree(again.results)
+    return 0
+
+
+def _keep(project: Project, records: Records, source: str) -> None:
+    """Write a replica of those records that are of this edition, and name the others; ReportError when none is."""
+    try:
+        left_out = refused(project, records)
+    except ReportError as error:
+        raise ReportError(f"{source} is no replica of {project.release}: {error}") from None
+    kept = [record for name, record in records.items() if name not in left_out]
+    content = packed(kept)
+    machine = max(map(machine_of, kept), key=[*map(machine_of, kept)].count)
+    day = min(record.measured["date"] for record in kept)[:10]
+    path = project.results / FOLDER / f"{machine}-{day}-{sha256(content).hexdigest()[:8]}.tgz"
+    with atomic_file(path) as part:
+        part.write_bytes(content)
+    print(f"{len(kept)} sections of {project.release}, measured on {machine} on {day}: {path}")
+    if left_out:
+        print(f"left out: {reasons_text(left_out)}")

@@ -1,0 +1,118 @@
+"""Measurements of an edition: how far replicas are from what is shown, and what each says to every claim."""
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from inspect import getfile
+from pathlib import Path
+from typing import Any
+
+from measured_report.editions.project import Project
+from measured_report.editions.replicas import replica_files, replicas_of
+from measured_report.files.errors import ReportError
+from measured_report.pages.cache import DerivedCache
+from measured_report.pages.sections import Read, derive_section, outline_of
+from measured_report.parts.claim import Claim, Outcome
+from measured_report.parts.section import Section
+from measured_report.records.code import digest_of
+from measured_report.records.provenance import files_digest
+from measured_report.records.record import Record, record_text
+from measured_report.records.replicas import Records
+from measured_report.values.noise import NOISE, floors_of
+from measured_report.values.results import Results
+from measured_report.values.scatter import Apart, apart
+
+Derived = Mapping[str, tuple[Results, Section]]
+
+
+@dataclass(frozen=True)
+class Measurements:
+    """Hold what replicas tell of an edition."""
+
+    apart: Mapping[str, Apart] = field(default_factory=dict)
+    """By section, of those that were measured more than once."""
+    said: Mapping[str, Mapping[str, Sequence[Outcome]]] = field(default_factory=dict)
+    """What replicas say, by section and claim."""
+    kinds: Mapping[str, str] = field(default_factory=dict)
+    """By section on how many kinds of processor it was measured, in words; empty for one."""
+
+    def confirmed(self, name: str, section: Section) -> Section:
+        """Return a section whose claims can't tell where measurements differ, and say how many agree where not."""
+        said = self.said.get(name, {})
+        claims = [self._confirmed(name, claim, said.get(claim.name, ())) for claim in section.claims]
+        return replace(section, claims=claims)
+
+    def _confirmed(self, name: str, claim: Claim, others: Sequence[Outcome]) -> Claim:
+        if not others or any(".csv.gz" in pointer for pointer in claim.outcome.reads):  # replicas have no traces
+            return claim
+        said = [claim.outcome.said, *(other.said for other in others)]
+        count = len(said)
+        if len(set(said)) > 1:
+            told = ", ".join(f"{word} in {said.count(word)}" for word in dict.fromkeys(said))
+            reason = f"its {count} measurements differ: {told}"
+            unknown = replace(claim.outcome, name="unknown", reason=reason, is_inconclusive=True, is_opposite=False)
+            return replace(claim, outcome=unknown)
+        if claim.outcome.name == "unknown":
+            return claim
+        return replace(claim, confirmed=f"confirmed in {count} of {count} measurements{self.kinds[name]}")
+
+
+def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> Measurements:
+    """Return what replicas tell of an edition, kept from before or found now; RecordError for a damaged one."""
+
+    def find() -> Measurements:
+        return compared(project, tracked, list(replicas_of(project, tracked).values()))
+
+    return kept(project, tracked, cache, "replicas", find) if replica_files(project) else Measurements()
+
+
+def kept(project: Project, tracked: Records, cache: DerivedCache, what: str, make: Callable[[], Any]) -> Any:
+    """Return what ``make`` makes of an edition's measurements, or has made of the same before."""
+    files = [*replica_files(project), *(project.record_path(name) for name in tracked)]
+    modules = [outline_of(name).file for name in tracked]
+    cache = cache if cache.root else DerivedCache(project.root)  # it takes as long as all sections take
+    codes = [cache.code(module) for module in modules]
+    codes.append(Path(getfile(make)).read_text(encoding="utf-8"))  # no section imports it
+    name = f"{project.profile}.{project.release}.{what}"
+    return cache.value(name, modules[0], [files_digest(files, project.results), *codes], make)
+
+
+def compared(project: Project, shown: Records, replicas: Sequence[Records]) -> Measurements:
+    """Compare the measurement that is shown with its replicas, and ask each for every claim."""
+    of = {name: [record, *(each[name] for each in replicas if name in each)] for name, record in shown.items()}
+    several = {name: records for name, records in of.items() if len(records) > 1}
+    parts = {
+        name: replace(apart(records), digest=digest_of([*map(record_text, records)]))
+        for name, records in several.items()
+    }
+    said: dict[str, dict[str, list[Outcome]]] = {}
+    for each in replicas:
+        for name, (_, section) in derive_bare(project, {**shown, **each}, parts).items():
+            if name in each:
+                for claim in section.claims:
+                    bare = replace(claim.outcome, reads=frozenset(), bounds=())
+                    said.setdefault(name, {}).setdefault(claim.name, []).append(bare)
+    return Measurements(parts, said, {name: _kinds(records) for name, records in several.items()})
+
+
+def _kinds(records: Sequence[Record]) -> str:
+    processors, devices = {each.processor for each in records}, {each.machine["device"] for each in records}
+    noun = "GPU" if devices == {"cuda"} else "processor"
+    return f", on {len(processors)} kinds of {noun}" if len(processors) > 1 else ""
+
+
+def derive_bare(project: Project, records: Records, parts: Mapping[str, Apart]) -> Derived:
+    """Derive sections from these records, without words; what compares editions, or can't be derived, is left out."""
+    floors = floors_of(records[NOISE].rows, records[NOISE].units) if NOISE in records else {}
+    found: dict[str, tuple[Results, Section]] = {}
+    for name in sorted(records, key=lambda name: outline_of(name).order):
+        outline = outline_of(name)
+        others = {other: found[other][0] for other in outline.reads if other in found}
+        path, record = project.record_path(name), records[name]
+        results = Results(
+            record, path, Read(outline, others), {}, floors, parts.get(name, Apart()), outline.label, outline.labels
+        )
+        with suppress(ReportError):
+            if not outline.compares:
+                found[name] = results, derive_section(results, {})
+    return found

@@ -1,0 +1,79 @@
+"""Replicas: what measuring an edition again gave, records without their traces, in one file that seals them."""
+
+import gzip
+import io
+import tarfile
+import zlib
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+
+from measured_report.files.atomic import RecordError, read_own_file, short_path
+from measured_report.records.columns import is_number
+from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
+
+FOLDER = "replicas"
+"""Beside the records of the edition that was measured again."""
+SUMS = "SHA256SUMS"
+"""The file in it that seals all others."""
+WHOLE = 0.9
+"""Chosen: so large a share of the numbers is there again; runs at an edge may be lost."""
+Records = Mapping[str, Record]
+"""Records by section."""
+
+
+def packed(records: Iterable[Record]) -> bytes:
+    """Pack records without their traces; the same records are the same bytes."""
+    files = {f"{record.section}.json": record_text(replace(record, traces={})).encode() for record in records}
+    content = io.BytesIO()
+    with tarfile.open(fileobj=content, mode="w", format=tarfile.USTAR_FORMAT) as archive:
+        for name, text in sorted({**files, SUMS: _sums(files)}.items()):
+            about = tarfile.TarInfo(name)
+            about.size = len(text)
+            archive.addfile(about, io.BytesIO(text))
+    return gzip.compress(content.getvalue(), mtime=0)
+
+
+def _sums(files: Mapping[str, bytes]) -> bytes:
+    return "".join(f"{sha256(text).hexdigest()}  {name}\n" for name, text in sorted(files.items())).encode()
+
+
+def read_replica(path: Path) -> Records:
+    """Read a replica; RecordError, one line, when it is damaged in any way."""
+    try:
+        with gzip.open(io.BytesIO(read_own_file(path, BYTE_LIMIT))) as file:
+            content = file.read(BYTE_LIMIT + 1)
+        if len(content) > BYTE_LIMIT:
+            raise RecordError(f"{short_path(path)} holds more than {BYTE_LIMIT >> 20} MiB")
+        with tarfile.open(fileobj=io.BytesIO(content)) as archive:
+            files = {member.name: archive.extractfile(member).read() for member in archive if member.isreg()}  # type: ignore[union-attr]
+    except (OSError, EOFError, zlib.error, tarfile.TarError) as error:
+        raise RecordError(f"{short_path(path)} is no whole replica: {error}") from None
+    if files.pop(SUMS, b"") != _sums(files) or not files:
+        raise RecordError(f"{short_path(path)} is not as it was sealed")
+    return {Path(name).stem: read_record(text, path.parent / name) for name, text in sorted(files.items())}
+
+
+def measurements_beside(path: Path) -> list[Record]:
+    """Return the record at ``path``, and those of the replicas beside it that measured the same."""
+    tracked = read_record(read_own_file(path, BYTE_LIMIT), path)
+    found = (read_replica(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
+    return [tracked, *(record for record in found if record and not unlike(tracked, record))]
+
+
+def unlike(tracked: Record, other: Record) -> str:
+    """Say what keeps a record from being a replica of the tracked one; empty where nothing does."""
+    if tracked.identity.packages != other.identity.packages:
+        return "other packages"
+    same = tracked.identity, other.identity
+    if len({(each.code, each.config, each.profile) for each in same}) > 1:
+        return "other code"
+    counts = [sum(is_number(cell) for row in each.rows for cell in row.values()) for each in (tracked, other)]
+    return "" if counts[1] >= WHOLE * counts[0] else "not all of it could be measured there"
+
+
+def is_copy(one: Record, other: Record) -> bool:
+    """Tell whether two records are of one measurement: of one host and time, or the same to the last bit on a GPU."""
+    times = [(each.machine.get("host"), each.measured.get("started", each.measured["date"])) for each in (one, other)]
+    return times[0] == times[1] or (one.machine["device"] == "cuda" and list(one.rows) == list(other.rows))

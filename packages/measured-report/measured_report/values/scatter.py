@@ -1,0 +1,163 @@
+"""Scatter: how measurements as a whole come out apart, on other hosts and by other builds.
+
+Each number has few measurements and each column many numbers, so that a number's variance is its own together with that
+of its column, which counts for as many degrees of freedom as ``POOLED`` numbers have: the moderated t of Smyth (2004),
+Statistical Applications in Genetics and Molecular Biology 3, article 3. Numbers of a column share their hosts, so that
+more of them would pretend to more measurements than there are. The measurement is the random effect of a mixed model
+(Laird and Ware 1982, Biometrics 38, 963-974), and the noise the prediction interval of one more of them.
+"""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from statistics import NormalDist, fmean, median, variance
+from typing import Any
+
+from measured_report.files.config import config
+from measured_report.records.columns import REASON, column_of, is_number
+from measured_report.records.record import Record
+from measured_report.values.noise import CONFIDENCE, PAIRS, ROUNDING_SHARE, TIMES, is_lost, is_repeated
+
+POOLED = 4
+"""Chosen: the numbers of a column that its variance counts for."""
+TYPICAL = 0.9
+"""Chosen: so large a share of a column's numbers vary no more than it: no outlier counts, and no number that happened
+to repeat itself."""
+FINEST = 0.25
+"""Chosen: the share of what a column resolves, or rounding leaves of a number, that its deviation is at least."""
+Key = tuple[Any, ...]
+Row = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """Tells how far apart measurements of a column come out, each number of it by its row."""
+
+    typical: float
+    """Variance of a number of the column of usual size; larger ones vary in proportion."""
+    size: float
+    freedom: int
+    """Degrees of freedom of a number: measurements less one."""
+    own: Mapping[Key, Sequence[float]] = field(default_factory=dict)
+    """Variance that a number had itself, and the least and the largest that was measured."""
+
+    @property
+    def all_freedom(self) -> int:
+        return (1 + POOLED) * self.freedom
+
+    def noise(self, key: Key, value: float) -> float:
+        """Bound how far from this number that of another measurement comes out: ``PAIRS`` of all come no farther."""
+        common = self.typical * max(1.0, abs(value) / self.size if self.size else 1.0) ** 2
+        together = (POOLED * common + self.own.get(key, [common])[0]) / (POOLED + 1)
+        return quantile(self.all_freedom) * math.sqrt(2 * together)
+
+
+@cache
+def quantile(freedom: int) -> float:
+    """Return Student's t that ``PAIRS`` of all lie within, by Wallace (1959), Ann. Math. Statist. 30, 1124-1130."""
+    z = NormalDist().inv_cdf((1 + PAIRS) / 2) * (8 * freedom + 3) / (8 * freedom + 1)
+    return math.sqrt(freedom * math.expm1(z * z / freedom))
+
+
+def chance_of(times: float, freedom: int) -> float:
+    """Tell how often measurements come out so many times their noise apart, or farther."""
+    t = times * quantile(freedom)
+    z = math.sqrt(freedom * math.log1p(t * t / freedom)) * (8 * freedom + 1) / (8 * freedom + 3)
+    return 2 * NormalDist().cdf(-z)
+
+
+def discoveries(chances: Sequence[float]) -> float:
+    """Return the largest chance that counts as none among so many comparisons.
+
+    Of what is told no more than 1 − ``CONFIDENCE`` is by chance: Benjamini and Hochberg (1995), Journal of the Royal
+    Statistical Society B 57, 289-300.
+    """
+    ranked = enumerate(sorted(chances), 1)
+    return max((each for rank, each in ranked if each <= (1 - CONFIDENCE) * rank / len(chances)), default=0.0)
+
+
+@dataclass(frozen=True)
+class Apart:
+    """Holds how the measurements of a section are apart."""
+
+    count: int = 1
+    """Measurements."""
+    columns: Mapping[str, Scatter] = field(default_factory=dict)
+    edge: frozenset[Key] = frozenset()
+    """Rows that were lost in one measurement and not in another, or are text otherwise: which of both is chance."""
+    digest: str = ""
+    """Covers the measurements."""
+
+    def noise(self, column: str, row: Row) -> float | None:
+        """Return the noise of a number of a row; None where the measurements tell none."""
+        scatter = self.columns.get(column)
+        return scatter.noise(key_of(row), row[column]) if scatter and row[column] is not None else None
+
+    def interval(self, column: str, row: Row) -> str:
+        """Say between which numbers the measurements of a number of a row lie; empty where there is one."""
+        scatter = self.columns.get(column)
+        found = scatter.own.get(key_of(row)) if scatter else None
+        return f"{scatter.freedom + 1} measurements from {found[1]:.6g} to {found[2]:.6g}" if scatter and found else ""
+
+
+def key_of(row: Row) -> Key:
+    """Return what tells a row from the others of its section, in any measurement."""
+    return tuple(row.get(name) for name in config().changes.keys)
+
+
+def apart(records: Sequence[Record]) -> Apart:
+    """Compare the measurements of a section, the first of them that which is shown."""
+    keyed = [_by_key(record.rows) for record in records]
+    shared = [key for key in keyed[0] if all(key in rows for rows in keyed)]
+    words = {name for rows in keyed for row in rows.values() for name, cell in row.items() if not is_number(cell)}
+    words = {name for name in words - {"case"} if name not in records[0].units and not name.endswith(REASON)}
+    edge = frozenset(key for key in shared if any(len({rows[key].get(name) for rows in keyed}) > 1 for name in words))
+    there = [key for key in shared if key not in edge and not is_lost(keyed[0][key])]
+    columns = {}
+    for name in records[0].units:
+        about = column_of(name)
+        is_cost = "cost" in about.kinds or about.unit in TIMES
+        mine = [rows for rows, record in zip(keyed, records, strict=True) if _compares(record, records[0], is_cost)]
+        if len(mine) > 1 and (scatter := _scatter(name, {key: [rows[key] for rows in mine] for key in there})):
+            columns[name] = scatter
+    return Apart(len(records), columns, edge)
+
+
+def _compares(record: Record, shown: Record, is_cost: bool) -> bool:
+    """Tell whether a number of both may be compared: a time of one kind of processor says nothing of another."""
+    return not is_cost or record.processor == shown.processor
+
+
+def _by_key(rows: Sequence[Row]) -> dict[Key, Row]:
+    """Return the rows by what tells them apart; those that nothing does are left out."""
+    count = Counter(map(key_of, rows))
+    return {key_of(row): row for row in rows if count[key_of(row)] == 1}
+
+
+def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
+    """Return the scatter of a column; None where nothing in it differs, or there is too little to tell."""
+    found = {key: numbers for key, rows in cells.items() if len(numbers := [*_numbers(column, rows)]) == len(rows)}
+    if not any(len(set(numbers)) > 1 for numbers in found.values()):
+        return None
+    size = median(abs(fmean(numbers)) for numbers in found.values())
+    own, scaled = {}, []
+    for key, numbers in found.items():
+        value = abs(fmean(numbers))
+        is_counted = all(isinstance(number, int) for number in numbers)
+        finest = FINEST * max(column_of(column).resolution, 1.0 if is_counted else ROUNDING_SHARE * value)
+        own[key] = max(variance(numbers), finest**2), min(numbers), max(numbers)
+        scaled.append(own[key][0] / max(1.0, value / size if size else 1.0) ** 2)
+    freedom = len(next(iter(found.values()))) - 1
+    part = 2 / (9 * freedom)  # chi-squared by Wilson and Hilferty, as in ``tolerance``
+    chi_squared = freedom * (1 - part + NormalDist().inv_cdf(TYPICAL) * math.sqrt(part)) ** 3
+    typical = sorted(scaled)[math.ceil(TYPICAL * len(scaled)) - 1] * freedom / chi_squared
+    return Scatter(typical, size, freedom, own)
+
+
+def _numbers(column: str, rows: Sequence[Row]) -> Iterator[float]:
+    """Yield the numbers of a column that were measured, and that an engine does not repeat to the last bit."""
+    for row in rows:
+        if is_number(row.get(column)) and not column_of(column).is_exact(row) and not is_repeated(column, row):
+            yield row[column]

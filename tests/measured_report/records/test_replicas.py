@@ -1,0 +1,120 @@
+"""Replicas: one sealed file of records, taken in only where it is of the same code and packages, whole and no copy."""
+
+from dataclasses import replace
+from hashlib import sha256
+
+import pytest
+
+from measured_report.commands import replicate
+from measured_report.editions.project import Project
+from measured_report.editions.replicas import refused, replicas_of
+from measured_report.files.atomic import RecordError
+from measured_report.files.errors import ReportError
+from measured_report.records.record import load_record, write_record
+from measured_report.records.replicas import FOLDER, packed, read_replica
+
+LABEL = "1.4.0"
+SECTIONS = ("gap", "frames")
+
+
+@pytest.fixture
+def project(tmp_path):
+    """A project with the tracked records of some sections, without their traces."""
+    (tmp_path / "report").symlink_to(Project(LABEL).root / "report")
+    for section in SECTIONS:
+        record = load_record(Project(LABEL).record_path(section))
+        write_record(Project(LABEL, root=tmp_path).record_path(section), replace(record, traces={}))
+    return Project(LABEL, root=tmp_path)
+
+
+def again(project: Project, section: str, by: float = 1e-4, **identity):
+    """Return a section as if another host had measured it."""
+    record = load_record(project.record_path(section))
+    rows = [{name: _moved(cell, by) for name, cell in row.items()} for row in record.rows]
+    measured = {**record.measured, "started": "2026-11-27T01:00:00+00:00"}
+    machine = {**record.machine, "host": "elsewhere"}
+    return replace(record, rows=rows, measured=measured, machine=machine, identity=replace(record.identity, **identity))
+
+
+def _moved(cell, by):
+    return cell * (1 + by) if isinstance(cell, float) else cell
+
+
+def kept(project: Project, *records):
+    path = project.root / "sent.tgz"
+    path.write_bytes(packed(records))
+    replicate._keep(project, read_replica(path), "sent.tgz")
+    return replicas_of(project, {section: load_record(project.record_path(section)) for section in SECTIONS})
+
+
+def test_a_replica_is_read_as_it_was_packed(project):
+    records = [again(project, section) for section in SECTIONS]
+    assert packed(records) == packed(records)
+    (found,) = kept(project, *records).values()
+    digits = [
+        [float(f"{cell:.9g}") for row in record.rows for cell in row.values() if isinstance(cell, float)]
+        for record in records
+    ]
+    read = [
+        [cell for row in found[each.section].rows for cell in row.values() if isinstance(cell, float)]
+        for each in records
+    ]
+    assert digits == read
+
+
+def test_sections_of_other_code_are_left_out_and_named(project, capsys):
+    other = again(project, "gap", code=sha256(b"other").hexdigest())
+    (found,) = kept(project, other, again(project, "frames")).values()
+    assert list(found) == ["frames"]
+    assert "left out: other code (gap)" in capsys.readouterr().out
+
+
+def test_a_later_change_of_a_section_costs_that_section_alone(project):
+    kept(project, *(again(project, section) for section in SECTIONS))
+    changed = again(project, "gap", code=sha256(b"later").hexdigest())
+    (found,) = replicas_of(project, {"gap": changed, "frames": load_record(project.record_path("frames"))}).values()
+    assert list(found) == ["frames"]
+
+
+@pytest.mark.parametrize("kind", ["code", "packages"])
+def test_one_of_other_code_or_packages_is_refused_in_a_line(project, kind):
+    packages = load_record(project.record_path("gap")).identity.packages
+    other = {"code": sha256(b"other").hexdigest(), "packages": {**packages, "mujoco": "9.9"}}[kind]
+    with pytest.raises(ReportError, match=f"no section of this edition: other {kind} \\(gap\\)") as error:
+        kept(project, again(project, "gap", **{kind: other}))
+    assert "\n" not in str(error.value)
+    assert not (project.results / FOLDER).exists()
+
+
+def test_a_copy_is_refused_with_another_date_too(project):
+    tracked = load_record(project.record_path("gap"))
+    dated = replace(again(project, "gap"), rows=tracked.rows)
+    for copy in (tracked, dated):
+        with pytest.raises(ReportError, match="its section gap is a copy of one that is there"):
+            kept(project, copy)
+    sent = again(project, "gap")
+    kept(project, sent)
+    with pytest.raises(ReportError, match="copy"):
+        kept(project, sent)
+
+
+def test_one_that_was_altered_or_cut_is_damaged(project):
+    sent = again(project, "gap")
+    content, path = packed([sent]), project.root / "sent.tgz"
+    for damaged in (content[:-200], b"no archive", packed([])):
+        path.write_bytes(damaged)
+        with pytest.raises(RecordError, match=r"sent\.tgz is no"):
+            read_replica(path)
+    import gzip
+
+    text = gzip.decompress(content)
+    path.write_bytes(gzip.compress(text.replace(b'"dropped":false', b'"dropped":true ', 1)))
+    with pytest.raises(RecordError, match="not as it was sealed"):
+        read_replica(path)
+
+
+def test_what_could_not_be_measured_there_is_left_out(project):
+    sent = again(project, "gap")
+    lost = [{name: cell for name, cell in row.items() if not isinstance(cell, float)} for row in sent.rows]
+    found = refused(project, {"gap": replace(sent, rows=lost), "frames": again(project, "frames")})
+    assert found == {"gap": "not all of it could be measured there"}
