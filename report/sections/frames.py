@@ -16,15 +16,27 @@ ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
 
 def derive(results: Results) -> Section:
     claims = [_cube_moves_in_fingers(results), _robot_is_still(results)]
-    columns: dict[str, Column] = {"displacement": "displacement_mm", "reading": lambda row: _reading(results, row)}
+    columns: dict[str, Column] = {
+        "displacement": "displacement_mm",
+        "of the cube's way": lambda row: _part(results, row),
+    }
     pairs = table_of("what in what", [row.pair for row in results.rows], columns, results.rows)
     return Section(tables={"pairs": pairs}, claims=claims)
 
 
-def _reading(results: Results, row: Row) -> str:
+def _part(results: Results, row: Row) -> str:
+    """Say in words what part of the cube's displacement against the TCP a displacement is."""
     cells = row.displacement_mm.value, results.row["cube-in-TCP"].displacement_mm.value
-    bound = 0.01 * results.derived["robot_share_bound"].number
-    return "" if None in cells else "in motion" if cells[0] > bound * cells[1] else "at rest"
+    little = 0.01 * results.derived["robot_share_bound"].number
+    if None in cells or not cells[1]:
+        return ""
+    return (
+        "next to nothing"
+        if cells[0] <= little * cells[1]
+        else "a part"
+        if cells[0] < (1 - little) * cells[1]
+        else "all"
+    )
 
 
 def _cube_moves_in_fingers(results: Results) -> Claim:
