@@ -26,7 +26,7 @@ LIMITED = 0.5
 """Share of steps in which the solver uses up its iterations."""
 DIFFERS_M = 1e-3
 """What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
-SAG, HELD, AGREES = 2e-3, 0.99, 0.7
+SAG, HELD, AGREES = 5e-3, 0.99, 0.7
 """Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
 MANY, FEW = 1000, 64
 """Vertices of a convex hull that are many, and as many as do."""
@@ -138,16 +138,13 @@ def _sagging(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Fi
     for dof, rate in _sags(model, seen).items():
         joint = model.joint(model.dof_jntid[dof])
         unit, scale = ("°/s", math.degrees(1.0)) if joint.type[0] == HINGE else ("mm/s", M)
-        gain = 'solimpfriction="0.999 0.999 0.001" on the joint slows it 100 times'
-        advice = Advice((), gain)
+        advice = Advice((), gain := 'solimpfriction="0.999 0.999 0.001" on the joint slows it 100 times')
         if scene.engine.name == "mujoco":
             after = _sags(model, _again(target, changed(model, noslip_iterations=10), index, seen.time_s)).get(dof, 0.0)
             said = f"{scale * rate:.3g} → {scale * after:.3g} {unit}, in MuJoCo C"
             advice = for_option(scene, {"noslip_iterations": "10"}, f"{said}; or {gain}, in all engines")
-        bears = f"{abs(seen.data.qfrc_constraint[dof]):.3g} of the {model.dof_frictionloss[dof]:.3g}"
-        message = (
-            f"is how fast it gives way to {bears} that its frictionloss can bear, from {seen.start}, at any impratio"
-        )
+        bears = f"{abs(seen.data.qfrc_bias[dof]):.3g} of the {model.dof_frictionloss[dof]:.3g}"
+        message = f"is how fast it gives way to {bears} that frictionloss can bear, from {seen.start}, at any impratio"
         told = ("sag", joint.name or f"joint_{joint.id}", (), "speed", scale * rate, None, unit, message)
         yield Finding(*told, advice=advice)
 
@@ -156,9 +153,11 @@ def _sags(model: mujoco.MjModel, seen: Run) -> dict[int, float]:
     """Return speeds of joints that move as fast as their friction gives way to less than it can bear [m/s or rad/s]."""
     data, found = seen.data, {}
     for row in () if seen.bad else np.flatnonzero(data.efc_type == DRY_FRICTION).tolist():
-        dof, force = int(data.efc_id[row]), abs(float(data.efc_force[row]))
+        dof, force = int(data.efc_id[row]), max(abs(float(data.efc_force[row])), mujoco.mjMINVAL)
         rate, gives = abs(float(data.qvel[dof])), float(data.efc_R[row]) * force / float(data.efc_KBIP[row, 1])
-        if rate > SAG and force < HELD * model.dof_frictionloss[dof] and AGREES < rate / gives < 1.0 / AGREES:
+        alike = rate / gives, *(abs(float(each[dof])) / force for each in (data.qfrc_bias, data.qfrc_constraint))
+        is_held = rate > SAG and force < HELD * model.dof_frictionloss[dof] and not data.qfrc_actuator[dof]
+        if is_held and min(alike) > AGREES and max(alike) < 1.0 / AGREES:
             found[dof] = rate
     return found
 
