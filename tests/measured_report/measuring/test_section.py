@@ -1,6 +1,7 @@
 """The loop: sections in batches, measured by processes of this host, and what may go wrong meanwhile."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -8,10 +9,11 @@ import time
 from pathlib import Path
 
 import batches
+import numpy as np
 import pytest
 from batches import begun, rows_of, running, section_of
 
-from measured_report.measuring.batch import Batch
+from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.section import Loop
 from measured_report.records.record import load_record
@@ -43,11 +45,13 @@ def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):
 
 def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
     failing = section_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
+    ending = section_of(toy, batches.single(Batch("end", sys.exit, ("ended",))), "ending-one")
     odd = section_of(toy, batches.single(Batch("odd", os.listdir, (lambda: None,))), "odd-one")
-    assert fails(failing, odd, section_of(toy, batches.plan(str(log), "a")))
+    assert fails(failing, ending, odd, section_of(toy, batches.plan(str(log), "a")))
     said = capsys.readouterr().err
     assert "bad-one: measuring failed; what was there is kept: bad: as a test" in said and "in fail\n" in said
     assert "odd-one: measuring failed; what was there is kept: odd: " in said
+    assert "ending-one: measuring failed; what was there is kept: end: ended" in said
     assert len(rows_of(toy)) == 2
 
 
@@ -60,6 +64,39 @@ def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
     assert f"doomed: measuring failed; what was there is kept: {reason}" in said
     assert [row["case"] for row in rows_of(toy)] == [*"efgh", "sum"]
     assert begun(log).count("die") == 2 and toy.project.record_path("mortal").is_file() and not running(log)
+
+
+def test_numbers_of_numpy_are_kept_as_numbers(toy):
+    row = {"case": "a", "slip_mm": np.float32(1.5), "hold_count": np.int64(3), "holds": np.bool_(True)}
+    lost = {"case": "b", "slip_mm": np.float32("nan"), "hold_count": 1, "holds": False}
+    assert not fails(section_of(toy, handed(batches.Rows([row, lost], {"a": {"time_s": np.arange(2.0)}}))))
+    first, second = rows_of(toy)
+    assert first == {"case": "a", "slip_mm": 1.5, "hold_count": 3, "holds": True}
+    assert second["slip_mm"] is None and second["slip_mm_reason"] == "the measurement gave nan"
+
+
+@pytest.mark.parametrize(
+    ("returned", "reason"),
+    [
+        (None, "'NoneType' object has no attribute 'rows'"),
+        (batches.Rows([1]), "'int' object has no attribute 'items'"),
+        (batches.Rows([{"case": "a", "slip_mm": [1.0]}]), r"\[1.0\] is no number, text, yes or no"),
+        (batches.Rows([{"case": "a"}], {"a": {"time_s": [[1.0]]}}), r"\[1.0\] is no number, text, yes or no"),
+        (batches.Rows([{"case": "a"}], {1: {1: [1.0]}}), "'1' is no column name"),
+    ],
+)
+def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, reason):
+    before = rows_of(toy)
+    assert fails(section_of(toy, handed(returned)))
+    said = capsys.readouterr().err
+    assert re.fullmatch(f"toy: measuring failed; what was there is kept: .*{reason}\n", said)
+    assert rows_of(toy) == before
+
+
+def handed(returned) -> Plan:
+    """A section that measures nothing and hands this over."""
+    yield [Batch("a", os.getpid)]
+    return returned
 
 
 @pytest.mark.parametrize("names", ["aa", ""])
@@ -75,7 +112,7 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 from measured_report.editions.project import Project
-from measured_report.measuring.batch import Batch
+from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.section import Loop
 from measured_report.measuring.pool import host_pools
 

@@ -13,6 +13,7 @@ batch, which measures no times.
 
 import gc
 import os
+import pickle
 import re
 import tempfile
 import time
@@ -60,6 +61,7 @@ class Result:
     """Keep a value that a batch has returned, and what measured it."""
 
     value: Any
+    """Travels as bytes, which are read where an error costs this batch alone."""
     machine: Mapping[str, Any]
     started: str
     ended: str
@@ -86,12 +88,13 @@ def measure_batch(batch: Batch, device: str) -> Result:
         with gpu_lock(exclusive=batch.exclusive):
             started, start = now(), time.perf_counter()
             value = batch.function(*batch.arguments)
-            return Result(value, here, started, now(), round(time.perf_counter() - start, 1))
-    except Exception as error:
+            ended, seconds = now(), round(time.perf_counter() - start, 1)
+        return Result(pickle.dumps(value), here, started, ended, seconds)
+    except BaseException as error:  # sys.exit too: a fault of a section must not end the process
         raise BatchError(reason_of(error), trace_of(error)) from None
 
 
-def reason_of(error: Exception) -> str:
+def reason_of(error: BaseException) -> str:
     """Say why measuring failed, in one line, with what to do."""
     said = " ".join(str(error).split())
     if is_out_of_memory(error):
@@ -106,17 +109,17 @@ def reason_of(error: Exception) -> str:
     return said or type(error).__name__
 
 
-def is_out_of_memory(error: Exception) -> bool:
+def is_out_of_memory(error: BaseException) -> bool:
     return isinstance(error, MemoryError) or bool(OUT_OF_MEMORY.search(str(error)))
 
 
-def is_expected(error: Exception) -> bool:
+def is_expected(error: BaseException) -> bool:
     """Tell whether its reason says all there is; an error of the code itself has its trace as well."""
     known = OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error)) or host().explained(error)
     return isinstance(error, ReportError | OSError | MemoryError) or bool(known)
 
 
-def trace_of(error: Exception) -> str:
+def trace_of(error: BaseException) -> str:
     """Say where an error was raised, unless its reason says all there is."""
     return "" if is_expected(error) else "".join(traceback.format_exception(error))
 

@@ -112,7 +112,13 @@ class ClusterPool:
         self._digest = digest_here()
 
     def submit(self, function: Callable, *arguments: Any) -> Future:
-        return self._executor.submit(call_here, self._digest, pickle.dumps((function, arguments)))
+        try:
+            call = pickle.dumps((function, arguments))
+        except Exception as error:  # is of this batch, as where the process of a host's pool can't read it
+            future: Future = Future()
+            future.set_exception(error)
+            return future
+        return self._executor.submit(call_here, self._digest, call)
 
 
 def call_here(digest: str, call: bytes) -> Any:

@@ -33,6 +33,10 @@ class HostPool:
             self._pool = self._opened()
             return self._pool.submit(function, *arguments)
 
+    def close(self) -> None:
+        """Drop what waits, and end the thread that leads the processes, which must not meet the end of the program."""
+        self._pool.shutdown(cancel_futures=True)
+
     def _opened(self) -> Executor:
         return ProcessPoolExecutor(self.limit, get_context("fork"), begin, (self._begin,))
 
@@ -40,11 +44,14 @@ class HostPool:
 @contextmanager
 def host_pools(count: int) -> Iterator[tuple[HostPool, HostPool]]:
     """Open a pool for ``count`` batches that share this host, and one for what is exclusive, by-passing MPS."""
+    shared, exclusive = HostPool(count, {}), HostPool(1, {MPS: "/nonexistent"})
     try:
-        yield HostPool(count, {}), HostPool(1, {MPS: "/nonexistent"})
+        yield shared, exclusive
     finally:
         for process in active_children():
             process.kill()
+        shared.close()
+        exclusive.close()
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:

@@ -4,10 +4,11 @@ What times nothing is measured side by side, and then, one after the other, what
 """
 
 import inspect
+import pickle
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import ModuleType
 from typing import Any
 
@@ -19,7 +20,7 @@ from measured_report.measuring.batch import Batch, BatchError, Plan, Result, mea
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import commit, kind_of, needs_gpu
 from measured_report.measuring.measurement import Measurement
-from measured_report.records.columns import UNBELIEVED, is_number, number_problem, units_of
+from measured_report.records.columns import UNBELIEVED, is_number, number_problem, plain, units_of
 from measured_report.records.identity import Identity, identity_of
 from measured_report.records.record import Record, write_record
 from measured_report.records.traces import packed
@@ -87,7 +88,12 @@ class Section:
             tqdm.write(f"{trace}{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
 
     def _write(self, measurement: Measurement) -> None:
-        parts = list(self.results.values())
+        parts, path = list(self.results.values()), self.project.record_path(self.name)
+        try:
+            rows = [believable(row) for row in measurement.rows]
+            traces = {case: packed(path, case, table) for case, table in measurement.traces.items()}
+        except (AttributeError, TypeError) as error:
+            raise ReportError(f"it returned no Measurement of rows and traces: {error}") from None
         if len({kind_of(part.machine) for part in parts}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
         seconds = round(sum(part.seconds for part in parts), 1)
@@ -103,11 +109,10 @@ class Section:
                 "command": self.project.rerun(self.name, parts[0].machine["device"]),
                 "seconds": seconds,
             },
-            units=units_of(measurement.rows),
-            rows=[believable(row) for row in measurement.rows],
+            units=units_of(rows),
+            rows=rows,
         )
-        path = self.project.record_path(self.name)
-        write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
+        write_record(path, record, traces)
         self.is_over = True
         tqdm.write(f"{self.name}: {len(record.rows)} rows in {seconds:.0f} s → {path}")
 
@@ -147,7 +152,8 @@ class Loop:
     def _take(self, future: Future, section: Section, batch: Batch) -> None:
         pool = self.exclusive if section.is_exclusive(batch) else self.shared
         try:
-            section.results[batch.name] = future.result()
+            result = future.result()
+            section.results[batch.name] = replace(result, value=pickle.loads(result.value))
         except pool.lost:
             section.lose(batch)
         except CancelledError:
@@ -182,6 +188,7 @@ def _together(values: Iterable[str | None]) -> str | None:
 
 
 def believable(row: Mapping[str, object]) -> dict[str, object]:
-    """Return the row with None, and the reason, for each number that no record may hold."""
+    """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
+    row = {str(name): plain(value) for name, value in row.items()}
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
     return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}

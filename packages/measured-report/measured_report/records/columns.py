@@ -144,6 +144,14 @@ def is_number(value: Any) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
+def plain(cell: Any) -> Any:
+    """Return a cell as Python has it where it is NumPy's; TypeError for what no record may hold."""
+    found = cell.item() if getattr(cell, "ndim", None) == 0 else cell
+    if found is None or isinstance(found, bool | int | float | str):
+        return found
+    raise TypeError(f"{found!r:.80} is no number, text, yes or no")
+
+
 def number_problem(name: str, value: int | float) -> str:
     """Say what is wrong with a number in the column ``name``; empty when nothing is."""
     known = column_of(name)

@@ -144,7 +144,7 @@ class Record:
 
 def trace_path(record: Path, case: str) -> Path:
     """Name the place of the trace of ``case``, beside the record at ``record``."""
-    if not CASE.fullmatch(case):
+    if not CASE.fullmatch(str(case)):
         raise RecordError(f"a trace needs a case name that can be part of a file name, not {case!r}")
     return record.with_name(f"{record.stem}.{case}.csv.gz")
 

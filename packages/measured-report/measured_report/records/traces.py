@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path
-from measured_report.records.columns import PLAIN, column_of, is_number, number_problem, text_problem
+from measured_report.records.columns import PLAIN, column_of, is_number, number_problem, plain, text_problem
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
@@ -32,20 +32,20 @@ def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, byt
     It takes no pandas, which what is measured need not go with.
     """
     text, place = io.StringIO(), short_path(trace_path(record, case))
-    plain = {name: [getattr(cell, "item", lambda cell=cell: cell)() for cell in cells] for name, cells in table.items()}
-    for name, cells in plain.items():
+    columns = {str(name): list(map(plain, cells)) for name, cells in table.items()}
+    for name, cells in columns.items():
         lost = [cell is None or (is_number(cell) and bool(number_problem(name, cell))) for cell in cells]
         cells[:] = [None if gone else cell for cell, gone in zip(cells, lost, strict=True)]
         numbers, texts = list(filter(is_number, cells)), [cell for cell in cells if isinstance(cell, str)]
         if problem := _problem(name, numbers, dict.fromkeys(texts)):
             raise RecordError(f"{place} is no whole trace: {name!r:.80} {problem}")
     try:
-        lines = list(zip(*plain.values(), strict=True))
-        _check_cells(iter([[*plain], *([str(cell) for cell in line] for line in lines)]))
+        lines = list(zip(*columns.values(), strict=True))
+        _check_cells(iter([[*columns], *([str(cell) for cell in line] for line in lines)]))
     except ValueError as error:
         raise RecordError(f"{place} is no whole trace: {error}") from None
     write = csv.writer(text, lineterminator="\n").writerow
-    for line in ([*plain], *lines):
+    for line in ([*columns], *lines):
         write([f"{cell:{DIGITS}}" if isinstance(cell, float) else cell for cell in line])
     content = gzip.compress(text.getvalue().encode(), mtime=0)  # with no time in its header: the same gives the same
     return Seal(sha256(content).hexdigest(), len(lines)), content
