@@ -113,15 +113,11 @@ def is_out_of_memory(error: BaseException) -> bool:
     return isinstance(error, MemoryError) or bool(OUT_OF_MEMORY.search(str(error)))
 
 
-def is_expected(error: BaseException) -> bool:
-    """Tell whether its reason says all there is; an error of the code itself has its trace as well."""
-    known = OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error)) or host().explained(error)
-    return isinstance(error, ReportError | OSError | MemoryError) or bool(known)
-
-
 def trace_of(error: BaseException) -> str:
-    """Say where an error was raised, unless its reason says all there is."""
-    return "" if is_expected(error) else "".join(traceback.format_exception(error))
+    """Say where an error of the code itself was raised; the reason of another one says all there is."""
+    known = OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error)) or host().explained(error)
+    is_known = isinstance(error, ReportError | OSError | MemoryError) or known
+    return "" if is_known else "".join(traceback.format_exception(error))
 
 
 def now() -> str:
