@@ -91,12 +91,14 @@ def test_a_planted_change_rings_and_is_named_first(measured_as, change, said):
 
 @pytest.mark.parametrize(
     ("option", "value", "factor"),
-    [("integrator", 0.0, 1.0), ("timestep", 1 / 900, 1.0)],
-    ids=["integrator", "substeps"],
+    # By the C engine the slip is 0.38 % more, 0.56 % less, and the same with another kf or gap, which it does not read.
+    [("option-integrator", 0.0, 1.0038), ("option-timestep", 1 / 900, 0.9944), ("default-kf", 850.0, 1.0)]
+    + [("default-rigid_gap", 0.2, 1.0)],
+    ids=["integrator", "substeps", "kf", "gap"],
 )
 def test_a_planted_setting_rings(measured_as, option, value, factor):
     def change(row: dict) -> dict:
-        return times(factor, *SHAKEN)(row) | ({"value": value} if row["case"] == f"option-{option}" else {})
+        return times(factor, *SHAKEN)(row) | ({"value": value} if row["case"] == option else {})
 
     found = measured_as(change)
-    assert found.alarms and settings_text(found.settings).startswith(f"option-{option}")
+    assert found.alarms and settings_text(found.settings).startswith(option)

@@ -36,7 +36,7 @@ class Scatter:
     """Tells how far apart measurements of a column come out, each number of it by its row."""
 
     typical: float
-    """Variance of a number of the column of usual size; larger ones vary in proportion."""
+    """Variance of a number of the column; of larger ones than ``size`` in proportion, unless that is 0."""
     size: float
     freedom: int
     """Degrees of freedom of a number: measurements less one."""
@@ -141,19 +141,26 @@ def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
     found = {key: numbers for key, rows in cells.items() if len(numbers := [*_numbers(column, rows)]) == len(rows)}
     if not any(len(set(numbers)) > 1 for numbers in found.values()):
         return None
-    size = median(abs(fmean(numbers)) for numbers in found.values())
-    own, scaled = {}, []
+    own = {}
     for key, numbers in found.items():
-        value = abs(fmean(numbers))
         is_counted = all(isinstance(number, int) for number in numbers)
-        finest = FINEST * max(column_of(column).resolution, 1.0 if is_counted else ROUNDING_SHARE * value)
+        rounding = 1.0 if is_counted else ROUNDING_SHARE * abs(fmean(numbers))
+        finest = FINEST * max(column_of(column).resolution, rounding)
         own[key] = max(variance(numbers), finest**2), min(numbers), max(numbers)
-        scaled.append(own[key][0] / max(1.0, value / size if size else 1.0) ** 2)
+
+    def typical(size: float) -> tuple[float, float]:
+        """Return how unlike the variances are, in proportion to numbers of that size or not, and the typical one."""
+        sizes = (abs(fmean(numbers)) / size if size else 1.0 for numbers in found.values())
+        scaled = sorted(one[0] / max(1.0, each) ** 2 for one, each in zip(own.values(), sizes, strict=True))
+        middle, most = (scaled[math.ceil(share * len(scaled)) - 1] for share in (0.5, TYPICAL))
+        return most / middle if middle else math.inf, most
+
+    usual = median(abs(fmean(numbers)) for numbers in found.values())
+    (_, most), size = min((typical(size), size) for size in (0.0, usual))
     freedom = len(next(iter(found.values()))) - 1
     part = 2 / (9 * freedom)  # chi-squared by Wilson and Hilferty, as in ``tolerance``
     chi_squared = freedom * (1 - part + NormalDist().inv_cdf(TYPICAL) * math.sqrt(part)) ** 3
-    typical = sorted(scaled)[math.ceil(TYPICAL * len(scaled)) - 1] * freedom / chi_squared
-    return Scatter(typical, size, freedom, own)
+    return Scatter(most * freedom / chi_squared, size, freedom, own)
 
 
 def _numbers(column: str, rows: Sequence[Row]) -> Iterator[float]:
