@@ -18,15 +18,13 @@ from typing import Any
 from measured_report.files.config import config
 from measured_report.records.columns import REASON, column_of, is_number
 from measured_report.records.record import Record
-from measured_report.values.noise import CONFIDENCE, PAIRS, ROUNDING_SHARE, TIMES, is_lost, is_repeated
+from measured_report.values.noise import CONFIDENCE, PAIRS, TIMES, is_lost, is_repeated
 
 POOLED = 4
 """Chosen: the numbers of a column that its variance counts for."""
 TYPICAL = 0.9
 """Chosen: so large a share of a column's numbers vary no more than it: no outlier counts, and no number that happened
 to repeat itself."""
-FINEST = 0.25
-"""Chosen: the share of what a column resolves, or rounding leaves of a number, that its deviation is at least."""
 Key = tuple[Any, ...]
 Row = Mapping[str, Any]
 
@@ -141,12 +139,7 @@ def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
     found = {key: numbers for key, rows in cells.items() if len(numbers := [*_numbers(column, rows)]) == len(rows)}
     if not any(len(set(numbers)) > 1 for numbers in found.values()):
         return None
-    own = {}
-    for key, numbers in found.items():
-        is_counted = all(isinstance(number, int) for number in numbers)
-        rounding = 1.0 if is_counted else ROUNDING_SHARE * abs(fmean(numbers))
-        finest = FINEST * max(column_of(column).resolution, rounding)
-        own[key] = max(variance(numbers), finest**2), min(numbers), max(numbers)
+    own = {key: (variance(numbers), min(numbers), max(numbers)) for key, numbers in found.items()}
 
     def typical(size: float) -> tuple[float, float]:
         """Return how unlike the variances are, in proportion to numbers of that size or not, and the typical one."""
