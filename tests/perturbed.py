@@ -1,7 +1,7 @@
 """Perturbed results: what a section would say if other numbers had been measured."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import lru_cache
 from importlib import import_module
 from inspect import signature
@@ -124,7 +124,8 @@ class Perturbation:
         record = records.get(tracked.source, tracked.record)
         noise = records.get(f"{tracked.path.parent.name}/{NOISE}.json")
         floors = floors_of(noise.rows, noise.units) if noise else tracked.floors
-        return PerturbedResults(record, tracked.path, tracked.others, {}, floors, tracked.label, tracked.labels, traces)
+        changed = {"record": record, "derived": {}, "floors": floors, "traces": traces}
+        return PerturbedResults(**{each.name: getattr(tracked, each.name) for each in fields(tracked)} | changed)
 
 
 def of_editions(editions: Mapping[str, Edition], templates: Templates) -> Perturbation:
