@@ -7,7 +7,7 @@ from functools import partial
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
@@ -23,6 +23,7 @@ from report.shared.arithmetic import (
     noise_floor,
     other_cell,
     other_value,
+    quantile,
     resolved,
     share,
 )
@@ -102,7 +103,7 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     offs = [run.off for run in runs]
     quantiles = {"half": ("of half of the runs, at most", 0.5), "most": ("of nine in ten runs, at most", MOST)}
     within = {
-        name: results.value(f"{name}_kept", f"departure from the law {words}", partial(_quantile, at), *offs, unit="%")
+        name: results.value(f"{name}_kept", f"departure from the law {words}", partial(quantile, at), *offs, unit="%")
         for name, (words, at) in quantiles.items()
     }
     # Which runs at the edge keep the cube is chance, and so is the farthest of all: neither is asked.
@@ -121,16 +122,11 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     is_wide = all_of(
         at_least(width, 3.0, why="enough to see a law"), at_least(distinct, 5, why="more than a line takes")
     )
-    if outcome == HOLDS and is_wide == FAILS:
+    if outcome == HOLDS and is_wide != HOLDS:
         reason = "the friction rows of all runs brake too much alike to tell"
         outcome = Outcome("unknown", reason).having_read(width)
         numbers = {name: absent(number.unit, reason) for name, number in numbers.items()}
     return Claim("follows", outcome, numbers | {"is_wide": is_wide == HOLDS})
-
-
-def _quantile(share: float, *found: float) -> float:
-    """Return the number that so large a share of these do not exceed."""
-    return sorted(found)[math.ceil(share * len(found)) - 1]
 
 
 def _draw(runs: Sequence[Run]) -> Drawing:

@@ -72,6 +72,11 @@ def extreme(
     return results.value(name, formula, choose, *there, unit=unit)
 
 
+def quantile(share: float, *found: float) -> float:
+    """Return the number that so large a share of these do not exceed; which run is the farthest of many is chance."""
+    return sorted(found)[math.ceil(share * len(found)) - 1]
+
+
 def cell_count(results: Results, name: str, formula: str, cells: Sequence[Quantity]) -> Value:
     """Say how many cells there are, as a value that points to them."""
     return results.value(name, formula, lambda *found: len(found), *cells)

@@ -56,7 +56,7 @@ def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
     """Say what a change of slip is, beside the noise and what a cause would change."""
     if None in (change.value, floor.value, limit.value):
         return ""
-    if abs(change.number) <= floor.number:
+    if abs(change.number) <= max(floor.number, change.noise or 0.0):
         return "no difference"
     if abs(change.number) < limit.number:
         return "too little for a cause"

@@ -9,7 +9,7 @@ more of them would pretend to more measurements than there are. The measurement 
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from statistics import NormalDist, fmean, median, variance
@@ -91,7 +91,8 @@ class Apart:
     def noise(self, column: str, row: Row) -> float | None:
         """Return the noise of a number of a row; None where the measurements tell none."""
         scatter = self.columns.get(column)
-        return scatter.noise(key_of(row), row[column]) if scatter and row[column] is not None else None
+        number = scattered(column, row)
+        return None if scatter is None or number is None else scatter.noise(key_of(row), number)
 
     def interval(self, column: str, row: Row) -> str:
         """Say between which numbers the measurements of a number of a row lie; empty where there is one."""
@@ -136,7 +137,8 @@ def _by_key(rows: Sequence[Row]) -> dict[Key, Row]:
 
 def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
     """Return the scatter of a column; None where nothing in it differs, or there is too little to tell."""
-    found = {key: numbers for key, rows in cells.items() if len(numbers := [*_numbers(column, rows)]) == len(rows)}
+    read = {key: [scattered(column, row) for row in rows] for key, rows in cells.items()}
+    found = {key: numbers for key, numbers in read.items() if None not in numbers}
     if not any(len(set(numbers)) > 1 for numbers in found.values()):
         return None
     own = {key: (variance(numbers), min(numbers), max(numbers)) for key, numbers in found.items()}
@@ -148,16 +150,16 @@ def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
         middle, most = (scaled[math.ceil(share * len(scaled)) - 1] for share in (0.5, TYPICAL))
         return most / middle if middle else math.inf, most
 
-    usual = median(abs(fmean(numbers)) for numbers in found.values())
-    (_, most), size = min((typical(size), size) for size in (0.0, usual))
+    magnitudes = [abs(fmean(numbers)) for numbers in found.values()]
+    (_, most), size = min((typical(size), size) for size in (0.0, median(magnitudes), min(filter(None, magnitudes))))
     freedom = len(next(iter(found.values()))) - 1
     part = 2 / (9 * freedom)  # chi-squared by Wilson and Hilferty, as in ``tolerance``
     chi_squared = freedom * (1 - part + NormalDist().inv_cdf(TYPICAL) * math.sqrt(part)) ** 3
     return Scatter(most * freedom / chi_squared, size, freedom, own)
 
 
-def _numbers(column: str, rows: Sequence[Row]) -> Iterator[float]:
-    """Yield the numbers of a column that were measured, and that an engine does not repeat to the last bit."""
-    for row in rows:
-        if is_number(row.get(column)) and not column_of(column).is_exact(row) and not is_repeated(column, row):
-            yield row[column]
+def scattered(column: str, row: Row) -> float | None:
+    """Return the number of a column, where it was measured and no engine repeats it to the last bit."""
+    number = row.get(column)
+    is_same = not is_number(number) or column_of(column).is_exact(row) or is_repeated(column, row)
+    return None if is_same else number
