@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from measured_report.parts.claim import Claim, all_of, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value
-from measured_report.values.results import Results
+from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, compared, fine_enough, resolution, worlds_name
 
@@ -38,12 +38,22 @@ def derive(results: Results) -> Section:
                 f"{case}_extra_{count}", formula, lambda taken: 100 * (taken - 1), row.frame_ratio, unit="%"
             )
             if case in TESTED:
-                seen[case, count] = resolution(results, f"{case}_seen_{count}", [row])
+                seen[case, count] = _seen(results, f"{case}_seen_{count}", row, extra[case, count])
     worst = resolution(results, "resolution", compared(results.rows))
     costs = [_costs_nothing(results, extra, seen, case, worst) for case in TESTED]
     columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}
     table = table_of("way", CASES.values(), columns, resolution=worst)
     return Section(tables={"ways": table}, claims=costs)
+
+
+def _seen(results: Results, name: str, row: Row, extra: Value) -> Value:
+    """Derive from how much on a frame is seen to take longer [%]: in one measurement, and in another one."""
+
+    def known(resolution: float) -> float:
+        return max(100 * resolution, extra.noise or 0.0)
+
+    formula = "how well the ratio is known by one measurement, or how far measurements are apart, the larger"
+    return results.value(name, formula, known, row.ratio_resolution, unit="%", is_noise=True)
 
 
 def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str, known: Value) -> Claim:

@@ -138,7 +138,7 @@ def _by_key(rows: Sequence[Row]) -> dict[Key, Row]:
 def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
     """Return the scatter of a column; None where nothing in it differs, or there is too little to tell."""
     read = {key: [scattered(column, row) for row in rows] for key, rows in cells.items()}
-    found = {key: numbers for key, numbers in read.items() if None not in numbers}
+    found = {key: [*filter(is_number, numbers)] for key, numbers in read.items() if None not in numbers}
     if not any(len(set(numbers)) > 1 for numbers in found.values()):
         return None
     own = {key: (variance(numbers), min(numbers), max(numbers)) for key, numbers in found.items()}
