@@ -49,11 +49,11 @@ def derive(results: Results) -> Section:
 def _seen(results: Results, name: str, row: Row, extra: Value) -> Value:
     """Derive from how much on a frame is seen to take longer [%]: in one measurement, and in another one."""
 
-    def known(resolution: float) -> float:
+    def known(resolution: float, _: float) -> float:
         return max(100 * resolution, extra.noise or 0.0)
 
     formula = "how well the ratio is known by one measurement, or how far measurements are apart, the larger"
-    return results.value(name, formula, known, row.ratio_resolution, unit="%", is_noise=True)
+    return results.value(name, formula, known, row.ratio_resolution, extra, unit="%", is_noise=True)
 
 
 def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str, known: Value) -> Claim:

@@ -7,7 +7,7 @@ from functools import partial
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
@@ -122,7 +122,7 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     is_wide = all_of(
         at_least(width, 3.0, why="enough to see a law"), at_least(distinct, 5, why="more than a line takes")
     )
-    if outcome == HOLDS and is_wide != HOLDS:
+    if outcome != FAILS and is_wide != HOLDS:
         reason = "the friction rows of all runs brake too much alike to tell"
         outcome = Outcome("unknown", reason).having_read(width)
         numbers = {name: absent(number.unit, reason) for name, number in numbers.items()}
