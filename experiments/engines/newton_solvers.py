@@ -5,7 +5,9 @@ the box walk by h/2 of the acceleration ω² r that a step bends its path by: dr
 step. What does not go with the step is something else.
 """
 
+import re
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import newton
@@ -15,39 +17,93 @@ from newton import solvers
 from tqdm import tqdm
 
 from experiments.cure.turntable import SAMPLE_S, SETTLE_S
-from experiments.engines.scenes import FOOT_M, turntable
+from experiments.engines.scenes import FOOT_M, GRAVITY_M_S2, turntable
 from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
 SECONDS = {"full": 4.0, "quick": 2.0}
+SLOPE = 0.35
+"""Tangent of the slope [rad/rad]; friction carries up to 1."""
+FRAME_STEPS = 8
+"""Steps of a frame, where contacts are found once a frame."""
 NUMBERS = ("growth_per_s", "end_radius_mm")
-SOLVERS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
-    "mujoco": ("SolverMuJoCo", {"cone": "elliptic", "integrator": "implicitfast"}),
-    "xpbd": ("SolverXPBD", {"angular_damping": 0.0}),
-    "kamino": ("SolverKamino", {}),
-    "featherstone": ("SolverFeatherstone", {"angular_damping": 0.0}),
-    "semi-implicit": ("SolverSemiImplicit", {"angular_damping": 0.0}),
-    "vbd": ("SolverVBD", {}),
+ROWS = {"articulation_constraint_max": 256, "free_body_constraint_max": 512}
+"""Steel's constraint rows: those that do not fit are dropped."""
+OPTIONS: Mapping[str, Mapping[str, Any]] = {
+    "SolverMuJoCo": {"cone": "elliptic", "integrator": "implicitfast"},
+    "SolverXPBD": {"angular_damping": 0.0},
+    "SolverFeatherstone": {"angular_damping": 0.0},
+    "SolverSemiImplicit": {"angular_damping": 0.0},
+    "SolverSteel": ROWS,
 }
-"""Class and options by name; the rest is as the solver comes."""
+"""Options by class; the rest, and all of a class that is not here, is as the solver comes."""
+EXCUSED = {
+    "SolverBase": "what the others are made from",
+    "SolverImplicitMPM": "it has grains, and no rigid body that touches another",
+    "SolverStyle3D": "it has cloth, and no rigid body that touches another",
+    "SolverCoupled": "it joins other solvers",
+}
+"""Solvers that are not measured, and why."""
 
 
-def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each solver and step; without numbers, and with the reason, where it cannot run the scene."""
-    found = []
-    runs = [(solver, step_s) for solver in SOLVERS for step_s in STEPS_S[conditions.profile]]
-    for solver, step_s in tqdm(runs, desc="Newton's solvers", unit="run", delay=3.0):
-        row = {"case": f"{solver}-{1e3 * step_s:g}ms", "solver": solver, "step_ms": 1e3 * step_s}
-        try:
-            found.append(row | columns(run(solver, step_s, SECONDS[conditions.profile], conditions.device)))
-        except Exception as error:  # each is a program of its own, and need not know all that the scene has
-            reason = " ".join(str(error).split())[:120] or type(error).__name__
-            found.append(row | {"stays": None} | absent(NUMBERS, reason))
+@dataclass(frozen=True)
+class Variant:
+    """A solver as it is run: its class, options, and how contacts are found."""
+
+    name: str
+    solver: str
+    options: Mapping[str, Any] = field(default_factory=dict)
+    pipeline: Mapping[str, Any] = field(default_factory=dict)
+    steps_between_contacts: int = 1
+
+
+def variants() -> list[Variant]:
+    """List each rigid-body solver of the installed release, and Steel with one thing changed at a time."""
+    found = [Variant(name_of(each), each, OPTIONS.get(each, {})) for each in solver_classes() if each not in EXCUSED]
+    if "SolverSteel" in solver_classes():
+        points, matched = ROWS | {"friction_anchor_beta": 0.0}, {"contact_matching": "latest"}
+        found += [
+            Variant("steel-points", "SolverSteel", points),
+            Variant("steel-matched", "SolverSteel", ROWS, matched),
+            Variant("steel-frames", "SolverSteel", ROWS, matched, FRAME_STEPS),
+        ]
     return found
 
 
-def build(device: str) -> newton.Model:
-    """Build the table, which turns about a hinge, and the box on four feet, both in their places and turning."""
+def solver_classes() -> list[str]:
+    return [name for name in solvers.__all__ if name.startswith("Solver")]
+
+
+def name_of(solver: str) -> str:
+    words = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", solver.removeprefix("Solver"))
+    return words.lower().replace("mu-jo-co", "mujoco")
+
+
+def rows(conditions: Conditions) -> list[dict[str, object]]:
+    """Make a row for each solver, scene and step; without numbers, and with the reason, where it cannot run the scene."""
+    seconds, steps = SECONDS[conditions.profile], STEPS_S[conditions.profile]
+    runs = [(variant, "turntable", step_s) for variant in variants() for step_s in steps]
+    runs += [(variant, scene, steps[0]) for scene in ("slope", "still") for variant in variants()]
+    return [
+        row_of(*run, seconds, conditions.device) for run in tqdm(runs, desc="Newton's solvers", unit="run", delay=3.0)
+    ]
+
+
+def row_of(variant: Variant, scene: str, step_s: float, seconds: float, device: str) -> dict[str, object]:
+    is_turning = scene == "turntable"
+    end = f"{1e3 * step_s:g}ms" if is_turning else scene
+    row = {"case": f"{variant.name}-{end}", "solver": variant.name, "of": variant.solver, "step_ms": 1e3 * step_s}
+    try:
+        path = run(variant, scene, step_s, seconds, device)
+        return row | (columns(path) if is_turning else creep_columns(path))
+    except Exception as error:  # each is a program of its own, and need not know all that the scene has
+        reason = " ".join(str(error).split())[:120] or type(error).__name__
+        return row | {"stays": None} | absent(NUMBERS if is_turning else ("creep_mm_s",), reason)
+
+
+def build(scene_name: str, device: str) -> newton.Model:
+    """Build the table, which turns about a hinge unless it stands still, and the box on four feet, both in their places
+    and turning; on a slope gravity leans."""
     scene, builder = turntable(0.0), newton.ModelBuilder()
     box, [table] = scene["body"], scene["supports"]
     config = newton.ModelBuilder.ShapeConfig(density=0.0, mu=scene["friction"])
@@ -65,27 +121,30 @@ def build(device: str) -> newton.Model:
     joint_q = model.joint_q.numpy()
     joint_q[1:4] = box["place"]
     model.joint_q.assign(joint_q)
-    model.joint_qd.assign(scene["qvel"])
+    if scene_name == "turntable":
+        model.joint_qd.assign(scene["qvel"])
+    if scene_name == "slope":
+        model.set_gravity((GRAVITY_M_S2 * SLOPE / np.hypot(1.0, SLOPE), 0.0, -GRAVITY_M_S2 / np.hypot(1.0, SLOPE)))
     return model
 
 
-def run(solver: str, step_s: float, seconds: float, device: str) -> np.ndarray:
+def run(variant: Variant, scene: str, step_s: float, seconds: float, device: str) -> np.ndarray:
     """Return the box's place [m] at each sample, shape [sample, 3]."""
     with wp.ScopedDevice(device):
-        model = build(device)
+        model = build(scene, device)
         states, control = (model.state(), model.state()), model.control()
         newton.eval_fk(model, model.joint_q, model.joint_qd, states[0])
-        name, options = SOLVERS[solver]
-        stepper = getattr(solvers, name)(model, **options)
-        pipeline = newton.CollisionPipeline(model, rigid_contact_max=4)
+        stepper = getattr(solvers, variant.solver)(model, **variant.options)
+        pipeline = newton.CollisionPipeline(model, rigid_contact_max=4, **variant.pipeline)
         contacts = pipeline.contacts()
         path = [states[0].body_q.numpy()[1, :3].copy()]
         for _ in range(round(seconds / SAMPLE_S)):
-            for _ in range(round(SAMPLE_S / step_s / 2.0)):
-                for here, there in (states, states[::-1]):
+            for number in range(round(SAMPLE_S / step_s)):
+                here, there = states[:: 1 - 2 * (number % 2)]
+                if number % variant.steps_between_contacts == 0:
                     pipeline.collide(here, contacts)
-                    here.clear_forces()
-                    stepper.step(here, there, control, contacts, step_s)
+                here.clear_forces()
+                stepper.step(here, there, control, contacts, step_s)
             path.append(states[0].body_q.numpy()[1, :3].copy())
         return np.array(path, dtype=float)
 
@@ -101,3 +160,14 @@ def columns(path: np.ndarray) -> dict[str, object]:
         "end_radius_mm": 1e3 * float(radius[-1]),
         "growth_per_s": float(np.polyfit(time_s[settled], np.log(radius[settled]), 1)[0]),
     }
+
+
+def creep_columns(path: np.ndarray) -> dict[str, object]:
+    """Say how fast the box slides along the table that stands still, and whether it stays on it."""
+    if not np.isfinite(path).all():
+        return {"stays": False} | absent(["creep_mm_s"], "a position is not finite")
+    time_s = SAMPLE_S * np.arange(len(path))
+    settled = time_s >= SETTLE_S
+    speed = [np.polyfit(time_s[settled], path[settled, axis], 1)[0] for axis in (0, 1)]
+    stays = bool(abs(path[-1, 2] - path[0, 2]) < FOOT_M)
+    return {"stays": stays, "creep_mm_s": 1e3 * float(np.hypot(*speed))}
