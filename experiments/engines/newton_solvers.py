@@ -1,4 +1,4 @@
-"""The box on the turning table with Newton's solvers: which of them let it walk?
+"""The box on the turning table, on a slope and on a table that stands still, with each of Newton's solvers.
 
 A solver that has the velocity at the contact vanish at the end of each step of h, and moves by one end's velocity, has
 the box walk by h/2 of the acceleration ω² r that a step bends its path by: dr/dt = ± r ω² h / 2, less the shorter the
@@ -22,6 +22,10 @@ from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
 SECONDS = {"full": 4.0, "quick": 2.0}
+"""On the turning table."""
+STANDING = ("slope", "still")
+"""Scenes in which the table does not turn."""
+STANDING_S = 2.0
 SLOPE = 0.35
 """Tangent of the slope [rad/rad]; friction carries up to 1."""
 FRAME_STEPS = 8
@@ -38,12 +42,10 @@ OPTIONS: Mapping[str, Mapping[str, Any]] = {
 }
 """Options by class; the rest, and all of a class that is not here, is as the solver comes."""
 EXCUSED = {
-    "SolverBase": "what the others are made from",
-    "SolverImplicitMPM": "it has grains, and no rigid body that touches another",
-    "SolverStyle3D": "it has cloth, and no rigid body that touches another",
-    "SolverCoupled": "it joins other solvers",
+    "SolverImplicitMPM": "it moves grains, and no rigid body",
+    "SolverStyle3D": "it moves cloth, and no rigid body",
 }
-"""Solvers that are not measured, and why."""
+"""Solvers that are not measured, and why; a record names them as well."""
 
 
 @dataclass(frozen=True)
@@ -59,19 +61,25 @@ class Variant:
 
 def variants() -> list[Variant]:
     """List each rigid-body solver of the installed release, and Steel with one thing changed at a time."""
-    found = [Variant(name_of(each), each, OPTIONS.get(each, {})) for each in solver_classes() if each not in EXCUSED]
-    if "SolverSteel" in solver_classes():
-        points, matched = ROWS | {"friction_anchor_beta": 0.0}, {"contact_matching": "latest"}
+    names = [name for name in solver_classes() if name not in EXCUSED]
+    found = [Variant(name_of(name), name, OPTIONS.get(name, {})) for name in names]
+    if "SolverSteel" in names:
+        warm = {"contact_matching": "latest"}
         found += [
-            Variant("steel-points", "SolverSteel", points),
-            Variant("steel-matched", "SolverSteel", ROWS, matched),
-            Variant("steel-frames", "SolverSteel", ROWS, matched, FRAME_STEPS),
+            Variant("steel-points", "SolverSteel", ROWS | {"friction_anchor_beta": 0.0}),
+            Variant("steel-matched", "SolverSteel", ROWS | {"contact_warmstart": True}, warm),
+            Variant("steel-frames", "SolverSteel", ROWS, steps_between_contacts=FRAME_STEPS),
         ]
     return found
 
 
 def solver_classes() -> list[str]:
-    return [name for name in solvers.__all__ if name.startswith("Solver")]
+    """Name the solvers that the installed release offers."""
+    offered = {name: getattr(solvers, name) for name in solvers.__all__}
+    base = solvers.SolverBase
+    return [
+        name for name, each in offered.items() if isinstance(each, type) and issubclass(each, base) and each is not base
+    ]
 
 
 def name_of(solver: str) -> str:
@@ -80,25 +88,29 @@ def name_of(solver: str) -> str:
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each solver, scene and step; without numbers, and with the reason, where it cannot run the scene."""
-    seconds, steps = SECONDS[conditions.profile], STEPS_S[conditions.profile]
-    runs = [(variant, "turntable", step_s) for variant in variants() for step_s in steps]
-    runs += [(variant, scene, steps[0]) for scene in ("slope", "still") for variant in variants()]
-    return [
-        row_of(*run, seconds, conditions.device) for run in tqdm(runs, desc="Newton's solvers", unit="run", delay=3.0)
+    """Make a row for each solver, scene and step, and for each solver that is excused; without numbers, and with the
+    reason, where it cannot run the scene."""
+    seconds, (long_s, *shorter_s) = SECONDS[conditions.profile], STEPS_S[conditions.profile]
+    runs = [(variant, "turntable", step_s, seconds) for variant in variants() for step_s in (long_s, *shorter_s)]
+    runs += [(variant, scene, long_s, STANDING_S) for scene in STANDING for variant in variants()]
+    excused = [
+        {"case": name_of(name), "of": name, "stays": None} | absent(NUMBERS, EXCUSED[name])
+        for name in solver_classes()
+        if name in EXCUSED
     ]
+    shown = tqdm(runs, desc="Newton's solvers", unit="run", delay=3.0)
+    return [*excused, *(row_of(*run, conditions.device) for run in shown)]
 
 
 def row_of(variant: Variant, scene: str, step_s: float, seconds: float, device: str) -> dict[str, object]:
-    is_turning = scene == "turntable"
-    end = f"{1e3 * step_s:g}ms" if is_turning else scene
+    end = scene if scene in STANDING else f"{1e3 * step_s:g}ms"
     row = {"case": f"{variant.name}-{end}", "solver": variant.name, "of": variant.solver, "step_ms": 1e3 * step_s}
     try:
         path = run(variant, scene, step_s, seconds, device)
-        return row | (columns(path) if is_turning else creep_columns(path))
+        return row | (creep_columns(path) if scene in STANDING else columns(path))
     except Exception as error:  # each is a program of its own, and need not know all that the scene has
         reason = " ".join(str(error).split())[:120] or type(error).__name__
-        return row | {"stays": None} | absent(NUMBERS if is_turning else ("creep_mm_s",), reason)
+        return row | {"stays": None} | absent(("creep_mm_s",) if scene in STANDING else NUMBERS, reason)
 
 
 def build(scene_name: str, device: str) -> newton.Model:

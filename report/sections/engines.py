@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Section
+from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.shared.arithmetic import Column, other_cell, ratio, share, table_of
@@ -49,14 +49,15 @@ MODELS = {
 SOLVERS = {
     "mujoco": "MuJoCo Warp",
     "xpbd": "XPBD",
-    "kamino": "Kamino",
-    "featherstone": "Featherstone",
-    "semi-implicit": "semi-implicit",
     "vbd": "VBD",
+    "steel-points": "Steel, without anchors",
+    "steel-matched": "Steel, warm start by matched contacts",
+    "steel-frames": "Steel, contacts found every eighth step",
 }
-"""Newton's solvers."""
-NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", "")}
+"""Labels of Newton's solvers that are not their names."""
+NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", ""), "steel": ("Newton, Steel", "")}
 """Those that keep the box, and their laws."""
+STEELS = {"anchors": "steel", "points": "steel-points", "mujoco": "mujoco"}
 WALK_LAW, SINK_LAW = "predicted_growth_per_s", "predicted_creep_mm_s"
 
 
@@ -98,20 +99,39 @@ def derive(results: Results) -> Section:
     }
     said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": results.derived["step"]}
     engines = replace(table_of("engine", [line.name for line in lines], columns), numbers=said)
-    columns = {
-        f"step of {step.replace('ms', ' ms')}": [_of_solver(results, solver, step) for solver in SOLVERS]
-        for step in (LONG, SHORT)
-    }
     claims = [_as_their_laws_say(results, told, walk_bound, sink_bound), _walks_most_in_mujoco(results, told)]
     claims.append(_test_lets_through(results))
-    return Section(tables={"engines": engines, "solvers": table_of("solver", SOLVERS.values(), columns)}, claims=claims)
+    missing = [] if "steel" in _solvers(results) else ["steel_stays"]
+    claims += [] if missing else [_steel_stays(results, walk_bound)]
+    return Section(tables={"engines": engines, "solvers": _solver_table(results)}, claims=claims, unmeasured=missing)
 
 
-def _of_solver(results: Results, solver: str, step: str) -> Quantity | str:
-    row = results.row[f"{solver}-{step}"]
-    if row and not row.stays:
-        return "sinks in or lost" if row.end_radius_mm.value is not None else row.end_radius_mm
-    return _percent(results, f"{solver}_{step}", row.growth_per_s) if row else row.growth_per_s
+def _solvers(results: Results) -> list[str]:
+    """List Newton's solvers that were run, each with its variants."""
+    return list(dict.fromkeys(row["solver"] for row in results.rows if "solver" in row))
+
+
+def _solver_table(results: Results) -> Table:
+    """Make a line for each solver of the release; one that is excused has the reason."""
+    names = _solvers(results)
+    excused = [row for row in results.rows if "of" in row and "solver" not in row]
+    scenes = {f"step of {step.replace('ms', ' ms')}": step for step in (LONG, SHORT)}
+    scenes |= {"on a slope": "slope", "held still": "still"}
+    columns: dict[str, Column] = {
+        above: [_of_solver(results, name, end) for name in names] + [row.growth_per_s for row in excused]
+        for above, end in scenes.items()
+    }
+    labels = [SOLVERS.get(name, name.capitalize()) for name in names] + [row["of"] for row in excused]
+    return table_of("solver", labels, columns)
+
+
+def _of_solver(results: Results, solver: str, end: str) -> Quantity | str:
+    """Say how fast the box walks outward, or creeps where the table stands still."""
+    row = results.row[f"{solver}-{end}"]
+    column = "growth_per_s" if end.endswith("ms") else "creep_mm_s"
+    if row and row[column].value is not None and not row.stays:
+        return "sinks in or lost"
+    return _percent(results, f"{solver}_{end}", row[column]) if row and end.endswith("ms") else row[column]
 
 
 def _percent(results: Results, name: str, cell: Quantity) -> Value:
@@ -161,7 +181,7 @@ def _newton_lines(results: Results) -> list[Line]:
     long_ms = results.chosen("step", "given: the time step", 2.0, unit="ms")
     tangent = results.value("tangent", "ω²h/2", lambda turn, ms: 1e-3 * turn**2 * ms / 2, turn, long_ms, unit="1/s")
     unmeasured, lines = absent("mm/s", "the capsule was not run with this solver"), []
-    for solver, (name, law) in NEWTONS.items():
+    for solver, (name, law) in ((solver, NEWTONS[solver]) for solver in _solvers(results) if solver in NEWTONS):
         long, short = (results.row[f"{solver}-{step}"].growth_per_s for step in (LONG, SHORT))
         walks = long, tangent if law else absent("1/s", "no law was derived"), short
         named = name, "Newton", _newton(results)
@@ -222,6 +242,17 @@ def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     kept = share(results, "kept", formula, mine.short_walk, mine.walk)
     outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(kept, 90.0, why="about as much"))
     return Claim("walks_most_in_mujoco", outcome, {"mine": mine.walk, "worst": worst, "short": mine.short_walk})
+
+
+def _steel_stays(results: Results, bound: Value) -> Claim:
+    """Tell whether the box stays where it is on the turning table, by the anchors of Steel's friction."""
+    rows = {name: results.row[f"{solver}-{LONG}"] for name, solver in STEELS.items()}
+    numbers = {name: _percent(results, f"{name}_said", row.growth_per_s) for name, row in rows.items()}
+    anchors, points = (
+        results.value(f"{name}_size", "its size", abs, numbers[name], unit="%/s") for name in ("anchors", "points")
+    )
+    outcome = all_of(at_most(anchors, bound), at_least(points, bound))
+    return Claim("steel_stays", outcome, numbers)
 
 
 def _test_lets_through(results: Results) -> Claim:
