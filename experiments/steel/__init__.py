@@ -37,7 +37,7 @@ TIMED_VARIANTS = ("steel", "steel-points")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from a cube in the hand into the shake."""
-GRASP = ("cycle_drift_mm", "friction_share", "normal_force_n", "penetration_mm")
+GRASP = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_mm")
 
 
 def measure(conditions: Conditions) -> Plan:

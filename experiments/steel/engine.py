@@ -121,6 +121,15 @@ def watch_overflow(cursor: wp.array[int], is_over: wp.array[wp.bool], first: wp.
         first[world] = wp.min(first[world], cursor[world])
 
 
+@wp.func
+def place(body: int, point: wp.vec3, body_q: wp.array[wp.transform]):
+    """Return where a point of a body, or of the world, is in the world."""
+    pose = wp.transform_identity()
+    if body >= 0:
+        pose = body_q[body]
+    return wp.transform_point(pose, point)
+
+
 @wp.kernel
 def record_contacts(
     cursor: wp.array[int],
@@ -143,7 +152,9 @@ def record_contacts(
     contact = wp.tid()
     if contact >= wp.min(contact_count[0], axis.shape[0]):
         return
-    first, second, normal = shape0[contact], shape1[contact], axis[contact]
+    first = shape0[contact]
+    second = shape1[contact]
+    normal = axis[contact]
     world = wp.max(shape_world[first], shape_world[second])
     frame = cursor[world]
     wp.atomic_add(contacts, frame, world, COUNT, 1.0)
@@ -152,11 +163,8 @@ def record_contacts(
     tangential = wp.length(total + pressing * normal)
     wp.atomic_add(contacts, frame, world, TANGENTIAL, tangential)
     if pressing > 0.0:
-        a, b = point0[contact], point1[contact]
-        if shape_body[first] >= 0:
-            a = wp.transform_point(body_q[shape_body[first]], a)
-        if shape_body[second] >= 0:
-            b = wp.transform_point(body_q[shape_body[second]], b)
+        a = place(shape_body[first], point0[contact], body_q)
+        b = place(shape_body[second], point1[contact], body_q)
         distance = wp.dot(normal, b - a) - margin0[contact] - margin1[contact]
         limit = 0.5 * (friction[first] + friction[second]) * pressing
         wp.atomic_add(contacts, frame, world, LOADED, 1.0)

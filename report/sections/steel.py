@@ -1,0 +1,106 @@
+"""The shake in Newton's SolverSteel beside MuJoCo Warp: slip, grasp, failure and cost."""
+
+from markupsafe import Markup
+
+from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_most, decided, greater
+from measured_report.parts.section import Section
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import Column, excess, noise_floor, size_share, table_of
+from report.shared.timing import TIMED_WORLDS, RowsBy, compared, resolution, worlds_name
+
+order = 188
+page = "scenes"
+reads = ("noise",)
+label = "SolverSteel"
+
+NAMES = {
+    "warp": "MuJoCo Warp",
+    "steel": "Steel",
+    "steel-points": "without friction anchors",
+    "steel-matched": "warm start by matched contacts",
+    "steel-substeps": "contacts found in each substep",
+    "steel-iterations": "eight times the iterations",
+    "steel-32-rows": "as many rows as it comes with",
+}
+TIMED = ("steel", "steel-points")
+CLAIMS = ("slips_less", "anchors_help", "rows_overflow", "weight_is_carried", "fails_sooner", "costs_more")
+TABLES = ("shakes", "times")
+
+
+def derive(results: Results) -> Section:
+    """Derive the section; of a release without Steel all there is to say is that."""
+    rows = RowsBy(results, results.rows, "variant", "shake")
+    offered = results.row["steel-3cm"].slip_mm
+    if not any("shake" in row for row in results.rows):
+        lacking = results.row["steel"].slip_mm
+        return Section(claims=[Claim("offered", FAILS.having_read(lacking))], unmeasured=[*CLAIMS, *TABLES])
+    times = RowsBy(results, [row for row in results.rows if "worlds" in row], "variant", "worlds")
+    claims = [
+        Claim("offered", HOLDS.having_read(offered)),
+        _slips_less(results, rows),
+        _anchors_help(results, rows),
+        _rows_overflow(rows),
+        _weight_is_carried(results, rows),
+        _fails_sooner(results, rows),
+        _costs_more(results, times),
+    ]
+    there = [name for name in NAMES if "variant" in rows[name, "3cm"]]
+    shakes = table_of("solver", map(NAMES.__getitem__, there), COLUMNS, [rows[name, "3cm"] for name in there])
+    return Section(tables={"shakes": shakes, "times": _times(results, times)}, claims=claims)
+
+
+
+def _slips_less(results: Results, rows: RowsBy) -> Claim:
+    """Tell whether the cube slips less far in Steel than in MuJoCo Warp, in the same scene without weight."""
+    warp, steel = rows["warp", "3cm"], rows["steel", "3cm"]
+    used = results.value("used", "friction used, in percent", lambda part: 100 * part, steel.friction_share, unit="%")
+    outcome = greater(warp.slip_mm, steel.slip_mm, noise=noise_floor(results, "slip_floor"))
+    numbers = {"warp": warp.slip_mm, "steel": steel.slip_mm, "creep": steel.creep_mm_per_cycle, "used": used}
+    return Claim("slips_less", outcome, numbers | {"held": rows["steel", "held"].slip_mm})
+
+
+def _anchors_help(results: Results, rows: RowsBy) -> Claim:
+    """Tell whether friction that remembers where a contact began lets the cube slip less far."""
+    anchors, points = rows["steel", "3cm"].slip_mm, rows["steel-points", "3cm"].slip_mm
+    outcome = greater(points, anchors, noise=noise_floor(results, "slip_floor"))
+    return Claim("anchors_help", outcome, {"anchors": anchors, "points": points})
+
+
+def _rows_overflow(rows: RowsBy) -> Claim:
+    """Tell whether as many rows as Steel comes with are too few for the arm and the cube, and enough are enough."""
+    few, enough = rows["steel-32-rows", "3cm"], rows["steel", "3cm"]
+    is_so = bool(few.failure) and not enough.failure
+    needed = enough.peak_constraint_count
+    return Claim("rows_overflow", decided(is_so, needed), {"needed": needed})
+
+
+def _weight_is_carried(results: Results, rows: RowsBy) -> Claim:
+    """Tell whether gravity, with forces that carry the arm's weight, changes little of how far the cube slips."""
+    light, heavy = rows["steel", "3cm"].slip_mm, rows["steel", "weight"].slip_mm
+    change = size_share(results, "weight_change", "change by weight, of the slip without", _less(results, heavy, light), light)
+    return Claim("weight_is_carried", at_most(change, 20.0, why="a fifth"), {"light": light, "heavy": heavy})
+
+
+def _fails_sooner(rows: RowsBy) -> Claim:
+    """Tell whether Steel loses the cube in a wide shake in which MuJoCo Warp keeps it; the other way round is the
+    opposite."""
+    lost = {name: bool(rows[name, "10cm"].dropped) for name in ("warp", "steel")}
+    cells = [rows[name, "10cm"].wander_mm for name in lost]
+    found = OPPOSITE if lost["warp"] and not lost["steel"] else decided(lost["steel"] and not lost["warp"], *cells)
+    numbers = {"steel": cells[1], "warp": cells[0], "both_keep": not any(lost.values()), "both_lose": all(lost.values())}
+    return Claim("fails_sooner", found.having_read(*cells), numbers)
+
+
+def _costs_more(results: Results, times: RowsBy) -> Claim:
+    """Tell whether a frame takes longer in Steel, with one world and with the most."""
+    extra = {}
+    for variant, count in product(TIMED, TIMED_WORLDS):
+        formula = f"time of a frame of {variant} over that of MuJoCo Warp, timed in turn, less one"
+        ratio = times[variant, count].frame_ratio
+        extra[variant, count] = results.value(f"{variant}_extra_{count}", formula, _percent_more, ratio, unit="%")
+    known = resolution(results, "resolution", compared(times.values()))
+    alone, many = (extra["steel", count] for count in (TIMED_WORLDS[0], TIMED_WORLDS[-1]))
+    outcome = all_of(greater(alone, 0.0, noise=known, why="none"), greater(many, 0.0, noise=known, why="none"))
+    worlds = times["steel", TIMED_WORLDS[-1]].worlds
+    return Claim("costs_more", outcome, {"alone": alone, "many": many, "worlds": worlds})
