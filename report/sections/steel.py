@@ -1,12 +1,13 @@
 """The shake in Newton's SolverSteel beside MuJoCo Warp: slip, grasp, failure and cost."""
 
-from markupsafe import Markup
+from collections.abc import Sequence
+from itertools import product
 
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
-from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, excess, noise_floor, size_share, table_of
+from measured_report.values.results import Results
+from report.shared.arithmetic import Column, departure, noise_floor, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, compared, resolution, worlds_name
 
 order = 188
@@ -45,10 +46,26 @@ def derive(results: Results) -> Section:
         _fails_sooner(results, rows),
         _costs_more(results, times),
     ]
-    there = [name for name in NAMES if "variant" in rows[name, "3cm"]]
-    shakes = table_of("solver", map(NAMES.__getitem__, there), COLUMNS, [rows[name, "3cm"] for name in there])
-    return Section(tables={"shakes": shakes, "times": _times(results, times)}, claims=claims)
+    there = [name for name in NAMES if (name, "3cm") in rows]
+    labels = [NAMES[name] for name in there]
+    extra = {worlds_name(n): [results.derived[f"{name}_extra_{n}"] for name in TIMED] for n in TIMED_WORLDS}
+    tables = {"shakes": table_of("solver", labels, _columns(rows, there))}
+    tables["times"] = table_of("solver", map(NAMES.__getitem__, TIMED), extra, resolution=results.derived["resolution"])
+    return Section(tables=tables, claims=claims)
 
+
+def _columns(rows: RowsBy, names: Sequence[str]) -> dict[str, Column]:
+    """Return what each variant does in the shake, and in others how far the cube slips, if it is kept."""
+
+    def column(shake: str, name: str) -> list[Quantity | str]:
+        found = [rows[each, shake] for each in names]
+        return ["lost" if row.dropped else row[name] for row in found]
+
+    grasp = {"friction used": "friction_share", "normal force": "normal_force_n", "penetration": "penetration_mm"}
+    columns: dict[str, Column] = {"slip": column("3cm", "slip_mm"), "creep": column("3cm", "creep_mm_per_cycle")}
+    columns |= {above: column("3cm", name) for above, name in grasp.items()}
+    others = {"with weight": "weight", "shaken 100 mm": "10cm", "held still": "held"}
+    return columns | {above: column(shake, "slip_mm") for above, shake in others.items()}
 
 
 def _slips_less(results: Results, rows: RowsBy) -> Claim:
@@ -78,7 +95,7 @@ def _rows_overflow(rows: RowsBy) -> Claim:
 def _weight_is_carried(results: Results, rows: RowsBy) -> Claim:
     """Tell whether gravity, with forces that carry the arm's weight, changes little of how far the cube slips."""
     light, heavy = rows["steel", "3cm"].slip_mm, rows["steel", "weight"].slip_mm
-    change = size_share(results, "weight_change", "change by weight, of the slip without", _less(results, heavy, light), light)
+    change = departure(results, "weight_change", "change by weight, of the slip without", heavy, light)
     return Claim("weight_is_carried", at_most(change, 20.0, why="a fifth"), {"light": light, "heavy": heavy})
 
 
@@ -88,7 +105,12 @@ def _fails_sooner(rows: RowsBy) -> Claim:
     lost = {name: bool(rows[name, "10cm"].dropped) for name in ("warp", "steel")}
     cells = [rows[name, "10cm"].wander_mm for name in lost]
     found = OPPOSITE if lost["warp"] and not lost["steel"] else decided(lost["steel"] and not lost["warp"], *cells)
-    numbers = {"steel": cells[1], "warp": cells[0], "both_keep": not any(lost.values()), "both_lose": all(lost.values())}
+    numbers = {
+        "steel": cells[1],
+        "warp": cells[0],
+        "both_keep": not any(lost.values()),
+        "both_lose": all(lost.values()),
+    }
     return Claim("fails_sooner", found.having_read(*cells), numbers)
 
 
@@ -98,7 +120,9 @@ def _costs_more(results: Results, times: RowsBy) -> Claim:
     for variant, count in product(TIMED, TIMED_WORLDS):
         formula = f"time of a frame of {variant} over that of MuJoCo Warp, timed in turn, less one"
         ratio = times[variant, count].frame_ratio
-        extra[variant, count] = results.value(f"{variant}_extra_{count}", formula, _percent_more, ratio, unit="%")
+        extra[variant, count] = results.value(
+            f"{variant}_extra_{count}", formula, lambda taken: 100 * (taken - 1), ratio, unit="%"
+        )
     known = resolution(results, "resolution", compared(times.values()))
     alone, many = (extra["steel", count] for count in (TIMED_WORLDS[0], TIMED_WORLDS[-1]))
     outcome = all_of(greater(alone, 0.0, noise=known, why="none"), greater(many, 0.0, noise=known, why="none"))
