@@ -43,7 +43,7 @@ def derive(results: Results) -> Section:
         _anchors_help(results, rows),
         _rows_overflow(rows),
         _weight_is_carried(results, rows),
-        _fails_sooner(results, rows),
+        _fails_sooner(rows),
         _costs_more(results, times),
     ]
     there = [name for name in NAMES if (name, "3cm") in rows]

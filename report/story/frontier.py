@@ -1,11 +1,11 @@
 """Error against run time: engines and cures in one figure, and the rule by which one of them is advised."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import Claim, Outcome, decided
+from measured_report.parts.claim import Claim, Outcome, all_of, decided
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
@@ -15,6 +15,8 @@ from report.shared.timing import TIMED_WORLDS
 from report.story.found import Found
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
+IN_C = "v"
+"""Marker of what runs on a core of the processor, and in as many worlds as it has cores."""
 BASELINE = "cure_cost/as-shipped"
 NOTHING, ARGUMENT, PATCH = range(3)
 """What it takes to have a way, in the order in which they are advised; an argument is one of a constructor."""
@@ -49,7 +51,7 @@ WAYS = (
     Way("the term, RK4", PATCH, _cure("rk4-50-shipped", "term-rounded"), "cure_cost/term-rk4", TERM, "s"),
     Way("the root cure", PATCH, _cure("euler-400-shipped", "full-kept"), "cure_cost/best", CURE),
     Way("the same, stiff pads", PATCH, _cure("implicitfast-400-stiff", "centred-kept"), "cure_cost/firm", CURE, "D"),
-    Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, "v"),
+    Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, IN_C),
     Way(
         "MuJoCo C, stiff pads", ARGUMENT, "solver/stiff-pads-mujoco-c", "error_runtime/stiff/c/substeps-16", STIFF, "v"
     ),
@@ -128,20 +130,17 @@ def draw(places: Sequence[Place], shipped: Mapping[int, Row]) -> Drawing:
 
 
 def advice(found: Found, bound: Quantity) -> Claim:
-    """Choose among the ways in MuJoCo Warp's place that keep the slip below the bound: an argument before a patch, and
-    of those that take as much the fastest."""
+    """Choose among the ways in Warp that keep the slip below the bound: an argument before a patch, and of those that
+    take as much the fastest."""
+    lacking = absent("mm", "what holds the cube was not timed")
+    numbers = {"way": "", "slip": lacking, "ratio": replace(lacking, unit="1"), "bound": bound, "is_argument": False}
     timed = [place for place in places_of(found) if place.slip.value is not None and ALONE in place.ratios]
-    kept = [
-        place
-        for place in timed
-        if bound.value is not None and place.slip.number < bound.value and not place.row.dropped
-    ]
-    warp = [place for place in kept if place.way.marker != "v"]
-    chosen = min(warp, key=lambda place: (place.way.effort, place.ratios[ALONE].number), default=None)
-    if not chosen:
-        return Claim("advice", Outcome("unknown", "no way that was timed holds the cube"), {})
-    numbers = {"way": chosen.way.name, "slip": chosen.slip, "ratio": chosen.ratios[ALONE], "bound": bound}
-    numbers["is_steel"] = chosen.way.slip.startswith("steel")
+    kept = [each for each in timed if not each.row.dropped and bound.value and each.slip.number < bound.value]
+    if not (in_warp := [place for place in kept if place.way.marker != IN_C]):
+        return Claim("advice", Outcome("unknown", lacking.reason), numbers)
+    chosen = min(in_warp, key=lambda place: (place.way.effort, place.ratios[ALONE].number))
+    numbers |= {"way": chosen.way.name, "slip": chosen.slip, "ratio": chosen.ratios[ALONE]}
     numbers["is_argument"] = chosen.way.effort == ARGUMENT
     read = [cell for place in timed for cell in (place.slip, place.ratios[ALONE])]
-    return Claim("advice", decided(chosen.way.effort != PATCH, *read, bound), numbers)
+    outcomes = [decided(chosen.way.effort != PATCH, cell) for cell in (*read, bound)]
+    return Claim("advice", all_of(*outcomes), numbers)
