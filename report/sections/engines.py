@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Section, Table
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.shared.arithmetic import Column, other_cell, ratio, share, table_of
@@ -25,7 +25,6 @@ LAWS = {
     "lagged": "ω²h/2 + v/r, s/√(1 + s²) = x",
     "stribeck": "v/r, s³(10 − 15s + 6s²) = x",
     "anchored": "none",
-    "": "none derived",
 }
 """Laws of the walk. Each gives the sinking as well, by the same v."""
 HELPS = {"mujoco": "the term", **dict.fromkeys(("tamsi", "lagged", "stribeck"), "smaller vₛ")}
@@ -46,18 +45,6 @@ MODELS = {
     "physx": ("PhysX, TGS", "anchored"),
     "discrete-20ms": ("MuJoCo C, integrator discrete", "discrete"),
 }
-SOLVERS = {
-    "mujoco": "MuJoCo Warp",
-    "xpbd": "XPBD",
-    "vbd": "VBD",
-    "steel-points": "Steel, without anchors",
-    "steel-matched": "Steel, warm start by matched contacts",
-    "steel-frames": "Steel, contacts found every eighth step",
-}
-"""Labels of Newton's solvers that are not their names."""
-NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", ""), "steel": ("Newton, Steel", "")}
-"""Those that keep the box, and their laws."""
-STEELS = {"anchors": "steel", "points": "steel-points", "mujoco": "mujoco"}
 WALK_LAW, SINK_LAW = "predicted_growth_per_s", "predicted_creep_mm_s"
 
 
@@ -85,7 +72,7 @@ def derive(results: Results) -> Section:
         unit="%/s",
     )
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
-    lines = [*_mujoco_lines(results), *_model_lines(results), *_newton_lines(results)]
+    lines = [*_mujoco_lines(results), *_model_lines(results)]
     told = [line for line in lines if line.law != "discrete"]
     columns: dict[str, Column] = {
         "release": [line.release for line in lines],
@@ -97,41 +84,12 @@ def derive(results: Results) -> Section:
         "what helps": [_helps(line, walk_bound) for line in lines],
         "law of the walk": [LAWS[line.law] for line in lines],
     }
-    said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": results.derived["step"]}
+    long = results.chosen("step", "given: the time step", 2.0, unit="ms")
+    said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
     engines = replace(table_of("engine", [line.name for line in lines], columns), numbers=said)
     claims = [_as_their_laws_say(results, told, walk_bound, sink_bound), _walks_most_in_mujoco(results, told)]
     claims.append(_test_lets_through(results))
-    missing = [] if "steel" in _solvers(results) else ["steel_stays"]
-    claims += [] if missing else [_steel_stays(results, walk_bound)]
-    return Section(tables={"engines": engines, "solvers": _solver_table(results)}, claims=claims, unmeasured=missing)
-
-
-def _solvers(results: Results) -> list[str]:
-    """List Newton's solvers that were run, each with its variants."""
-    return list(dict.fromkeys(row["solver"] for row in results.rows if "solver" in row))
-
-
-def _solver_table(results: Results) -> Table:
-    """Make a line for each solver of the release; one that is excused has the reason."""
-    names = _solvers(results)
-    excused = [row for row in results.rows if "of" in row and "solver" not in row]
-    scenes = {f"step of {step.replace('ms', ' ms')}": step for step in (LONG, SHORT)}
-    scenes |= {"on a slope": "slope", "held still": "still"}
-    columns: dict[str, Column] = {
-        above: [_of_solver(results, name, end) for name in names] + [row.growth_per_s for row in excused]
-        for above, end in scenes.items()
-    }
-    labels = [SOLVERS.get(name, name.capitalize()) for name in names] + [row["of"] for row in excused]
-    return table_of("solver", labels, columns)
-
-
-def _of_solver(results: Results, solver: str, end: str) -> Quantity | str:
-    """Say how fast the box walks outward, or creeps where the table stands still."""
-    row = results.row[f"{solver}-{end}"]
-    column = "growth_per_s" if end.endswith("ms") else "creep_mm_s"
-    if row and row[column].value is not None and not row.stays:
-        return "sinks in or lost"
-    return _percent(results, f"{solver}_{end}", row[column]) if row and end.endswith("ms") else row[column]
+    return Section(tables={"engines": engines}, claims=claims)
 
 
 def _percent(results: Results, name: str, cell: Quantity) -> Value:
@@ -173,19 +131,6 @@ def _model_lines(results: Results) -> list[Line]:
         halved = absent("1/s", "continuous time has no step") if law == "stribeck" else short.growth_per_s
         walks, sinks = (long.growth_per_s, laws[0], halved), (pinch.creep_mm_s, laws[1])
         lines.append(_line(results, model.replace("-", "_"), (name, long.engine, long.release), law, walks, sinks))
-    return lines
-
-
-def _newton_lines(results: Results) -> list[Line]:
-    turn = results.chosen("turn", "given: how fast the table turns", 2.0, unit="rad/s")
-    long_ms = results.chosen("step", "given: the time step", 2.0, unit="ms")
-    tangent = results.value("tangent", "ω²h/2", lambda turn, ms: 1e-3 * turn**2 * ms / 2, turn, long_ms, unit="1/s")
-    unmeasured, lines = absent("mm/s", "the capsule was not run with this solver"), []
-    for solver, (name, law) in ((solver, NEWTONS[solver]) for solver in _solvers(results) if solver in NEWTONS):
-        long, short = (results.row[f"{solver}-{step}"].growth_per_s for step in (LONG, SHORT))
-        walks = long, tangent if law else absent("1/s", "no law was derived"), short
-        named = name, "Newton", _newton(results)
-        lines.append(_line(results, solver, named, law, walks, (unmeasured, unmeasured)))
     return lines
 
 
@@ -242,17 +187,6 @@ def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     kept = share(results, "kept", formula, mine.short_walk, mine.walk)
     outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(kept, 90.0, why="about as much"))
     return Claim("walks_most_in_mujoco", outcome, {"mine": mine.walk, "worst": worst, "short": mine.short_walk})
-
-
-def _steel_stays(results: Results, bound: Value) -> Claim:
-    """Tell whether the box stays where it is on the turning table, by the anchors of Steel's friction."""
-    rows = {name: results.row[f"{solver}-{LONG}"] for name, solver in STEELS.items()}
-    numbers = {name: _percent(results, f"{name}_said", row.growth_per_s) for name, row in rows.items()}
-    anchors, points = (
-        results.value(f"{name}_size", "its size", abs, numbers[name], unit="%/s") for name in ("anchors", "points")
-    )
-    outcome = all_of(at_most(anchors, bound), at_least(points, bound))
-    return Claim("steel_stays", outcome, numbers)
 
 
 def _test_lets_through(results: Results) -> Claim:

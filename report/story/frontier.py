@@ -45,8 +45,10 @@ WAYS = (
     Way("stiff pads", ARGUMENT, _cure("implicitfast-50-stiff"), "speed/stiff-pads-only", STIFF),
     Way("RK4", ARGUMENT, _cure("rk4-50-shipped"), "error_runtime/as-shipped/newton-rk4/substeps-16", SHIPPED, "s"),
     Way("RK4, stiff pads", ARGUMENT, _cure("rk4-50-stiff"), "error_runtime/stiff/newton-rk4/substeps-16", STIFF, "s"),
-    Way("Steel", ARGUMENT, "steel/steel-3cm", "steel/steel", SERIES[4], "P"),
-    Way("Steel, no anchors", ARGUMENT, "steel/steel-points-3cm", "steel/steel-points", SERIES[4], "X"),
+    Way("Steel", ARGUMENT, "newton_solvers/steel-3cm", "newton_solvers/steel", SERIES[4], "P"),
+    Way(
+        "Steel, no anchors", ARGUMENT, "newton_solvers/steel-points-3cm", "newton_solvers/steel-points", SERIES[4], "X"
+    ),
     Way("the term", PATCH, _cure("implicitfast-50-shipped", "term-rounded"), "cure_cost/term", TERM),
     Way("the term, RK4", PATCH, _cure("rk4-50-shipped", "term-rounded"), "cure_cost/term-rk4", TERM, "s"),
     Way("the root cure", PATCH, _cure("euler-400-shipped", "full-kept"), "cure_cost/best", CURE),

@@ -14,7 +14,6 @@ import newton
 import numpy as np
 import warp as wp
 from newton import solvers
-from tqdm import tqdm
 
 from experiments.cure.turntable import SAMPLE_S, SETTLE_S
 from experiments.engines.scenes import FOOT_M, GRAVITY_M_S2, turntable
@@ -87,19 +86,18 @@ def name_of(solver: str) -> str:
     return words.lower().replace("mu-jo-co", "mujoco")
 
 
-def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each solver, scene and step, and for each solver that is excused; without numbers, and with the
-    reason, where it cannot run the scene."""
+def excused_rows() -> list[dict[str, object]]:
+    """Make a row for each solver that is not measured, with the reason."""
+    excused = [name for name in solver_classes() if name in EXCUSED]
+    return [{"case": name_of(each), "of": each, "stays": None} | absent(NUMBERS, EXCUSED[each]) for each in excused]
+
+
+def rows_of(conditions: Conditions, variant: Variant) -> list[dict[str, object]]:
+    """Make a row for each scene and step; without numbers, and with the reason, where it cannot run the scene."""
     seconds, (long_s, *shorter_s) = SECONDS[conditions.profile], STEPS_S[conditions.profile]
-    runs = [(variant, "turntable", step_s, seconds) for variant in variants() for step_s in (long_s, *shorter_s)]
-    runs += [(variant, scene, long_s, STANDING_S) for scene in STANDING for variant in variants()]
-    excused = [
-        {"case": name_of(name), "of": name, "stays": None} | absent(NUMBERS, EXCUSED[name])
-        for name in solver_classes()
-        if name in EXCUSED
-    ]
-    shown = tqdm(runs, desc="Newton's solvers", unit="run", delay=3.0)
-    return [*excused, *(row_of(*run, conditions.device) for run in shown)]
+    runs = [("turntable", step_s, seconds) for step_s in (long_s, *shorter_s)]
+    runs += [(scene, long_s, STANDING_S) for scene in STANDING]
+    return [row_of(variant, *run, conditions.device) for run in runs]
 
 
 def row_of(variant: Variant, scene: str, step_s: float, seconds: float, device: str) -> dict[str, object]:

@@ -1,6 +1,6 @@
-"""The shake in Newton's SolverSteel beside MuJoCo Warp: the same arm, targets and cube, without weight and with it.
+"""Newton's own solvers beside MuJoCo Warp: a box on a table in each, and the shake itself in SolverSteel.
 
-Where the release has no such solver there is one row that says so.
+The solvers are those that the release offers. Where it has no SolverSteel there is nothing of the shake.
 """
 
 import gc
@@ -14,6 +14,8 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.classes import classify
 from experiments.facts.trace import Trace
+from experiments.newton_solvers import box
+from experiments.newton_solvers.steel import VARIANTS, SteelSimulation, Variant
 from experiments.simulation import frame_benchmark
 from experiments.simulation.frame_benchmark import BLOCK_FRAME_COUNT, LARGE_BATCH, TIMES, untimed
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
@@ -21,7 +23,6 @@ from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE, LIFT, PHASE_SECONDS
 from experiments.simulation.timing import SHAKE_FRAME_COUNT, batch_invalid_reason, elapsed_ms, run_frames
-from experiments.steel.engine import VARIANTS, SteelSimulation, Variant, has_steel
 from measured_report.measuring.batch import Batch, Plan, is_out_of_memory
 
 WEIGHTLESS = replace(AS_SHIPPED, gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu)
@@ -41,16 +42,15 @@ GRASP = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Make a row for each variant and shake, and one for each time of a frame."""
-    if not has_steel():
-        reason = {"case": "steel", "variant": "steel", **absent(["slip_mm"], "this release has no SolverSteel")}
-        return Measurement([reason])
-    counts = WORLD_COUNTS["cuda" if conditions.is_cuda and not conditions.quick else "cpu"]
-    found = yield [
-        Batch("shakes", measure_shakes, (conditions,)),
-        *(Batch(f"worlds-{count}", measure_times, (conditions, count), exclusive=True) for count in counts),
-    ]
-    return Measurement([row for rows in found for row in rows])
+    """Make a row for each solver, scene and step, for each variant of Steel and shake, and for each time of a frame."""
+    boxes = box.variants()
+    batches = [Batch(f"box-{variant.name}", box.rows_of, (conditions, variant)) for variant in boxes]
+    if any(variant.solver == "SolverSteel" for variant in boxes):
+        counts = WORLD_COUNTS["cuda" if conditions.is_cuda and not conditions.quick else "cpu"]
+        batches.append(Batch("shakes", measure_shakes, (conditions,)))
+        batches += [Batch(f"worlds-{count}", measure_times, (conditions, count), exclusive=True) for count in counts]
+    found = yield batches
+    return Measurement([*box.excused_rows(), *(row for rows in found for row in rows)])
 
 
 def measure_shakes(conditions: Conditions) -> list[dict[str, object]]:

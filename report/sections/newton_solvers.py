@@ -1,11 +1,11 @@
-"""The shake in Newton's SolverSteel beside MuJoCo Warp: slip, grasp, failure and cost."""
+"""Newton's own solvers beside MuJoCo Warp: the box on a table, and in SolverSteel the shake itself."""
 
 from collections.abc import Sequence
 from itertools import product
 
-from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_most, decided, greater
-from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity
+from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_least, at_most, decided, greater
+from measured_report.parts.section import Section, Table
+from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
 from report.shared.arithmetic import Column, departure, noise_floor, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, compared, resolution, worlds_name
@@ -13,7 +13,7 @@ from report.shared.timing import TIMED_WORLDS, RowsBy, compared, resolution, wor
 order = 188
 page = "scenes"
 reads = ("noise",)
-label = "SolverSteel"
+label = "Newton's solvers"
 
 NAMES = {
     "warp": "MuJoCo Warp",
@@ -25,20 +25,31 @@ NAMES = {
     "steel-32-rows": "as many rows as it comes with",
 }
 TIMED = ("steel", "steel-points")
-CLAIMS = ("slips_less", "anchors_help", "rows_overflow", "weight_is_carried", "fails_sooner", "costs_more")
-TABLES = ("shakes", "times")
+BOXES = {
+    "mujoco": "MuJoCo Warp",
+    "xpbd": "XPBD",
+    "vbd": "VBD",
+    "steel-points": "Steel, without anchors",
+    "steel-matched": "Steel, warm start by matched contacts",
+    "steel-frames": "Steel, contacts found every eighth step",
+}
+"""Labels of Newton's solvers that are not their names."""
+SCENES = {"step of 2 ms": "2ms", "step of 1 ms": "1ms", "on a slope": "slope", "held still": "still"}
+OF_STEEL = ("steel_stays", "slips_less", "anchors_help", "rows_overflow", "weight_is_carried", "fails_sooner")
+OF_STEEL += ("costs_more", "shakes", "times")
 
 
 def derive(results: Results) -> Section:
-    """Derive the section; of a release without Steel all there is to say is that."""
+    """Derive the section; of a release without Steel there is no shake."""
     rows = RowsBy(results, results.rows, "variant", "shake")
-    offered = results.row["steel-3cm"].slip_mm
-    if not any("shake" in row for row in results.rows):
-        lacking = results.row["steel"].slip_mm
-        return Section(claims=[Claim("offered", FAILS.having_read(lacking))], unmeasured=[*CLAIMS, *TABLES])
-    times = RowsBy(results, [row for row in results.rows if "worlds" in row], "variant", "worlds")
+    tables = {"boxes": _box_table(results)}
+    offered = Claim("offered", (HOLDS if rows else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
+    if not rows:
+        return Section(tables=tables, claims=[offered], unmeasured=OF_STEEL)
+    times = RowsBy(results, results.rows, "variant", "worlds")
     claims = [
-        Claim("offered", HOLDS.having_read(offered)),
+        offered,
+        _steel_stays(results),
         _slips_less(results, rows),
         _anchors_help(results, rows),
         _rows_overflow(rows),
@@ -47,11 +58,48 @@ def derive(results: Results) -> Section:
         _costs_more(results, times),
     ]
     there = [name for name in NAMES if (name, "3cm") in rows]
-    labels = [NAMES[name] for name in there]
+    tables["shakes"] = table_of("solver", [NAMES[name] for name in there], _columns(rows, there))
     extra = {worlds_name(n): [results.derived[f"{name}_extra_{n}"] for name in TIMED] for n in TIMED_WORLDS}
-    tables = {"shakes": table_of("solver", labels, _columns(rows, there))}
     tables["times"] = table_of("solver", map(NAMES.__getitem__, TIMED), extra, resolution=results.derived["resolution"])
     return Section(tables=tables, claims=claims)
+
+
+def _box_table(results: Results) -> Table:
+    """Make a line for each of Newton's solvers; one that is excused has the reason."""
+    names = list(dict.fromkeys(row["solver"] for row in results.rows if "solver" in row))
+    excused = [row for row in results.rows if "of" in row and "solver" not in row]
+    columns: dict[str, Column] = {
+        above: [_of_box(results, name, end) for name in names] + [row.growth_per_s for row in excused]
+        for above, end in SCENES.items()
+    }
+    labels = [BOXES.get(name, name.capitalize()) for name in names] + [row["of"] for row in excused]
+    return table_of("solver", labels, columns)
+
+
+def _of_box(results: Results, solver: str, end: str) -> Quantity | str:
+    """Say how fast the box walks outward, or creeps where the table stands still."""
+    row = results.row[f"{solver}-{end}"]
+    is_turning = end.endswith("ms")
+    cell = row["growth_per_s" if is_turning else "creep_mm_s"]
+    if cell.value is not None and not row.stays:
+        return "sinks in or lost"
+    return _percent(results, f"{solver}_{end}", cell) if is_turning else cell
+
+
+def _percent(results: Results, name: str, cell: Quantity) -> Value:
+    return results.value(name, "in percent of the distance from the axis", lambda rate: 100 * rate, cell, unit="%/s")
+
+
+def _steel_stays(results: Results) -> Claim:
+    """Tell whether the box stays where it is on the turning table by the anchors of Steel's friction."""
+    anchors, points, warp = (results.derived[f"{name}_2ms"] for name in ("steel", "steel-points", "mujoco"))
+    seen = results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, unit="%/s")
+    size, without = (
+        results.value(f"{name}_size", "its size", abs, walk, unit="%/s")
+        for name, walk in (("anchors", anchors), ("points", points))
+    )
+    outcome = all_of(at_most(size, seen), at_least(without, seen))
+    return Claim("steel_stays", outcome, {"anchors": anchors, "points": points, "warp": warp})
 
 
 def _columns(rows: RowsBy, names: Sequence[str]) -> dict[str, Column]:

@@ -46,10 +46,6 @@ VARIANTS = (
 """One thing changed at a time; the last has as many rows as the solver comes with."""
 
 
-def has_steel() -> bool:
-    return hasattr(solvers, "SolverSteel")
-
-
 class SteelSimulation(Simulation):
     """A simulation with Steel: of its case it reads what is not MuJoCo's alone."""
 

@@ -5,7 +5,7 @@ import pytest
 import warp as wp
 
 from experiments.facts.trace import FRAME_COLUMNS
-from experiments.steel.engine import record_contacts, watch_overflow
+from experiments.newton_solvers.steel import record_contacts, watch_overflow
 
 
 def array(values, dtype=int):
