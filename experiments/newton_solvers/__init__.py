@@ -38,7 +38,7 @@ TIMED_VARIANTS = ("steel", "steel-points")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from a cube in the hand into the shake."""
-GRASP = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_mm")
+GRASP = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_mm", "hand_travel_mm")
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -69,7 +69,7 @@ def measure_shakes(conditions: Conditions) -> list[dict[str, object]]:
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:
-    """Make a row: slip, drift, and means over the shake of what the grasp takes."""
+    """Make a row: slip, drift, means over the shake of what the grasp takes, and how far the hand is moved."""
     case = replace(case, name=f"{variant}-{shake}")
     row = {**summarize(case, trace), "backend": variant.split("-")[0], "variant": variant, "shake": shake}
     row["class"] = classify(case, trace, creep_floor_mm_s=0.0)
@@ -80,7 +80,8 @@ def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, obje
     )
     drift_mm = metrics.cycle_drift_mm(metrics.displacement(trace), case.shake_frequency_hz)
     share = tangential_n / (case.pad_mu * normal_n) if normal_n > 0.0 else np.nan
-    numbers = dict(zip(GRASP, (drift_mm, share, normal_n, 1e3 * depth_m), strict=True))
+    travel_mm = 1e3 * np.ptp(trace.poses[trace.phase == metrics.SHAKE, metrics.TCP, 0])
+    numbers = dict(zip(GRASP, (drift_mm, share, normal_n, 1e3 * depth_m, travel_mm), strict=True))
     reason = "the fingers did not touch the cube"
     return row | {key: number for name, n in numbers.items() for key, number in known(name, n, reason).items()}
 
