@@ -35,7 +35,14 @@ BOXES = {
 }
 """Labels of Newton's solvers that are not their names."""
 SCENES = {"step of 2 ms": "2ms", "step of 1 ms": "1ms", "on a slope": "slope", "held still": "still"}
-OF_STEEL = ("steel_stays", "slips_less", "anchors_help", "rows_overflow", "weight_is_carried", "fails_sooner")
+OF_STEEL: tuple[str, ...] = (
+    "steel_stays",
+    "slips_less",
+    "anchors_help",
+    "rows_overflow",
+    "weight_is_carried",
+    "fails_sooner",
+)
 OF_STEEL += ("costs_more", "shakes", "times")
 
 
