@@ -49,6 +49,7 @@ OF_STEEL += ("costs_more", "shakes", "times")
 def derive(results: Results) -> Section:
     """Derive the section; of a release without Steel there is no shake."""
     rows = RowsBy(results, results.rows, "variant", "shake")
+    results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, unit="mm")
     tables = {"boxes": _box_table(results)}
     offered = Claim("offered", (HOLDS if rows else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
     if not rows:

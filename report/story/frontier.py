@@ -110,7 +110,8 @@ def figure(found: Found) -> Figure:
     there = [place for place in places_of(found) if place.creep_mm is not None and place.ratios]
     cells = [cell for place in there for cell in (place.slip, *place.ratios.values())]
     cells += [row.frame_ms for row in shipped.values()]
-    return Figure(lambda: draw(there, shipped), cells, {"many": shipped[MANY].worlds} if MANY in shipped else {})
+    many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
+    return Figure(lambda: draw(there, shipped), cells, {"many": many})
 
 
 def draw(places: Sequence[Place], shipped: Mapping[int, Row]) -> Drawing:
@@ -131,18 +132,28 @@ def draw(places: Sequence[Place], shipped: Mapping[int, Row]) -> Drawing:
     return drawing
 
 
-def advice(found: Found, bound: Quantity) -> Claim:
-    """Choose among the ways in Warp that keep the slip below the bound: an argument before a patch, and of those that
-    take as much the fastest."""
-    lacking = absent("mm", "what holds the cube was not timed")
-    numbers = {"way": "", "slip": lacking, "ratio": replace(lacking, unit="1"), "bound": bound, "is_argument": False}
+def advice(found: Found) -> list[Claim]:
+    """Advise what keeps the slip below one that can be seen, and below a tenth of that."""
+    bounds = {"advice": ("reproduction", "slip_bound"), "ends_creep": ("newton_solvers", "ended_bound")}
     timed = [place for place in places_of(found) if place.slip.value is not None and ALONE in place.ratios]
-    kept = [each for each in timed if not each.row.dropped and bound.value and each.slip.number < bound.value]
-    if not (in_warp := [place for place in kept if place.way.marker != IN_C]):
-        return Claim("advice", Outcome("unknown", lacking.reason), numbers)
-    chosen = min(in_warp, key=lambda place: (place.way.effort, place.ratios[ALONE].number))
-    numbers |= {"way": chosen.way.name, "slip": chosen.slip, "ratio": chosen.ratios[ALONE]}
-    numbers["is_argument"] = chosen.way.effort == ARGUMENT
-    read = [cell for place in timed for cell in (place.slip, place.ratios[ALONE])]
-    outcomes = [decided(chosen.way.effort != PATCH, cell) for cell in (*read, bound)]
-    return Claim("advice", all_of(*outcomes), numbers)
+    return [_chosen(name, timed, found.value(*bound, "mm")) for name, bound in bounds.items()]
+
+
+def _chosen(name: str, timed: Sequence[Place], bound: Quantity) -> Claim:
+    """Choose among the ways in Newton that keep the slip below the bound: an argument before a patch, and of those that
+    take as much the fastest."""
+    none = absent("1", bound.reason or "what holds the cube was not timed")
+    numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "bound": bound}
+    numbers |= {"is_argument": False, "is_steel": False}
+    kept = [each for each in timed if bound.value and each.slip.number < bound.value and not each.row.dropped]
+    in_newton = [place for place in kept if place.way.marker != IN_C]
+    if not in_newton:
+        return Claim(name, Outcome("unknown", none.reason), numbers)
+    place = min(in_newton, key=lambda place: (place.way.effort, place.ratios[ALONE].number))
+    numbers |= {"way": place.way.name, "slip": place.slip, "ratio": place.ratios[ALONE]}
+    numbers |= {"many": place.ratios.get(MANY, none), "is_argument": place.way.effort == ARGUMENT}
+    numbers["is_steel"] = place.way.slip.startswith("newton_solvers")
+    read = [cell for each in timed for cell in (each.slip, each.ratios[ALONE])]
+    # Each way is looked at by itself: times are ratios of what one machine measured in turn.
+    outcomes = [decided(place.way.effort != PATCH, cell) for cell in (*read, bound)]
+    return Claim(name, all_of(*outcomes), numbers)

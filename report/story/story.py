@@ -54,7 +54,7 @@ def derive(releases: Releases, shown: str) -> Section:
         tables={"needed": _needed(every, bound), "setup": _setup(found)},
         figures={"suspects": _suspects(found), "mechanism": _mechanism(found), "frontier": frontier.figure(found)},
         claims=[
-            frontier.advice(found, bound),
+            *frontier.advice(found),
             _fine_since(every, bound),
             _still_needed(every, bound),
             _with_mujoco(found, bound),
