@@ -1,13 +1,13 @@
 """The cure: causes of the slip taken out one by one and together, and where else that holds.
 
 With the robot: ``combinations`` beside their predicted ``budget``, a minute held still, the limits of the grasp and an
-envelope of harder shakes. Without it: the box on a turntable and other bodies.
+envelope of harder shakes. Without it: the box on a turntable, its controls, other bodies and bodies that tumble.
 """
 
 from dataclasses import replace
 from itertools import chain
 
-from experiments.cure import bodies, combinations, limits, turntable
+from experiments.cure import bodies, combinations, controls, limits, tumbles, turntable
 from experiments.envelope import MAP_SIZE, measure_map
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS
 from experiments.facts.variants import BEST, IMPRATIO, POSITIONS, TERMS
@@ -26,22 +26,28 @@ HELD = (
 )
 SIDES = {"term": replace(AS_SHIPPED, **TERMS["term"]), "best": replace(AS_SHIPPED, **BEST)}
 """Sides of the map of section envelope: with the term, and with the whole cure."""
+PARTS = {
+    "limits": limits.measure,
+    "turntable": turntable.measure,
+    "controls": controls.measure,
+    "jacobians": controls.measure_jacobians,
+    "bodies": bodies.measure,
+    "tumbles": tumbles.measure,
+}
 
 
 def measure(conditions: Conditions) -> Plan:
     """Measure the combinations by their kind of contacts, and each other part."""
     groups = combinations.by_contacts(conditions.quick)
-    *combined, (held, displacements), cells, tried, turned, moved = yield [
-        *(Batch(kind, combinations.measure, (conditions, cases)) for kind, cases in groups.items()),
+    (held, displacements), cells, *measured = yield [
         Batch("hold", measure_held, (conditions,)),
         Batch("envelope", measure_map, (conditions, SIDES)),
-        Batch("limits", limits.measure, (conditions,)),
-        Batch("turntable", turntable.measure, (conditions,)),
-        Batch("bodies", bodies.measure, (conditions,)),
+        *(Batch(kind, combinations.measure, (conditions, cases)) for kind, cases in groups.items()),
+        *(Batch(name, function, (conditions,)) for name, function in PARTS.items()),
     ]
     count = MAP_SIZE[conditions.profile] ** 2
     maps = [{"case": f"map-{side}", "contact_bias": True, "cell_count": count} for side in SIDES]
-    return Measurement([*chain(*combined, held, maps, tried, turned, moved)], {**displacements, "map": cells})
+    return Measurement([*chain(held, maps, *measured)], {**displacements, "map": cells})
 
 
 def measure_held(conditions: Conditions) -> tuple[list[dict], dict[str, dict]]:

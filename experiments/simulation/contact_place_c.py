@@ -26,7 +26,18 @@ def subtract_place(engine: mujoco.MjModel, data: mujoco.MjData, *, centred: bool
     """Subtract what ``contact_bias_c.subtract_bias`` lacks, where that is called."""
     held = [contact for contact in data.contact if contact.efc_address >= 0 and min(contact.geom) >= 0]
     for contact, missing in zip(held, missing_rates(engine, data, held), strict=True):
+        axes = contact.frame.reshape(3, 3)
+        points = np.concatenate([axes @ rate for rate in contact_bias_c.velocity_product(engine, data, contact)])
+        part = lasting_part(engine, data, contact)
+        missing = part * missing - (1.0 - part) * points
         contact_bias_c.subtract(engine, data, contact, missing, centred=centred, normal=normal)
+
+
+def lasting_part(engine: mujoco.MjModel, data: mujoco.MjData, contact: mujoco.MjContact) -> float:
+    """Return the part of its rate that a contact's rows get, as in Warp."""
+    first, second = data.cvel[engine.geom_bodyid[contact.geom], :3]
+    angle = 2.0 * np.linalg.norm(second - first) / contact_bias_c.damping(engine, contact.solref, contact.solimp)
+    return max(0.0, 1.0 - angle**2)
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.sections.cure import bodies, budget, hold, limits, turntable
+from report.sections.cure import bodies, budget, controls, hold, limits, tumbles, turntable
 from report.shared.arithmetic import joined
 
 order = 141
@@ -19,7 +19,7 @@ labels = {
     "ke-kd-#-#-#-plain": "pads' ke {1}, kd {0}, {2} substeps",
 }
 
-PARTS = (turntable, hold, limits, bodies, budget)
+PARTS = (turntable, controls, hold, limits, bodies, tumbles, budget)
 """The modules of its parts; the last one reads what the limits are."""
 
 

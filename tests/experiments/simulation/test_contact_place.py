@@ -40,10 +40,10 @@ def pair(first: str, second: str, cone: str, dim: int) -> mujoco.MjModel:
     """Two bodies in space, or one at a tilted plane."""
     joint, tilt = ("", 'euler="20 30 10"') if first == "plane" else ("<freejoint/>", "")
     return mujoco.MjModel.from_xml_string(f"""<mujoco>
-      <option cone="{cone}" gravity="0 0 0" ccd_tolerance="1e-12" ccd_iterations="500">
+      <option timestep="1e-5" cone="{cone}" gravity="0 0 0" ccd_tolerance="1e-12" ccd_iterations="500">
         <flag multiccd="disable"/>
       </option>
-      <default><geom margin="0.1"/></default>
+      <default><geom margin="0.1" solref="2e-5 1"/></default>
       <asset>
         <mesh name="block" vertex="{CORNERS}"/>
       </asset>

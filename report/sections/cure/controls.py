@@ -1,0 +1,40 @@
+"""Controls: a straight shake, a grasp that only turns, and either form of the Jacobian in MuJoCo's C engine."""
+
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.section import Section
+from measured_report.values.results import Results
+from report.shared.arithmetic import departure, extreme, largest_size
+
+ENGINES = ("warp", "c")
+
+
+def derive(results: Results) -> Section:
+    return Section(claims=[_only_turning_creeps(results), _sparse_is_dense(results)])
+
+
+def _only_turning_creeps(results: Results) -> Claim:
+    straight, turning = (
+        [results.row[f"control-{motion}-plain-{engine}"] for engine in ENGINES] for motion in ("straight", "turning")
+    )
+    formula = "largest drift of the straight shake, in size"
+    still = largest_size(results, "straight_drift", formula, [row.drift_mm_s for row in straight], unit="mm/s")
+    bound = results.chosen("straight_drift_bound", "a millimetre in a quarter of an hour", 1e-3, unit="mm/s")
+    slowest = extreme(results, "turning_drift", "the slower of both engines", min, [row.drift_mm_s for row in turning])
+    formula = "growth of the distance from the axis less that of the law, in size, of the latter"
+    offs = [
+        departure(results, f"{row.case}_off", formula, row.growth_per_s, row.predicted_growth_per_s) for row in turning
+    ]
+    off = extreme(results, "turning_off", "largest of these", max, offs)
+    outcome = all_of(
+        at_most(still, bound),
+        at_least(slowest, 1.0, why="a creep that anyone would see"),
+        at_most(off, 1.0, why="the same creep"),
+    )
+    return Claim("only_turning_creeps", outcome, {"bound": bound, "still": still, "turning": slowest, "off": off})
+
+
+def _sparse_is_dense(results: Results) -> Claim:
+    dense, sparse = (results.row[f"jacobian-{form}"].slip_mm for form in ("dense", "sparse"))
+    apart = departure(results, "jacobian_off", "how far the slips are apart, of the first", sparse, dense)
+    outcome = at_most(apart, 0.1, why="the same slip")
+    return Claim("sparse_is_dense", outcome, {"dense": dense, "sparse": sparse, "apart": apart})

@@ -1,0 +1,58 @@
+"""Bodies that tumble, with the exact term and without: does it put energy into any of them?"""
+
+import math
+
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.section import Section
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import rows_with, table_of, total
+
+VARIANTS = {
+    "plain": "nothing done",
+    "aside": "nothing done, started a hair aside",
+    "exact": "exact term",
+    "points": "term of material points in all rows",
+}
+"""Headings by variant."""
+
+
+def derive(results: Results) -> Section:
+    rows = rows_with(results, "tumbling", "step_ms")
+    bodies = dict.fromkeys(row.tumbling for row in rows)
+    counts = {
+        variant: {
+            body: _gains(results, variant, body, [row for row in rows if row.tumbling == body]) for body in bodies
+        }
+        for variant in VARIANTS
+    }
+    columns = {heading: list(counts[variant].values()) for variant, heading in VARIANTS.items()}
+    return Section(
+        tables={"tumbles": table_of("body", bodies, columns, rows)}, claims=[_gains_nothing(results, rows, counts)]
+    )
+
+
+def _gains(results: Results, variant: str, body: str, rows: list[Row]) -> Value:
+    formula = "worlds of all steps whose energy ends over 1 % above its start"
+    return total(results, f"{variant}_{body}_gains", formula, [row[f"{variant}_gain_count"] for row in rows])
+
+
+def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str, Value]]) -> Claim:
+    """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
+    formula = "worlds whose energy ends over 1 % above its start"
+    gains = {name: total(results, f"{name}_gains", formula, counts[name].values()) for name in VARIANTS}
+    formula = "those of them whose energy does not rise with nothing done"
+    alone = {
+        name: total(results, f"{name}_alone", formula, [row[f"{name}_alone_gain_count"] for row in rows])
+        for name in ("exact", "aside")
+    }
+    formula = "so many, and three times the root of one more"
+    chance = results.value("tumble_chance", formula, lambda count: count + 3.0 * math.sqrt(count + 1.0), alone["aside"])
+    worlds = total(results, "tumble_count", "worlds with the exact term", [row.world_count for row in rows])
+    outcome = all_of(
+        at_most(alone["exact"], chance),
+        at_least(worlds, 10_000, why="enough to see what is rare"),
+        at_least(gains["points"], gains["plain"].number + 10.0, why="what gains would be seen"),
+    )
+    numbers = {"worlds": worlds, "alone": alone["exact"], "aside": alone["aside"]} | gains
+    return Claim("tumbling_gains_nothing", outcome, numbers)
