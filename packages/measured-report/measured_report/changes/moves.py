@@ -235,11 +235,13 @@ def blind_spots(edition: Edition) -> list[str]:
     late = []
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)
-        if isinstance(number, Quantity) and number.value:
+        if isinstance(number, Quantity) and number.value is None:
+            late.append(f"{name} never, {number.reason}")
+        elif isinstance(number, Quantity) and number.value:
             least = NEAR_NOISE * (CHOSEN_SHARE if number.noise is None else number.noise / abs(number.value))
             late += [f"{name} from {100 * least:.2g} %"] if least > threshold else []
     said = [f"no noise is known of {few(list(unknown), 8)}"] if unknown else []
-    return said + ([f"thresholds that ring later than they say, for the noise: {few(late)}"] if late else [])
+    return said + ([f"thresholds that ring later than they say, or never: {few(late)}"] if late else [])
 
 
 def few(names: Sequence[str], count: int = NAMED) -> str:

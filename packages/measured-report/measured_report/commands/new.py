@@ -11,6 +11,7 @@ from importlib import metadata
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
+from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
 from measured_report.files.config import Config
 from measured_report.files.errors import ReportError, UsageError
@@ -61,6 +62,7 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
         told["@TITLE@"] = title
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, told)
+    (folder / FILE).write_text(reference(), encoding="utf-8")
     print(f"wrote {folder}; cd {shlex.quote(folder.name)} && make report measures, and builds site/index.html")
 
 

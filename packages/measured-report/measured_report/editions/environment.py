@@ -25,6 +25,8 @@ VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
 FILTER = "UV_EXCLUDE_NEWER"
 """The variable that names another day for the installer's filter than the one on which a release came out."""
+TOOLS = ROOT / ".venv.tools" / "bin"
+"""Where the Makefile has put uv, on a host that has none."""
 READY = ".ready"
 """In an environment that is whole: the digest of what it was made from."""
 
@@ -170,7 +172,7 @@ def _make(folder: Path, name: str, asked: Sequence[str], pins: Sequence[str] = (
 
 def _run(arguments: Sequence[str], name: str) -> None:
     """Run uv, which may take a while; UsageError, one line, with the last that it said where it fails."""
-    uv = shutil.which("uv") or shutil.which("uv", path=str(Path(sys.executable).parent))
+    uv = shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{TOOLS}")
     if not uv:
         raise UsageError(f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it")
     if sys.stdout.isatty():  # a log has the one line that says why it failed

@@ -22,7 +22,7 @@ from measured_report.files.root import ROOT
 from measured_report.records.columns import name_problem
 
 PROFILES = ("full", "quick")
-INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
+INPUTS = ("packages", "experiments", "report", "templates", "assets", "static", "results")
 """Folders that the site is made from."""
 MANIFEST = "edition.toml"
 BYTE_LIMIT = 1 << 20
@@ -161,6 +161,6 @@ def own_release(root: Path = ROOT) -> str:
     text = (root / "pyproject.toml").read_text(encoding="utf-8")
     found = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not found:
-        line = f'a line "{requirement}==1.2.3" does'
-        raise ReportError(f"pyproject.toml asks for no {config().edition_name} release; {line}")
+        line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
+        raise ReportError(f"pyproject.toml has no line {line}")
     return found[1]

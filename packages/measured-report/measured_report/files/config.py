@@ -2,7 +2,7 @@
 
 import sys
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -40,7 +40,9 @@ class Declared(Told):
     """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
 
     names: Collection[str] = ()
+    """The columns that it is of."""
     pattern: str = ""
+    """A regular expression that matches all of the name of any other."""
     kind: str = ""
     """``parameter`` (a field of the case, or one like it), ``setting`` (set before a run as well), ``given`` (made from
     settings), ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
@@ -103,9 +105,11 @@ class Config:
     cost_terms: Sequence[str] = ()
     """Columns that two rows must share for their costs to be compared."""
     columns: Sequence[Declared] = ()
+    """What is to be known of columns besides their units."""
     baseline: str = "the baseline"
     """What people call the case that all others are changed from."""
     changes: Changes = field(default_factory=Changes)
+    """The table of that name."""
     title: str = "A report"
     """What its data are of, where nothing else of it is at hand."""
     name: str = "report"
@@ -161,7 +165,7 @@ class Config:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Read a TOML file; ValueError or OSError where it is none."""
-    return parse_toml(path.read_text(encoding="utf-8"))
+    return parse_toml(path.read_text(encoding="utf-8-sig"))
 
 
 def parse_toml(text: str) -> dict[str, Any]:
@@ -179,15 +183,15 @@ def config(root: Path = ROOT) -> Config:
     path = root / FILE
     try:
         found = read_toml(path) if path.is_file() else {}
-        if "edition" in found:
-            found["packages"] = [found["edition"], *found.get("packages", ())]
-            found.setdefault("edition_name", found["edition"])
         tables = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
         for place, table, kind in [*tables, *(("columns.", each, Declared) for each in found.get("columns", ()))]:
             names = {each.name for each in fields(kind)}
             for name in table if isinstance(table, dict) else ():
                 if name not in names:
                     raise ValueError(f"there is no setting {place}{name}{suggestion(name, names)}")
-        return msgspec.convert(found, Config)
+        told = msgspec.convert(found, Config)
     except (OSError, ValueError, TypeError) as error:  # which msgspec's are
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
+    if not (package := told.edition):
+        return told
+    return replace(told, packages=[package, *told.packages], edition_name=told.edition_name or package)

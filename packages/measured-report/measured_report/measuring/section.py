@@ -16,11 +16,11 @@ from tqdm import tqdm
 
 from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of, trace_of
+from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import commit, kind_of, needs_gpu
 from measured_report.measuring.measurement import Measurement
-from measured_report.records.columns import UNBELIEVED, is_number, number_problem, plain, units_of
+from measured_report.records.columns import REASON, UNBELIEVED, column_of, is_number, number_problem, plain, units_of
 from measured_report.records.identity import Identity, identity_of
 from measured_report.records.record import Record, write_record
 from measured_report.records.traces import packed
@@ -70,7 +70,7 @@ class Section:
                 if not names or len({*names, *self.results}) < len(names) + len(self.results):
                     raise ValueError(f"batches need names of their own: {', '.join(names)}")
         except Exception as error:
-            self.fail(reason_of(error), trace_of(error))
+            self.fail(reason_of(error))
 
     def lose(self, batch: Batch) -> None:
         """Measure a batch whose process was killed again, alone, but no more than once."""
@@ -81,11 +81,11 @@ class Section:
             tqdm.write(f"{self.name}/{batch.name}: its process was killed; it is tried again alone", file=sys.stderr)
             self.waiting = [*self.waiting, batch]
 
-    def fail(self, reason: str, trace: str = "") -> None:
+    def fail(self, reason: str) -> None:
         """Give the section up, and say why."""
         if not self.is_over:
             self.is_over, self.has_failed, self.waiting = True, True, []
-            tqdm.write(f"{trace}{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
+            tqdm.write(f"{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
 
     def _write(self, measurement: Measurement) -> None:
         parts, path = list(self.results.values()), self.project.record_path(self.name)
@@ -94,6 +94,8 @@ class Section:
             traces = {case: packed(path, case, table) for case, table in measurement.traces.items()}
         except (AttributeError, TypeError) as error:
             raise ReportError(f"it returned no Measurement of rows and traces: {error}") from None
+        if not rows or not all("case" in row for row in rows):
+            raise ReportError("it returned no rows, or one without a case")
         if len({kind_of(part.machine) for part in parts}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
         seconds = round(sum(part.seconds for part in parts), 1)
@@ -159,8 +161,7 @@ class Loop:
         except CancelledError:
             raise ReportError("the scheduler is gone; what is finished is kept") from None
         except BatchError as error:
-            reason, trace = error.args
-            section.fail(reason if batch.name == WHOLE else f"{batch.name}: {reason}", trace)
+            section.fail(str(error) if batch.name == WHOLE else f"{batch.name}: {error}")
         except Exception as error:  # what it returns, or is given, can't travel
             section.fail(f"{batch.name}: {reason_of(error)}")
         else:
@@ -191,4 +192,5 @@ def believable(row: Mapping[str, object]) -> dict[str, object]:
     """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
     row = {str(name): plain(value) for name, value in row.items()}
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
+    lost += [name for name in row if row[name] is None and name + REASON not in row and column_of(name).unit != "1"]
     return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}

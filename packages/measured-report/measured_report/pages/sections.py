@@ -60,7 +60,8 @@ class Outline:
     page: Page
     """The page that it names, or else the first that takes sections."""
     compares: bool
-    """Set where it compares releases: its ``derive`` then takes them as a second argument."""
+    """Set where it compares releases: its ``derive(results, releases)`` then takes them as well, as
+    ``releases["1.4.0"]["friction"].results``."""
     leads: bool
     """Set where its page begins with it, wherever its order has it: it says what the others there come to."""
     label: str

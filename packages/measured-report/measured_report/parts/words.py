@@ -48,6 +48,8 @@ TYPED = re.compile(
     r"(?:[nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?|[mk][AV]|min|times|[%°×x])(?!\w)"
 )
 """A number with the unit of one that is measured."""
+FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)
+"""A formula in TeX; those in code are none."""
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
 """Names that Jinja has for itself, so that what is given under them is never said."""
 
@@ -129,6 +131,27 @@ def refuse_typed(source: str) -> None:
         line = words.count("\n", 0, found.start()) + 1
         number = " ".join(found[0].split())
         raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
+
+
+def with_formulas(source: str) -> str:
+    """Write as MathML what a template has in TeX between dollars, and between two of them what is set apart."""
+
+    def written(found: re.Match) -> str:
+        if not (tex := found[1] or found[2]):
+            return found[0]
+        from latex2mathml.converter import convert  # few templates have any
+
+        try:
+            formula = convert(tex, display="block" if found[1] else "inline")
+        except Exception:  # it has no one error, and no words for any
+            formula = "\\"
+        if "\\" in formula:
+            raise TemplateSyntaxError(
+                f"{tex:.60} is no TeX that is known here", source.count("\n", 0, found.start()) + 1
+            )
+        return f"<span>{formula}</span>"
+
+    return FORMULA.sub(written, source)
 
 
 def token(printed: list[Any], thing: Any) -> Markup:

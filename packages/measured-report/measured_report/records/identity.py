@@ -69,9 +69,7 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 
 
 def sections(root: Path = ROOT) -> list[str]:
-    """Name the sections: those that have a module, or a folder of modules, on the report's side."""
+    """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
     folder = root / "report" / "sections"
-    found = {path.stem for path in folder.glob("[!.]*.py")} | {
-        path.parent.name for path in folder.glob("*/__init__.py")
-    }
-    return sorted(found - {"__init__"})
+    found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
+    return sorted(name for name in found if not name.startswith(("_", ".")))

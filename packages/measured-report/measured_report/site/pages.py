@@ -37,6 +37,7 @@ FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # as OWASP has it
 CARD = "card.png"  # the picture for links to the site
 ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
+LOGO = "static/logo.svg"
 FIELD = re.compile(r"^(title|license): *(.+)$", re.MULTILINE)
 AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-names: *(.+)$", re.MULTILINE)
 
@@ -165,6 +166,7 @@ class Site:
             "folder": self.editions[self.shown].project.results.name,
             "card": CARD if CARD in self.draft.digests else "",
             "icon": ICON if icon.is_file() else "",
+            "logo": LOGO if (edition.project.root / LOGO).is_file() else "",
             "citation": self.citation,
             "sources": config().repository,
             "measured_on": max((each.results.record.measured["date"][:10] for each in chapters), default=""),
@@ -184,9 +186,11 @@ class Site:
             pages[content.page.file] = self.templates.layout("base.html.j2", {**known, **own})
         for file, html in pages.items():
             self.draft.write(f"{place}{file}", local(html, self.shown))
-        self.draft.write(f"{place}style.css", stylesheet())
+        self.draft.write(f"{place}style.css", stylesheet(edition.project.root))
         for path in (LAYOUT / "page.js", *([icon] if icon.is_file() else [])):
             self.draft.copy(f"{place}{path.name}", path)
+        for path in (path for path in (edition.project.root / "static").rglob("*") if path.is_file()):
+            self.draft.copy(f"{place}{path.relative_to(edition.project.root).as_posix()}", path)
         for download in chain.from_iterable(chapter.section.downloads for chapter in chapters):
             self.draft.write(f"{place}download/{download.name}", download.text)
 
