@@ -9,9 +9,9 @@ from dataclasses import replace
 import pytest
 from conftest import program
 
-from measured_report.changes.upgrade import base_of, lacking
 from measured_report.commands import diff, upgrade
 from measured_report.commands.new import SKELETON
+from measured_report.commands.upgrade import base_of, lacking
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.config import config

@@ -13,7 +13,7 @@ from measured_report.files.errors import ReportError
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print what is new, a line each, as outputs of a step; nothing where nothing is new."""
-    package = config().package
+    package = config().edition
     sides = (replace(project, profile=profile) for profile in PROFILES)
     known = [side.of(release) for side in sides for release in side.releases]
     newest = max((each.named for each in known), key=lambda release: release.order)
@@ -33,5 +33,5 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 
 def _say(release: object, pins: str) -> int:
     """Print what is new under the package's name, and under ``option`` and ``release``, which know no package."""
-    print(f"{config().package}={release}\nwith={pins}\noption={EDITION}\nrelease={release}")
+    print(f"{config().edition}={release}\nwith={pins}\noption={EDITION}\nrelease={release}")
     return 0

@@ -2,13 +2,8 @@
 
 A section that has batches yields those that can run now, and is sent what they return, in that order::
 
-    def measure(conditions: Conditions) -> Plan:
-        points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
-        [times] = yield [Batch("times", time_cell, (conditions, cells[0]), exclusive=True)]
-        return Measurement([*points, *cells, times])
-
-The generator itself runs where the records are kept, which may have no GPU. A ``measure`` that is no generator is one
-batch, which measures no times.
+    points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
+    [times] = yield [Batch("times", time_cell, (conditions, cells[0]), exclusive=True)]
 """
 
 import gc

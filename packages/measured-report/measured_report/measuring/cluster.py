@@ -21,7 +21,7 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import MPS, gpus, machine, share_count, slug
-from measured_report.records.provenance import package_versions
+from measured_report.records.identity import package_versions
 
 SHARED, EXCLUSIVE = "shared", "exclusive"
 """Resources, one of each a worker that measures what shares its GPU, and one a host that measures times."""
@@ -83,10 +83,7 @@ def _worker(resource: str, security: Security, **settings: str) -> dict[str, Any
 def cluster_pools(
     asked: str, device: str, processor: str | None, count: int
 ) -> Iterator[tuple["ClusterPool", "ClusterPool"]]:
-    """Open pools for what shares a GPU and for what is exclusive; ReportError where the workers are unfit.
-
-    A GPU must be called ``processor`` in a label, unless that is None. One worker of each host compiles its kernels.
-    """
+    """Open pools for what shares a GPU and for what is exclusive; ReportError where workers or GPUs are unfit."""
     with connected(asked, device, count) as client:
         workers = client.scheduler_info(n_workers=-1)["workers"].values()
         for resource in (SHARED, EXCLUSIVE):

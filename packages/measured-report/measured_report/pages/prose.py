@@ -1,7 +1,4 @@
-"""The page: templates of Markdown with values in it, made into HTML.
-
-What a template prints passes as a token between two private characters, so that none of it is taken for Markdown.
-"""
+"""The page: templates of Markdown, made into HTML; what one prints passes as a token, and is never Markdown."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -23,12 +20,20 @@ from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, references
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
-from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_typed, token, with_formulas
+from measured_report.parts.words import (
+    CLOSE,
+    OPEN,
+    Wording,
+    WordTags,
+    refuse_typed,
+    refuse_unrounded,
+    token,
+    with_formulas,
+)
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
-"""Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which
-may extend ``layout/NAME``."""
+"""Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
 TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")
 """Stands alone in its paragraph where it may be a block."""
@@ -50,7 +55,6 @@ class Prose:
     printed: list[Any]
     anchor: str
     headings: list[tuple[str, Markup]]
-    """Id and text of each heading right below the title."""
 
     @property
     def figures(self) -> list[Figure]:
@@ -76,7 +80,6 @@ class Text:
     name: str
     template: jinja2.Template
     words: Mapping[tuple[str, str], Wording]
-    """What it says of claims, figures and tables, by kind and name."""
 
     def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
         """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
@@ -124,6 +127,7 @@ class Templates:
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._loader.get_source(self._prose, name)
         refuse_typed(source := with_formulas(source))
+        refuse_unrounded(source)
         code = self._prose.compile(source, name, path)
         template = jinja2.Template.from_code(self._prose, code, self._prose.make_globals(None))
 

@@ -1,10 +1,6 @@
-"""Section modules and the pages that they are on: a module is found, asked what it is, and given its results.
+"""Section modules and the pages that they are on: a module is found, asked what it is, and given its results."""
 
-``report.toml`` has the pages of a release in their order. Each is a table with a ``name``, the ``label`` of what leads
-to it (without one its name), and its ``texts`` (without any ``pages/NAME.md.j2``).
-"""
-
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -67,7 +63,6 @@ class Outline:
     label: str
     """What figures and tables call the section; the name of its file where it does not say."""
     labels: Mapping[str, str]
-    """What they call its cases; ``label_of`` reads it."""
     reads: tuple[str, ...]
     """Sections before it whose results it reads as well."""
 
@@ -96,25 +91,19 @@ def outline_of(section: str) -> Outline:
     return Outline(file, root, says["order"], OF_SECTIONS[page], says["derive"] > 1, leads, label, labels, reads)
 
 
-@dataclass(frozen=True)
-class Read(Mapping[str, Results]):
-    """Give the results that a section reads, where they were measured; ReportError for one that it does not name."""
+class Read(dict[str, Results]):
+    """Hold the results that a section reads, where they were measured; ReportError for one that it does not name."""
 
-    outline: Outline
-    there: Mapping[str, Results]
+    def __init__(self, outline: Outline, there: Mapping[str, Results]):
+        super().__init__(there)
+        self.outline = outline
 
-    def __getitem__(self, name: str) -> Results:
+    def __missing__(self, name: str) -> Results:
         if name not in self.outline.reads and not self.outline.compares:
             raise ReportError(f"{self.outline.source} reads {name}, which its line reads = (...) does not name")
         if outline_of(name).order >= self.outline.order:
             raise ReportError(f"{self.outline.source} reads {name}, which stands after it: give it a higher order")
-        return self.there[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.there)
-
-    def __len__(self) -> int:
-        return len(self.there)
+        raise KeyError(name)
 
 
 def labels_of(section: str) -> Mapping[str, str]:

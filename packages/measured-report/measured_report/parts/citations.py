@@ -37,7 +37,6 @@ class Reference:
     file: str = ""
     line: int = 0
     excerpt: str = ""
-    """One line of the file, or a part of one."""
 
 
 def references(templates: Path) -> Mapping[str, Reference]:

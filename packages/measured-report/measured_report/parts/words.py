@@ -1,18 +1,9 @@
 """Words: what a template says of claims, figures and tables, found before anything is rendered.
 
-    {% claim leans %}
-    {% holds %} The tower leans by {{ angle }}.
-    {% fails %} The tower stands upright.
-    {% asks %} whether the tower leans
-    {% because %} The ground is soft on one side.
-    {% endclaim %}
+docs/internals.md has a claim with all of its parts; a figure and a table are said so:
 
     {% figure tower %} The tower from the south. {% alt %} It leans by {{ angle }}. {% endfigure %}
-
     {% table cases %} All cases. {% endtable %}
-
-A claim may have ``{% opposite %}`` beside ``{% fails %}`` or in place of it, for a test that shows it.
-Each stands where it is printed. Its parts can name what Python hands over with it, and nothing else.
 """
 
 import re
@@ -50,6 +41,12 @@ TYPED = re.compile(
 """A number with the unit of one that is measured."""
 FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)
 """A formula in TeX; those in code are none."""
+BOUNDS = {
+    "at most|within|no more than|not more than|up to|as much as": (".most",),
+    "at least|no less than|not less than": (".least",),
+    "more than|less than": (".most", ".least"),  # which of them depends on what the sentence denies
+}
+"""Words that bound the number behind them, and how it is rounded there."""
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
 """Names that Jinja has for itself, so that what is given under them is never said."""
 
@@ -59,11 +56,9 @@ class Wording:
     """Hold what a template says of one claim, figure or table."""
 
     place: str
-    """File and line."""
     blocks: Mapping[str, str]
     """Names of its blocks by part."""
     names: frozenset[str]
-    """Names in all parts."""
     render: Callable[[str, Mapping[str, Any]], Markup] | None = None
     """Renders the block of a name with what it can name; None until the template is compiled."""
 
@@ -82,10 +77,7 @@ class Wording:
 
 
 class WordTags(Extension):
-    """Add the tags: each part becomes a block that is printed by name, and the whole a call that prints it in place.
-
-    What a template says is then in the environment's ``wordings``, by the template's name, and by kind and name.
-    """
+    """Add the tags: each part becomes a block, and the whole a call; ``wordings`` has them by template, kind, name."""
 
     tags = set(PARTS)  # noqa: RUF012, as Jinja has it
 
@@ -152,6 +144,16 @@ def with_formulas(source: str) -> str:
         return f"<span>{formula}</span>"
 
     return FORMULA.sub(written, source)
+
+
+def refuse_unrounded(source: str) -> None:
+    """Refuse a number that words bound and that could be rounded to their wrong side."""
+    for words, ends in BOUNDS.items():
+        words = words.replace(" ", r"\s+")
+        for found in re.finditer(rf"\b(?:{words})\s+(?:a factor of\s+)?\{{\{{\s*(.*?)\s*\}}\}}", source, re.IGNORECASE):
+            if not found[1].endswith(ends):
+                line = source.count("\n", 0, found.start()) + 1
+                raise TemplateSyntaxError(f"{' '.join(found[0].split())} takes {' or '.join(ends)}", line)
 
 
 def token(printed: list[Any], thing: Any) -> Markup:
