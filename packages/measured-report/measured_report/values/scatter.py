@@ -110,19 +110,14 @@ def apart(records: Sequence[Record]) -> Apart:
     words = {name for name in words - {"case"} if name not in records[0].units and not name.endswith(REASON)}
     edge = frozenset(key for key in shared if any(len({rows[key].get(name) for rows in keyed}) > 1 for name in words))
     there = [key for key in shared if key not in edge and not is_lost(keyed[0][key])]
-    columns = {}
+    columns, shown = {}, records[0].processor  # whose times say nothing of those of another kind
     for name in records[0].units:
         about = column_of(name)
         is_cost = "cost" in about.kinds or about.unit in TIMES
-        mine = [rows for rows, record in zip(keyed, records, strict=True) if _compares(record, records[0], is_cost)]
+        mine = [rows for rows, record in zip(keyed, records, strict=True) if not is_cost or record.processor == shown]
         if len(mine) > 1 and (scatter := _scatter(name, {key: [rows[key] for rows in mine] for key in there})):
             columns[name] = scatter
     return Apart(len(records), columns, edge)
-
-
-def _compares(record: Record, shown: Record, is_cost: bool) -> bool:
-    """Tell whether a number of both may be compared: a time of one kind of processor says nothing of another."""
-    return not is_cost or record.processor == shown.processor
 
 
 def _by_key(rows: Sequence[Row]) -> dict[Key, Row]:
