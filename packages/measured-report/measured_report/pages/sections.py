@@ -1,6 +1,6 @@
 """Section modules and the pages that they are on: a module is found, asked what it is, and given its results."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -91,19 +91,25 @@ def outline_of(section: str) -> Outline:
     return Outline(file, root, says["order"], OF_SECTIONS[page], says["derive"] > 1, leads, label, labels, reads)
 
 
-class Read(dict[str, Results]):
-    """Hold the results that a section reads, where they were measured; ReportError for one that it does not name."""
+@dataclass(frozen=True)
+class Read(Mapping[str, Results]):
+    """Give the results that a section reads, where they were measured; ReportError for one that it does not name."""
 
-    def __init__(self, outline: Outline, there: Mapping[str, Results]):
-        super().__init__(there)
-        self.outline = outline
+    outline: Outline
+    there: Mapping[str, Results]
 
-    def __missing__(self, name: str) -> Results:
+    def __getitem__(self, name: str) -> Results:  # which ``in`` and ``get`` ask as well
         if name not in self.outline.reads and not self.outline.compares:
             raise ReportError(f"{self.outline.source} reads {name}, which its line reads = (...) does not name")
         if outline_of(name).order >= self.outline.order:
             raise ReportError(f"{self.outline.source} reads {name}, which stands after it: give it a higher order")
-        raise KeyError(name)
+        return self.there[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.there)
+
+    def __len__(self) -> int:
+        return len(self.there)
 
 
 def labels_of(section: str) -> Mapping[str, str]:
