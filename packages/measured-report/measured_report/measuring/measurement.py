@@ -12,6 +12,7 @@ class Conditions:
     device: str
     """Alias: ``cuda:0`` or ``cpu``."""
     quick: bool
+    """Small grids and short runs."""
 
     @property
     def is_cuda(self) -> bool:

@@ -6,8 +6,10 @@
     {% passage needs="tower.leans fails" %} The tower stands upright. {% endpassage %}
     {% endpassage %}
 
-docs/section.md says what a need is. On one line a passage is a part of a paragraph, on several it is whole ones. One
-with ``answer="why"`` behind its needs answers that question: its element has it as ``data-answer``.
+A need is a claim that holds, or one with an outcome behind it: ``fails``, or ``opposite``. A passage may print numbers
+of the claims that it needs, by ``section.claim.number``, and what it names itself: a ``cell``, a ``value``, a ``row``.
+Where a need is not met, what is under ``otherwise`` is said, or else what these claims say themselves. On one line a
+passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` behind needs is its ``data-answer``.
 """
 
 import re

@@ -63,6 +63,7 @@ class Outline:
     label: str
     """What figures and tables call the section; the name of its file where it does not say."""
     labels: Mapping[str, str]
+    """What they call its cases; ``label_of`` reads it."""
     reads: tuple[str, ...]
     """Sections before it whose results it reads as well."""
 

@@ -81,6 +81,7 @@ class Claim:
     name: str
     outcome: Outcome
     numbers: Mapping[str, Any] = field(default_factory=dict)
+    """Quantities, and texts and flags."""
     wording: Wording | None = None
     confirmed: str = ""
     """Says how many measurements agree, where there are several."""

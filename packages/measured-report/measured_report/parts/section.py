@@ -56,6 +56,7 @@ class Table(_Captioned):
     frame: "pd.DataFrame | Markup"
     """HTML where it is kept."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
+    """Named by its caption."""
     wording: Wording | None = None
 
     def __html__(self) -> Markup:
@@ -123,6 +124,7 @@ class Figure(_Captioned):
     sources: Sequence[Quantity | Series]
     """All that it draws; when none of it exists the page says why in place of the figure."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
+    """Named by its caption and its alternative text."""
     wording: Wording | None = None
     anchor: str = ""
     drawn_by: str = ""
@@ -223,6 +225,7 @@ class Section:
     """Hold all that a section's template can name, besides what all of them can."""
 
     tables: Mapping[str, Any] = field(default_factory=dict)
+    """Tables, and other things that print themselves."""
     figures: Mapping[str, Figure] = field(default_factory=dict)
     claims: Sequence[Claim] = ()
     downloads: Sequence[Download] = ()

@@ -1,9 +1,17 @@
 """Words: what a template says of claims, figures and tables, found before anything is rendered.
 
-docs/internals.md has a claim with all of its parts; a figure and a table are said so:
+    {% claim leans %}
+    {% holds %} The tower leans by {{ angle }}.
+    {% fails %} The tower stands upright.
+    {% asks %} whether the tower leans
+    {% because %} The ground is soft on one side.
+    {% endclaim %}
 
     {% figure tower %} The tower from the south. {% alt %} It leans by {{ angle }}. {% endfigure %}
     {% table cases %} All cases. {% endtable %}
+
+``{% opposite %}`` may stand beside ``{% fails %}``, or in its place. Parts name what Python hands over, nothing else; a
+number behind *at most* or *up to* is ``{{ angle.most }}``, behind *at least* ``{{ angle.least }}``.
 """
 
 import re

@@ -49,6 +49,7 @@ class Quantity:
     source: str
     """Pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for."""
     reason: str = ""
+    """Why there is no number, where there is none."""
     origins: frozenset[Origin] = frozenset()
     """Releases and machines that it was measured with; none for what was not measured."""
     noise: float | None = None
