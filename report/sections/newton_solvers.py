@@ -4,7 +4,7 @@ from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, a
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, noise_floor, table_of
+from report.shared.arithmetic import Column, noise_floor, share, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, compared, resolution
 
 order = 188
