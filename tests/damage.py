@@ -30,9 +30,14 @@ def _with(*path: str | int, value: Any = GONE) -> Change:
 
 
 NO_NUMBERS = ("6.36", True, [], {}, float("nan"), float("inf"), 1e308, -1e308, 10**400, -1.0, None)
-NO_TEXTS = (None, 3, 1.5, True, [], {}, "", "\x00", "a\ue000b", "x" * 5000, "\u202etext", "a\u200fb", "two\nlines")
+NO_TEXTS = (None, 3, 1.5, True, [], {}, "", "\x00", "a\ue000b", "x" * 5000, "\u202etext", "a\uffff", "two\nlines")
 NO_MAPPINGS = (None, 3, "text", [], [1])
-NO_DATES = ("soon", "2026-01-02", *(f"{year}-01-02T03:04:05+00:00" for year in ("0001", "1999", "9999")))
+NO_DATES = (
+    "soon",
+    "2026-01-02",
+    "2026-01-02t03:04:05z",
+    *(f"{year}-01-02T03:04:05+00:00" for year in ("0001", "1999", "9999")),
+)
 VERSIONS = (
     "evil @ file:///tmp/evil.whl",
     "1.4.0; python_version>'3'",

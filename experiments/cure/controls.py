@@ -79,8 +79,8 @@ def measure(conditions: Conditions) -> list[dict]:
         in_c, predicted = run_in_c(motion, variant, seconds)
         for engine, walked in (("warp", path), ("c", in_c)):
             row = {"case": f"control-{motion.name}-{variant}-{engine}", "control": motion.name, "variant": variant}
-            row |= {"backend": engine, "contact_bias": variant != "plain", "predicted_growth_per_s": predicted}
-            rows.append(row | columns_of(motion, walked))
+            row |= {"backend": engine, "contact_bias": variant != "plain"} | columns_of(motion, walked)
+            rows.append(row | ({} if predicted is None else {"predicted_growth_per_s": predicted}))
     return rows
 
 

@@ -1,4 +1,4 @@
-"""The box on the turning table and the pinched capsule in other engines, and the box with Newton's other solvers.
+"""The box on the turning table and the pinched capsule in other engines.
 
 Each other engine is in an environment of its own. The capsule is one that ends between the pads, which is held by the
 balls at its ends. NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, passed below 3 cm of slip) is done with the
@@ -17,7 +17,7 @@ import numpy as np
 from tqdm import tqdm
 
 from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
-from experiments.engines import laws, newton_solvers
+from experiments.engines import laws
 from experiments.engines.laws import Load, walk_per_s
 from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
 from experiments.facts.case import AS_SHIPPED
@@ -96,9 +96,9 @@ MODELS = (
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Make a row for each model, scene and step, one for each shake of the test, and those of Newton's solvers."""
-    parts = model_rows, shake_rows, newton_solvers.rows
-    names = "models", "shakes", "solvers"
+    """Make a row for each model, scene and step, and one for each shake of the test."""
+    parts = model_rows, shake_rows
+    names = "models", "shakes"
     found = yield [Batch(name, part, (conditions,)) for name, part in zip(names, parts, strict=True)]
     return Measurement(list(chain.from_iterable(found)))
 

@@ -1,7 +1,7 @@
 """Laws of how fast a body slides that other engines hold by friction, by what they document of their contacts.
 
 A time-stepping engine has the velocity at a contact vanish at the end of a step of h, and moves by that velocity: on
-a table that turns at ω a body goes along a tangent, and dr/dt = r ω² h/2 (as in ``newton_solvers``). Besides it
+a table that turns at ω a body goes along a tangent, and dr/dt = r ω² h/2 (as in ``newton_solvers.box``). Besides it
 slides at the v at which its friction carries the load F:
 
 - ``rigid``: no v at all.

@@ -25,7 +25,6 @@ LAWS = {
     "lagged": "ω²h/2 + v/r, s/√(1 + s²) = x",
     "stribeck": "v/r, s³(10 − 15s + 6s²) = x",
     "anchored": "none",
-    "": "none derived",
 }
 """Laws of the walk. Each gives the sinking as well, by the same v."""
 HELPS = {"mujoco": "the term", **dict.fromkeys(("tamsi", "lagged", "stribeck"), "smaller vₛ")}
@@ -46,17 +45,6 @@ MODELS = {
     "physx": ("PhysX, TGS", "anchored"),
     "discrete-20ms": ("MuJoCo C, integrator discrete", "discrete"),
 }
-SOLVERS = {
-    "mujoco": "MuJoCo Warp",
-    "xpbd": "XPBD",
-    "kamino": "Kamino",
-    "featherstone": "Featherstone",
-    "semi-implicit": "semi-implicit",
-    "vbd": "VBD",
-}
-"""Newton's solvers."""
-NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", "")}
-"""Those that keep the box, and their laws."""
 WALK_LAW, SINK_LAW = "predicted_growth_per_s", "predicted_creep_mm_s"
 
 
@@ -84,7 +72,7 @@ def derive(results: Results) -> Section:
         unit="%/s",
     )
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
-    lines = [*_mujoco_lines(results), *_model_lines(results), *_newton_lines(results)]
+    lines = [*_mujoco_lines(results), *_model_lines(results)]
     told = [line for line in lines if line.law != "discrete"]
     columns: dict[str, Column] = {
         "release": [line.release for line in lines],
@@ -96,22 +84,12 @@ def derive(results: Results) -> Section:
         "what helps": [_helps(line, walk_bound) for line in lines],
         "law of the walk": [LAWS[line.law] for line in lines],
     }
-    said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": results.derived["step"]}
+    long = results.chosen("step", "given: the time step", 2.0, unit="ms")
+    said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
     engines = replace(table_of("engine", [line.name for line in lines], columns), numbers=said)
-    columns = {
-        f"step of {step.replace('ms', ' ms')}": [_of_solver(results, solver, step) for solver in SOLVERS]
-        for step in (LONG, SHORT)
-    }
     claims = [_as_their_laws_say(results, told, walk_bound, sink_bound), _walks_most_in_mujoco(results, told)]
     claims.append(_test_lets_through(results))
-    return Section(tables={"engines": engines, "solvers": table_of("solver", SOLVERS.values(), columns)}, claims=claims)
-
-
-def _of_solver(results: Results, solver: str, step: str) -> Quantity | str:
-    row = results.row[f"{solver}-{step}"]
-    if row and not row.stays:
-        return "sinks in or lost" if row.end_radius_mm.value is not None else row.end_radius_mm
-    return _percent(results, f"{solver}_{step}", row.growth_per_s) if row else row.growth_per_s
+    return Section(tables={"engines": engines}, claims=claims)
 
 
 def _percent(results: Results, name: str, cell: Quantity) -> Value:
@@ -153,19 +131,6 @@ def _model_lines(results: Results) -> list[Line]:
         halved = absent("1/s", "continuous time has no step") if law == "stribeck" else short.growth_per_s
         walks, sinks = (long.growth_per_s, laws[0], halved), (pinch.creep_mm_s, laws[1])
         lines.append(_line(results, model.replace("-", "_"), (name, long.engine, long.release), law, walks, sinks))
-    return lines
-
-
-def _newton_lines(results: Results) -> list[Line]:
-    turn = results.chosen("turn", "given: how fast the table turns", 2.0, unit="rad/s")
-    long_ms = results.chosen("step", "given: the time step", 2.0, unit="ms")
-    tangent = results.value("tangent", "ω²h/2", lambda turn, ms: 1e-3 * turn**2 * ms / 2, turn, long_ms, unit="1/s")
-    unmeasured, lines = absent("mm/s", "the capsule was not run with this solver"), []
-    for solver, (name, law) in NEWTONS.items():
-        long, short = (results.row[f"{solver}-{step}"].growth_per_s for step in (LONG, SHORT))
-        walks = long, tangent if law else absent("1/s", "no law was derived"), short
-        named = name, "Newton", _newton(results)
-        lines.append(_line(results, solver, named, law, walks, (unmeasured, unmeasured)))
     return lines
 
 

@@ -12,6 +12,7 @@ from measured_report.values.quantities import Quantity
 from report.sections.gap import CASES as CASES_OF_GAP
 from report.sections.priority import CUBE
 from report.sections.upgrade.ends import released
+from report.story import frontier
 from report.story.figures import draw_mechanism, draw_suspects
 from report.story.found import CASES, FIX, Found
 
@@ -51,8 +52,9 @@ def derive(releases: Releases, shown: str) -> Section:
     bound = found.value("reproduction", "slip_bound", "mm")
     return Section(
         tables={"needed": _needed(every, bound), "setup": _setup(found)},
-        figures={"suspects": _suspects(found), "mechanism": _mechanism(found)},
+        figures={"suspects": _suspects(found), "mechanism": _mechanism(found), "frontier": frontier.figure(found)},
         claims=[
+            *frontier.advice(found),
             _fine_since(every, bound),
             _still_needed(every, bound),
             _with_mujoco(found, bound),

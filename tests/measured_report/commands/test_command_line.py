@@ -1,6 +1,7 @@
 """The command line: what it refuses, what it must not import, and the report of the tracked results."""
 
 import signal
+import subprocess
 import sys
 from collections.abc import Iterator
 
@@ -8,6 +9,7 @@ import pytest
 from conftest import program
 
 from measured_report.commands.command_line import main
+from measured_report.files.root import ROOT
 from measured_report.parts.section import UNDRAWN
 from measured_report.site.check import check_site
 
@@ -23,6 +25,12 @@ def command(monkeypatch) -> Iterator[None]:
     yield
     for stop, handler in stops.items():
         signal.signal(stop, handler)
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-", ">/dev/full"])
+def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(closed):
+    done = subprocess.run(["bash", "-c", f'"$0" build.py help {closed}', sys.executable], cwd=ROOT, capture_output=True)
+    assert (done.returncode, len(done.stderr.splitlines())) == ((1, 1) if "full" in closed else (0, 0))
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from datetime import datetime
 from pathlib import Path
 
 import batches
@@ -13,7 +14,8 @@ import numpy as np
 import pytest
 from batches import begun, rows_of, running, section_of
 
-from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring import batch
+from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.section import Loop
 from measured_report.records.record import load_record
@@ -53,6 +55,27 @@ def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, ca
     assert "odd-one: measuring failed; what was there is kept: odd: " in said
     assert "ending-one: measuring failed; what was there is kept: end: ended" in said
     assert len(rows_of(toy)) == 2
+
+
+class Clock(datetime):
+    """Says what it was told to, one after the other."""
+
+    @classmethod
+    def now(cls, zone):
+        return cls.fromisoformat(TOLD.pop(0))
+
+
+TOLD: list[str] = []
+
+
+def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go_is_said(monkeypatch):
+    monkeypatch.setattr(batch, "datetime", Clock)
+    TOLD[:] = "2026-01-02T00:00:00+00:00", "2026-01-01T00:00:00+00:00", "1970-01-01T00:00:00+00:00"
+    found = measure_batch(Batch("a", int), "cpu")
+    assert found.started <= found.ended
+    TOLD[:] = TOLD[-1:]
+    with pytest.raises(BatchError, match="the clock of this machine says 1970-01-01"):
+        measure_batch(Batch("a", int), "cpu")
 
 
 def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
@@ -112,7 +135,8 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 from measured_report.editions.project import Project
-from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring import batch
+from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
 from measured_report.measuring.section import Loop
 from measured_report.measuring.pool import host_pools
 

@@ -202,3 +202,8 @@ def test_every_python_agrees_on_the_identity():
         for python in [sys.executable, *pythons]
     }
     assert len(digests) == 1
+
+
+def test_what_an_editor_locks_beside_a_section_is_no_section(toy):
+    (toy.project.root / "report/sections/.#toy.py").symlink_to("somebody@here.1:2")
+    assert sections(toy.project.root) == ["toy"]

@@ -1,5 +1,9 @@
 """Replicas: one sealed file of records, taken in only where it is of the same code and packages, whole and no copy."""
 
+import bz2
+import gzip
+import tarfile
+import tracemalloc
 from dataclasses import replace
 from hashlib import sha256
 
@@ -7,7 +11,7 @@ import pytest
 
 from measured_report.commands import replicate
 from measured_report.editions.project import Project
-from measured_report.editions.replicas import refused, replicas_of
+from measured_report.editions.replicas import refused, replicas_of, replicas_text
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError
 from measured_report.records.record import load_record, write_record
@@ -98,19 +102,43 @@ def test_a_copy_is_refused_with_another_date_too(project):
         kept(project, sent)
 
 
-def test_one_that_was_altered_or_cut_is_damaged(project):
-    sent = again(project, "gap")
-    content, path = packed([sent]), project.root / "sent.tgz"
-    for damaged in (content[:-200], b"no archive", packed([])):
-        path.write_bytes(damaged)
-        with pytest.raises(RecordError, match=r"sent\.tgz is no"):
-            read_replica(path)
-    import gzip
+DAMAGES = {
+    "altered": lambda text: text.replace(b'"dropped":false', b'"dropped":true ', 1),
+    "cut": lambda text: text[:-20_000],
+    "nothing": lambda text: b"",
+    "empty": lambda text: gzip.decompress(packed([])),
+    "packed in another way, which may hold anything": bz2.compress,
+    "a name that is no UTF-8": lambda text: headed(name=b"\xff") + text,
+    "a few bytes that say they are an exabyte": lambda text: headed(size=b"\x80\0\0\0\x10" + bytes(7)) + text,
+    "a few bytes that are read as a gigabyte": lambda text: headed(kind=b"S", real_size=b"10000000000") + text,
+}
 
-    text = gzip.decompress(content)
-    path.write_bytes(gzip.compress(text.replace(b'"dropped":false', b'"dropped":true ', 1)))
-    with pytest.raises(RecordError, match="not as it was sealed"):
+
+def headed(name: bytes = b"x", size: bytes = b"0", kind: bytes = b"0", real_size: bytes = b"") -> bytes:
+    """A header of tar, of a file without content."""
+    header = bytearray(tarfile.TarInfo("x").tobuf())
+    header[156:157] = kind
+    for start, field in ((0, name), (124, size), (257, b"ustar  "), (483, real_size), (148, b" " * 8)):
+        header[start : start + len(field)] = field
+    header[148:155] = b"%06o\0" % sum(header)
+    return bytes(header)
+
+
+@pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
+def test_one_that_is_not_as_it_was_sealed_is_damaged_and_costs_no_memory(project, damage):
+    path = project.root / "sent.tgz"
+    path.write_bytes(gzip.compress(damage(gzip.decompress(packed([again(project, "gap")])))))
+    tracemalloc.start()
+    with pytest.raises(RecordError, match=r"^[^\n]*sent\.tgz is no[^\n]*$"):
         read_replica(path)
+    assert tracemalloc.get_traced_memory()[1] < 200 << 20
+    tracemalloc.stop()
+
+
+def test_a_damaged_one_is_named_without_what_turns_text_round(project):
+    (project.results / FOLDER).mkdir()
+    (project.results / FOLDER / "\u202e.tgz").write_bytes(b"")
+    assert replicas_text(project) == ["damaged: replicas/?.tgz is no whole replica: empty file"]
 
 
 def test_what_could_not_be_measured_there_is_left_out(project):

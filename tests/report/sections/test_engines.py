@@ -2,6 +2,7 @@
 
 import pytest
 
+from experiments.engines.newton_solvers import EXCUSED
 from measured_report.values.quantities import Value
 from report.sections.engines import Line, _helps
 
@@ -22,3 +23,16 @@ def test_a_shorter_step_helps_where_that_was_seen(law, walk, short, said):
     seen, halved, unknown = (Value(number, "%/s", "") for number in (walk, short, None))
     line = Line("", "", "", law, seen, unknown, halved, unknown, unknown)
     assert _helps(line, Value(0.002, "%/s", "")) == said
+
+
+@pytest.mark.words
+def test_each_solver_of_a_release_has_numbers_or_an_excuse(editions):
+    """One that a release adds and that can't run our scenes has neither."""
+    for release, edition in editions.items():
+        if "engines" not in edition.chapters:
+            continue
+        told = [row for row in edition.chapters["engines"].results.rows if "of" in row]
+        named = {row["of"] for row in told}
+        numbers = {row["of"] for row in told if "growth_per_s" in row and row.growth_per_s.value is not None}
+        assert {"SolverMuJoCo", "SolverXPBD"} <= numbers, release
+        assert named - numbers == set(EXCUSED), release

@@ -17,10 +17,9 @@ from typing import Any
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import recover
-from measured_report.files.errors import ReportError, UsageError, suggestion
+from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion
 from measured_report.files.root import ROOT
 from measured_report.records.code import cached_sources
-from measured_report.records.columns import UNPRINTABLE
 from measured_report.records.record import load_record
 
 OWN = "report.commands"
@@ -37,6 +36,7 @@ class Parser(argparse.ArgumentParser):
 
 def main() -> int:
     """Run the command that was asked for; return its exit status, with one line for whatever can be mended."""
+    _open_closed()
     for stop in (signal.SIGINT, signal.SIGTERM):
         signal.signal(stop, signal.default_int_handler)
     try:
@@ -55,6 +55,14 @@ def main() -> int:
         if str(error):  # whoever failed may have said it
             _say(str(error))
         return 2 if isinstance(error, UsageError) else 1
+
+
+def _open_closed() -> None:
+    """Open what was closed of input, output and errors: what is opened next would get what is printed."""
+    while (free := os.open(os.devnull, os.O_RDWR)) <= 2:
+        os.set_inheritable(free, True)
+        setattr(sys, ("stdin", "stdout", "stderr")[free], os.fdopen(free, "w" if free else "r"))
+    os.close(free)
 
 
 def _run(name: str, *given: str) -> int:

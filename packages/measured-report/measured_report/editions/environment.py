@@ -94,7 +94,9 @@ def _lend(folder: Path) -> None:
                 link.unlink(missing_ok=True)
                 link.symlink_to(there)
     for packages in folder.glob("lib/python*/site-packages"):
-        (packages / "measured-report.pth").write_text(f"{lent}\n", encoding="utf-8")
+        path, text = packages / "measured-report.pth", f"{lent}\n"
+        if not path.exists() or path.read_text(encoding="utf-8") != text:  # another process may just begin to read it
+            path.write_text(text, encoding="utf-8")
 
 
 def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Path:

@@ -83,7 +83,7 @@ def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mappi
     if release.is_installed_with(installed):
         return installed
     kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
-    newest = max(kept, key=lambda record: record.measured["date"], default=None)
+    newest = max(kept, key=lambda record: record.time, default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
     return {**others, **dict(release.pins), config().package: package_version(project)}
 

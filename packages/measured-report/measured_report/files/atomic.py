@@ -10,7 +10,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import UNPRINTABLE, ReportError
 
 WHOLE, NEW, ASIDE = ".whole", ".new", ".damaged"
 """How the folders of files end that wait to be put in place, that are still being written, and that are refused."""
@@ -22,7 +22,7 @@ class RecordError(ReportError):
 
 def short_path(path: Path) -> str:
     """Write the path of a record or a trace as messages have it: its edition's folder and its name."""
-    return f"{path.parent.name}/{path.name}"
+    return UNPRINTABLE.sub("?", f"{path.parent.name}/{path.name}")
 
 
 def read_own_file(path: Path, byte_limit: int) -> bytes:

@@ -1,11 +1,19 @@
 """Errors: what a command says in one line, in place of a traceback."""
 
+import re
 import sys
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
 from traceback import extract_tb
 from types import TracebackType
+
+UNPRINTABLE = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff\ue000-\uf8ff"
+    "\ufdd0-\ufdef\ufeff\ufff9-\ufffb\ufffe\uffff\U000e0000-\U000e007f\U000f0000-\U0010ffff]"
+)
+"""Characters that no text needs: control, text turned round, what can't be seen, halves of others, those that mean what
+one likes, and those that XML has not."""
 
 
 class ReportError(Exception):

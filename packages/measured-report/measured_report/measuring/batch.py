@@ -21,7 +21,7 @@ import traceback
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from datetime import datetime, timezone
+from datetime import datetime, timedelta, timezone
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -88,8 +88,10 @@ def measure_batch(batch: Batch, device: str) -> Result:
         with gpu_lock(exclusive=batch.exclusive):
             started, start = now(), time.perf_counter()
             value = batch.function(*batch.arguments)
-            ended, seconds = now(), round(time.perf_counter() - start, 1)
-        return Result(pickle.dumps(value), here, started, ended, seconds)
+            seconds = time.perf_counter() - start
+        ended = started + timedelta(seconds=seconds)  # whatever the clock does meanwhile
+        times = [each.isoformat(timespec="seconds") for each in (started, ended)]
+        return Result(pickle.dumps(value), here, times[0], times[1], round(seconds, 1))
     except BaseException as error:  # sys.exit too: a fault of a section must not end the process
         raise BatchError(reason_of(error), trace_of(error)) from None
 
@@ -120,6 +122,9 @@ def trace_of(error: BaseException) -> str:
     return "" if is_known else "".join(traceback.format_exception(error))
 
 
-def now() -> str:
-    """Return the time, as records have it."""
-    return datetime.now(timezone.utc).isoformat(timespec="seconds")
+def now() -> datetime:
+    """Return the time; ReportError where the clock does not go, as no record may have what it says."""
+    found = datetime.now(timezone.utc)
+    if found.year not in range(2000, 2100):
+        raise ReportError(f"the clock of this machine says {found:%Y-%m-%d}")
+    return found

@@ -16,7 +16,7 @@ from tqdm import tqdm
 
 from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, now, reason_of, trace_of
+from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of, trace_of
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import commit, kind_of, needs_gpu
 from measured_report.measuring.measurement import Measurement
@@ -102,7 +102,7 @@ class Section:
             identity=self.identity,
             machine={name: _together(part.machine[name] for part in parts) for name in parts[0].machine},
             measured={
-                "date": now(),
+                "date": max(part.ended for part in parts),
                 "started": min(part.started for part in parts),
                 "ended": max(part.ended for part in parts),
                 "commit": commit(),

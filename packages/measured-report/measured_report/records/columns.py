@@ -17,6 +17,7 @@ from itertools import chain
 from typing import Any, TypeGuard
 
 from measured_report.files.config import Told, config
+from measured_report.files.errors import UNPRINTABLE
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
@@ -38,12 +39,6 @@ REASON = "_reason"
 UNBELIEVED = "the measurement gave "
 """How the reason begins of a number that was measured and that no record may hold, such as one that is not finite."""
 TEXT_LIMIT = 4096
-UNPRINTABLE = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff\ue000-\uf8ff"
-    "\U000e0000-\U000e007f\U000f0000-\U0010ffff]"
-)
-"""Characters that no text needs: control, text turned round, what can't be seen, halves of others, and those that mean
-what one likes."""
 
 
 @dataclass(frozen=True, kw_only=True)

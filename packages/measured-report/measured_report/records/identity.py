@@ -71,5 +71,7 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 def sections(root: Path = ROOT) -> list[str]:
     """Name the sections: those that have a module, or a folder of modules, on the report's side."""
     folder = root / "report" / "sections"
-    found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
+    found = {path.stem for path in folder.glob("[!.]*.py")} | {
+        path.parent.name for path in folder.glob("*/__init__.py")
+    }
     return sorted(found - {"__init__"})

@@ -41,17 +41,21 @@ def _sums(files: Mapping[str, bytes]) -> bytes:
 
 def read_replica(path: Path) -> Records:
     """Read a replica; RecordError, one line, when it is damaged in any way."""
+    files = {}
     try:
         with gzip.open(io.BytesIO(read_own_file(path, BYTE_LIMIT))) as file:
             content = file.read(BYTE_LIMIT + 1)
         if len(content) > BYTE_LIMIT:
             raise RecordError(f"{short_path(path)} holds more than {BYTE_LIMIT >> 20} MiB")
-        with tarfile.open(fileobj=io.BytesIO(content)) as archive:
-            files = {member.name: archive.extractfile(member).read() for member in archive if member.isreg()}  # type: ignore[union-attr]
-    except (OSError, EOFError, zlib.error, tarfile.TarError) as error:
+        with tarfile.open(fileobj=io.BytesIO(content), mode="r:") as archive:
+            for member in archive:
+                if member.type != tarfile.REGTYPE:  # as a sparse one, which makes gigabytes of a few bytes
+                    raise RecordError(f"{short_path(path)} is no archive of plain files")
+                files[member.name] = archive.extractfile(member).read()  # type: ignore[union-attr]
+        if files.pop(SUMS, b"") != _sums(files) or not files:
+            raise RecordError(f"{short_path(path)} is not as it was sealed")
+    except (OSError, EOFError, ValueError, zlib.error, tarfile.TarError) as error:
         raise RecordError(f"{short_path(path)} is no whole replica: {error}") from None
-    if files.pop(SUMS, b"") != _sums(files) or not files:
-        raise RecordError(f"{short_path(path)} is not as it was sealed")
     return {Path(name).stem: read_record(text, path.parent / name) for name, text in sorted(files.items())}
 
 

@@ -7,7 +7,7 @@ import re
 import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import timezone
 from functools import cached_property
 from itertools import chain
 from operator import itemgetter
@@ -249,13 +249,13 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
         flips = flips_between(before.chapters, edition.chapters) if before else ()
         claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
         said = [flip.after.text for flip in flips] or [claim.text for claim in claims[:1]]
-        dates = [chapter.results.record.measured["date"] for chapter in edition.chapters.values()]
+        times = [chapter.results.record.time for chapter in edition.chapters.values()]
         yield {
             "id": _id(release),
             "title": ": ".join([config().name_of(release), *said[: len(flips)][:1]]),
             "text": " ".join(said),
             "address": f"{places[release]}index.html",
-            "updated": datetime.fromisoformat(max(dates)).isoformat(timespec="seconds"),
+            "updated": max(times).astimezone(timezone.utc).isoformat(timespec="seconds"),
         }
         before = edition
 

@@ -148,7 +148,7 @@ function addSorting(table) {
 
 function tableAsCsv(table) {
   // A spreadsheet takes what begins so for a formula.
-  const inert = (text) => (/^[=+\-@\t\r]/.test(text) && Number.isNaN(Number(text)) ? `'${text}` : text);
+  const inert = (text) => (/^[=+\-@\t\r\n＝＋－＠]/.test(text) && Number.isNaN(Number(text)) ? `'${text}` : text);
   const quote = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const line = (row) => [...row.cells].map((cell) => quote(inert(plainText(cell)))).join(",");
   return [...table.rows].map(line).join("\n") + "\n";

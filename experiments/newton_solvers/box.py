@@ -1,0 +1,183 @@
+"""The box on the turning table, on a slope and on a table that stands still, with each of Newton's solvers.
+
+A solver that has the velocity at the contact vanish at the end of each step of h, and moves by one end's velocity, has
+the box walk by h/2 of the acceleration ω² r that a step bends its path by: dr/dt = ± r ω² h / 2, less the shorter the
+step. What does not go with the step is something else.
+"""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import newton
+import numpy as np
+import warp as wp
+from newton import solvers
+
+from experiments.cure.turntable import SAMPLE_S, SETTLE_S
+from experiments.engines.scenes import FOOT_M, GRAVITY_M_S2, turntable
+from measured_report.measuring.measurement import Conditions, absent
+
+STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
+SECONDS = {"full": 4.0, "quick": 2.0}
+"""On the turning table."""
+STANDING = ("slope", "still")
+"""Scenes in which the table does not turn."""
+STANDING_S = 2.0
+SLOPE = 0.35
+"""Tangent of the slope [rad/rad]; friction carries up to 1."""
+FRAME_STEPS = 8
+"""Steps of a frame, where contacts are found once a frame."""
+NUMBERS = ("growth_per_s", "end_radius_mm")
+ROWS = {"articulation_constraint_max": 256, "free_body_constraint_max": 512}
+"""Steel's constraint rows: those that do not fit are dropped."""
+OPTIONS: Mapping[str, Mapping[str, Any]] = {
+    "SolverMuJoCo": {"cone": "elliptic", "integrator": "implicitfast"},
+    "SolverXPBD": {"angular_damping": 0.0},
+    "SolverFeatherstone": {"angular_damping": 0.0},
+    "SolverSemiImplicit": {"angular_damping": 0.0},
+    "SolverSteel": ROWS,
+}
+"""Options by class; the rest, and all of a class that is not here, is as the solver comes."""
+EXCUSED = {
+    "SolverImplicitMPM": "it moves grains, and no rigid body",
+    "SolverStyle3D": "it moves cloth, and no rigid body",
+}
+"""Solvers that are not measured, and why; a record names them as well."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A solver as it is run: its class, options, and how contacts are found."""
+
+    name: str
+    solver: str
+    options: Mapping[str, Any] = field(default_factory=dict)
+    pipeline: Mapping[str, Any] = field(default_factory=dict)
+    steps_between_contacts: int = 1
+
+
+def variants() -> list[Variant]:
+    """List each rigid-body solver of the installed release, and Steel with one thing changed at a time."""
+    names = [name for name in solver_classes() if name not in EXCUSED]
+    found = [Variant(name_of(name), name, OPTIONS.get(name, {})) for name in names]
+    if "SolverSteel" in names:
+        warm = {"contact_matching": "latest"}
+        found += [
+            Variant("steel-points", "SolverSteel", ROWS | {"friction_anchor_beta": 0.0}),
+            Variant("steel-matched", "SolverSteel", ROWS | {"contact_warmstart": True}, warm),
+            Variant("steel-frames", "SolverSteel", ROWS, steps_between_contacts=FRAME_STEPS),
+        ]
+    return found
+
+
+def solver_classes() -> list[str]:
+    """Name the solvers that the installed release offers."""
+    offered = {name: getattr(solvers, name) for name in solvers.__all__}
+    base = solvers.SolverBase
+    return [
+        name for name, each in offered.items() if isinstance(each, type) and issubclass(each, base) and each is not base
+    ]
+
+
+def name_of(solver: str) -> str:
+    words = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", solver.removeprefix("Solver"))
+    return words.lower().replace("mu-jo-co", "mujoco")
+
+
+def excused_rows() -> list[dict[str, object]]:
+    """Make a row for each solver that is not measured, with the reason."""
+    excused = [name for name in solver_classes() if name in EXCUSED]
+    return [{"case": name_of(each), "of": each, "stays": None} | absent(NUMBERS, EXCUSED[each]) for each in excused]
+
+
+def rows_of(conditions: Conditions, variant: Variant) -> list[dict[str, object]]:
+    """Make a row for each scene and step; without numbers, and with the reason, where it cannot run the scene."""
+    seconds, (long_s, *shorter_s) = SECONDS[conditions.profile], STEPS_S[conditions.profile]
+    runs = [("turntable", step_s, seconds) for step_s in (long_s, *shorter_s)]
+    runs += [(scene, long_s, STANDING_S) for scene in STANDING]
+    return [row_of(variant, *run, conditions.device) for run in runs]
+
+
+def row_of(variant: Variant, scene: str, step_s: float, seconds: float, device: str) -> dict[str, object]:
+    end = scene if scene in STANDING else f"{1e3 * step_s:g}ms"
+    row = {"case": f"{variant.name}-{end}", "solver": variant.name, "of": variant.solver, "step_ms": 1e3 * step_s}
+    try:
+        path = run(variant, scene, step_s, seconds, device)
+        return row | (creep_columns(path) if scene in STANDING else columns(path))
+    except Exception as error:  # each is a program of its own, and need not know all that the scene has
+        reason = " ".join(str(error).split())[:120] or type(error).__name__
+        return row | {"stays": None} | absent(("creep_mm_s",) if scene in STANDING else NUMBERS, reason)
+
+
+def build(scene_name: str, device: str) -> newton.Model:
+    """Build the table, which turns about a hinge unless it stands still, and the box on four feet, both in their places
+    and turning; on a slope gravity leans."""
+    scene, builder = turntable(0.0), newton.ModelBuilder()
+    box, [table] = scene["body"], scene["supports"]
+    config = newton.ModelBuilder.ShapeConfig(density=0.0, mu=scene["friction"])
+    turned = builder.add_link(mass=table["mass_kg"], inertia=wp.mat33(*np.diag([table["inertia_kg_m2"]] * 3).ravel()))
+    builder.add_articulation([builder.add_joint_revolute(-1, turned, axis=table["axis"])])
+    hx, hy, hz = table["half_size"]
+    builder.add_shape_box(turned, hx=hx, hy=hy, hz=hz, cfg=config)
+    carried = builder.add_link(mass=box["mass_kg"], inertia=wp.mat33(*np.diag(box["inertia_kg_m2"]).ravel()))
+    builder.add_articulation([builder.add_joint_free(child=carried)])
+    for place in box["feet"]:
+        foot = wp.transform(place, wp.quat_identity())
+        builder.add_shape_sphere(carried, xform=foot, radius=box["foot_m"], cfg=config)
+    builder.color()  # VBD asks for it
+    model = builder.finalize(device=device)
+    joint_q = model.joint_q.numpy()
+    joint_q[1:4] = box["place"]
+    model.joint_q.assign(joint_q)
+    if scene_name == "turntable":
+        model.joint_qd.assign(scene["qvel"])
+    if scene_name == "slope":
+        model.set_gravity((GRAVITY_M_S2 * SLOPE / np.hypot(1.0, SLOPE), 0.0, -GRAVITY_M_S2 / np.hypot(1.0, SLOPE)))
+    return model
+
+
+def run(variant: Variant, scene: str, step_s: float, seconds: float, device: str) -> np.ndarray:
+    """Return the box's place [m] at each sample, shape [sample, 3]."""
+    with wp.ScopedDevice(device):
+        model = build(scene, device)
+        states, control = (model.state(), model.state()), model.control()
+        newton.eval_fk(model, model.joint_q, model.joint_qd, states[0])
+        stepper = getattr(solvers, variant.solver)(model, **variant.options)
+        pipeline = newton.CollisionPipeline(model, rigid_contact_max=4, **variant.pipeline)
+        contacts = pipeline.contacts()
+        path = [states[0].body_q.numpy()[1, :3].copy()]
+        for _ in range(round(seconds / SAMPLE_S)):
+            for number in range(round(SAMPLE_S / step_s)):
+                here, there = states[:: 1 - 2 * (number % 2)]
+                if number % variant.steps_between_contacts == 0:
+                    pipeline.collide(here, contacts)
+                here.clear_forces()
+                stepper.step(here, there, control, contacts, step_s)
+            path.append(states[0].body_q.numpy()[1, :3].copy())
+        return np.array(path, dtype=float)
+
+
+def columns(path: np.ndarray) -> dict[str, object]:
+    """Say how fast the distance of the box from the axis grows, and whether it stays on the table."""
+    if not np.isfinite(path).all():
+        return {"stays": False} | absent(NUMBERS, "a position is not finite")
+    radius, time_s = np.hypot(path[:, 0], path[:, 1]), SAMPLE_S * np.arange(len(path))
+    settled = time_s >= SETTLE_S
+    return {
+        "stays": bool(abs(path[-1, 2] - path[0, 2]) < FOOT_M and radius[-1] < 0.5),
+        "end_radius_mm": 1e3 * float(radius[-1]),
+        "growth_per_s": float(np.polyfit(time_s[settled], np.log(radius[settled]), 1)[0]),
+    }
+
+
+def creep_columns(path: np.ndarray) -> dict[str, object]:
+    """Say how fast the box slides along the table that stands still, and whether it stays on it."""
+    if not np.isfinite(path).all():
+        return {"stays": False} | absent(["creep_mm_s"], "a position is not finite")
+    time_s = SAMPLE_S * np.arange(len(path))
+    settled = time_s >= SETTLE_S
+    speed = [np.polyfit(time_s[settled], path[settled, axis], 1)[0] for axis in (0, 1)]
+    stays = bool(abs(path[-1, 2] - path[0, 2]) < FOOT_M)
+    return {"stays": stays, "creep_mm_s": 1e3 * float(np.hypot(*speed))}
