@@ -15,6 +15,7 @@ from unittest import mock
 
 import numpy as np
 import pandas as pd
+from conftest import contents, undrawn
 from markupsafe import Markup
 
 from measured_report.editions.project import Project, own_release
@@ -26,7 +27,6 @@ from measured_report.records.columns import REASON, column_of, is_number, units_
 from measured_report.records.record import Record, load_record, write_record
 from measured_report.site.build import build
 from measured_report.site.check import check_site
-from measured_report.site.pages import contents_of
 from tests.inert import NUMBER
 from tests.perturbed import load_trace_once
 
@@ -282,8 +282,8 @@ def said_of(project: Project) -> Said:
     editions = editions_of(project, TEMPLATES)
     lost = [state for state in editions[project.release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
-    parts = [part for content in contents_of(editions, TEMPLATES, project.release) for part in content.parts]
-    pages = "".join(part.html({figure.anchor: figure.undrawn for figure in part.figures}) for part in parts)
+    parts = [part for content in contents(editions, TEMPLATES, project.release) for part in content.parts]
+    pages = undrawn(parts)
     outcomes = {claim: "opposite" if is_opposite else outcome for claim, outcome, is_opposite in CLAIM.findall(pages)}
     words = [text for part in parts for text in (part.title, *(heading for _, heading in part.headings))]
     words += [figure.wording("alt", figure.numbers) for part in parts for figure in part.figures if figure.is_there]

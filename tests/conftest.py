@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partialmethod
 from pathlib import Path
@@ -19,6 +19,7 @@ import jinja2
 import pytest
 from hypothesis import settings
 from jinja2.bccache import Bucket
+from markupsafe import Markup
 
 import report.sections
 from measured_report.changes.compare import Comparison, compare
@@ -29,13 +30,13 @@ from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import Edition, derive_edition, editions_of
-from measured_report.pages.prose import Templates
+from measured_report.pages.prose import Prose, Templates
 from measured_report.records.code import cached_sources, unchanged_files
-from measured_report.records.identity import identity_of
-from measured_report.records.provenance import package_versions
+from measured_report.records.identity import identity_of, package_versions
 from measured_report.records.record import Record, units_of, write_record
 from measured_report.records.traces import packed
 from measured_report.site.build import build
+from measured_report.site.pages import Content, contents_of, links_of
 
 gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
 atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
@@ -134,6 +135,7 @@ import sys
 from pathlib import Path
 from measured_report.editions.project import Project, own_release
 from measured_report.site.build import build
+from measured_report.site.pages import Content, contents_of, links_of
 
 build(Project(sys.argv[2], root=Path(sys.argv[1]), own_release=own_release()))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
@@ -355,6 +357,18 @@ def killed_at(stop: int, changes: Callable[[str, tuple], bool], work: Callable[[
 
 def derived(project: Project) -> Edition:
     return derive_edition(project, Templates(project.templates))
+
+
+def contents(editions: Mapping[str, Edition], templates: Templates, release: str) -> list[Content]:
+    """The pages of one release as they are without a site."""
+    return contents_of(editions[release], templates, links_of(editions, dict.fromkeys(editions, ""), release))
+
+
+def undrawn(parts: Sequence[Prose]) -> str:
+    """The words of some parts; of a figure those below it."""
+    figure = Markup("<figure><figcaption>{}</figcaption></figure>")
+    shown = ({each.anchor: figure.format(each.caption) for each in part.figures} for part in parts)
+    return "".join(f"<h2>{part.title}</h2>{part.html(figures)}" for part, figures in zip(parts, shown, strict=True))
 
 
 def compared(*projects: Project) -> Comparison:

@@ -8,6 +8,8 @@ from inspect import signature
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from conftest import contents, undrawn
+
 from measured_report.files.config import config
 from measured_report.pages.editions import Chapters, Edition, derive_section
 from measured_report.pages.prose import Templates
@@ -15,7 +17,6 @@ from measured_report.parts.section import Section
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace
-from measured_report.site.pages import undrawn
 from measured_report.values.noise import NOISE, floors_of
 from measured_report.values.quantities import Pointer
 from measured_report.values.results import Results, Series
@@ -130,5 +131,6 @@ class Perturbation:
 
 def of_editions(editions: Mapping[str, Edition], templates: Templates) -> Perturbation:
     """Of what the results of some editions make."""
-    pages = {release: "".join(undrawn(editions, templates, release).values()) for release in editions}
+    there = {release: contents(editions, templates, release) for release in editions}
+    pages = {release: "".join(undrawn(content.parts) for content in found) for release, found in there.items()}
     return Perturbation({release: edition.chapters for release, edition in editions.items()}, templates, pages)

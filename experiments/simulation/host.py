@@ -13,7 +13,7 @@ from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import NOT_COMPILED
 from measured_report.measuring.machine import NO_CUDA
-from measured_report.records.provenance import package_versions
+from measured_report.records.identity import package_versions
 
 OLDEST = (1, 4, 0)
 """The oldest release that can run the scene."""

@@ -8,10 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from newton import solvers
 
 from experiments import engines
-from experiments.engines import laws, newton_solvers, scenes
+from experiments.engines import laws, scenes
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
@@ -95,23 +94,3 @@ def test_what_goes_wrong_in_one_run_leaves_the_others(tmp_path):
     places = [tmp_path / name for name in ("run.py", "asked", "answer")]
     subprocess.run([sys.executable, ROOT / engines.APART, *places], check=True)
     assert json.loads((tmp_path / "answer").read_text()) == [{"reason": "division by zero"}, 0.5]
-
-
-def test_a_solver_that_a_release_adds_is_measured_unless_it_is_excused(monkeypatch):
-    monkeypatch.setattr(solvers, "SolverNew", type("SolverNew", (solvers.SolverBase,), {}), raising=False)
-    monkeypatch.setattr(solvers, "__all__", [*solvers.__all__, "SolverNew"])
-    names = {variant.solver: variant.name for variant in newton_solvers.variants()}
-    assert (names["SolverNew"], names["SolverMuJoCo"], names["SolverSemiImplicit"]) == (
-        "new",
-        "mujoco",
-        "semi-implicit",
-    )
-    assert set(newton_solvers.solver_classes()) == {*names, *newton_solvers.EXCUSED}
-    assert "SolverBase" not in names and "SolverNotifyFlags" not in names
-
-
-def test_a_box_that_creeps_on_a_slope():
-    time_s = np.arange(21) * newton_solvers.SAMPLE_S
-    path = np.stack([0.2 + 0.003 * time_s, 0.004 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert newton_solvers.creep_columns(path) == {"stays": True, "creep_mm_s": pytest.approx(5.0)}
-    assert not newton_solvers.creep_columns(path - [[0.0, 0.0, 0.02 * at] for at in time_s])["stays"]

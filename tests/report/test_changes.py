@@ -11,7 +11,7 @@ from conftest import SOURCES, compared, link
 
 from measured_report.changes.alarm import LINES
 from measured_report.changes.compare import Comparison, compare
-from measured_report.changes.upgrade import verdict
+from measured_report.commands.upgrade import verdict
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.records.columns import column_of
@@ -39,10 +39,10 @@ def test_each_better_or_worse_compares_like_with_like_and_exceeds_noise_and_reso
             ]
             assert column_of(move.column).unit.endswith("/s") or all(
                 rows[0].get(name) == rows[1].get(name) for name in AMOUNTS
-            ), move.text
+            ), move.name
             apart = abs(move.values[0] - move.values[1])
-            assert apart > column_of(move.column).resolution, move.text
-            assert apart > move.noise if move.chance is None else move.chance < 0.001, move.text
+            assert apart > column_of(move.column).resolution, move.name
+            assert apart > move.noise if move.chance is None else move.chance < 0.001, move.name
     assert count > 1000
 
 

@@ -11,8 +11,8 @@ from measured_report.changes.alarm import largest, settings_text
 from measured_report.changes.compare import Comparison
 from measured_report.changes.rate import rate_of
 from measured_report.editions.project import Project, own_release
-from measured_report.editions.replicas import replica_files
 from measured_report.files.root import ROOT
+from measured_report.pages.replicas import replica_files
 from measured_report.records.record import Record, write_record
 from measured_report.records.replicas import read_replica
 
@@ -61,8 +61,8 @@ def times(factor: float, *names: str, **others: float) -> Callable[[dict], dict]
 def test_measurements_of_one_edition_ring_nothing(editions):
     edition = editions[LABEL]
     found = rate_of(edition)
-    assert found.comparisons >= 39 and found.rang == found.flips == 0
-    assert found.moves <= 0.01 * found.numbers
+    assert found["comparisons"] >= 39 and found["rang"] == found["flips"] == 0
+    assert found["moves"] <= 0.01 * found["numbers"]
     assert "cannot tell" not in {claim.outcome.said for claim in edition.chapters["friction"].section.claims}
     confirmed = {claim.confirmed for each in edition.chapters.values() for claim in each.section.claims}
     assert "confirmed in 3 of 3 measurements, on 2 kinds of GPU" in confirmed

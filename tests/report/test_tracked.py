@@ -9,7 +9,7 @@ import pytest
 from conftest import link
 from markupsafe import escape
 
-from measured_report.changes.flips import flips_between
+from measured_report.changes.compare import flips_between
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import derive_edition

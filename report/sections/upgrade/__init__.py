@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from measured_report.changes.flips import Flip, FlipList, flips
+from measured_report.changes.compare import Flip, FlipList, flips
 from measured_report.pages.editions import Releases
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
@@ -38,7 +38,7 @@ def derive(results: Results, releases: Releases) -> Section:
     steps = _in_one_step(results, seen, noise, same_slip.outcome)
     return Section(
         tables={
-            "turns": FlipList([flip for flip in flipped if flip.is_decided], shown, list(results.others)),
+            "turns": FlipList(list(seen), shown, list(results.others)),
             "tried": tables.tried_table(releases),
             "speed": tables.speed_table(releases),
             "numbers": tables.number_table(releases),

@@ -5,8 +5,7 @@ from collections.abc import Mapping, Sequence
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.changes.history import points
-from measured_report.changes.query import Query
+from measured_report.changes.query import Query, points
 from measured_report.files.config import config
 from measured_report.pages.editions import Releases
 from measured_report.parts.figures import INK, new_figure, tick_125

@@ -14,10 +14,10 @@ from damage import damage
 
 from measured_report.changes.alarm import check_text, diff_text
 from measured_report.changes.compare import Comparison
-from measured_report.changes.upgrade import verdict
 from measured_report.commands import check as check_command
 from measured_report.commands import diff
 from measured_report.commands.options import FORMATS
+from measured_report.commands.upgrade import verdict
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
@@ -82,9 +82,9 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
     found = changed(measured("1.9.0", rows_changed(section, cases, frame)))
     assert found.is_alarm
-    said = diff_text(found, "", "text", all_values=False).splitlines()
+    said = diff_text(found, "", "text").splitlines()
     assert f"frame {frame}" in said[2] and "newton 1.9.0" in said[2]
-    assert json.loads(diff_text(found, "", "json", all_values=False))["status"] == 1
+    assert json.loads(diff_text(found, "", "json"))["status"] == 1
 
 
 @pytest.mark.parametrize(
@@ -102,7 +102,7 @@ def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost,
     project = measured("1.9.0", change)
     found = changed(project)
     assert found.is_alarm and not found.faults
-    assert diff_text(found, "", "text", all_values=False).splitlines()[3].startswith(f"alarm: {said}")
+    assert diff_text(found, "", "text").splitlines()[3].startswith(f"alarm: {said}")
     advice = verdict(found, derived(project.of("1.8.0")), derived(project))[-1]
     assert ("make bisect" in advice) == ("dropped" in lost), "a search between a number and none would be refused"
 
@@ -153,7 +153,7 @@ def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(toy, cells, cpu, f
 def test_the_documentation_names_what_the_json_has(measured):
     text = (ROOT / "docs/alarm.md").read_text(encoding="utf-8")
     project = measured("1.9.0", rows_changed("reproduction", ("as-shipped",), 500))
-    said = diff_text(changed(project), "", "json", all_values=False)
+    said = diff_text(changed(project), "", "json")
     edition = derived(project)
     for each in (said, check_text(edition, "json")):
         names = set(re.findall(r'"([a-z_]+)":', each)) - {"case", *SECTIONS}
@@ -170,5 +170,5 @@ def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_m
         assert "holds" in capsys.readouterr().out
     newer = toy.of("1.8.0")
     newer.measure([{**SOFT, "failure": "<img> | [x](y) ``` @all"}, STIFF])
-    said = diff_text(changed(newer.project, before="1.4.0"), "", "markdown", all_values=False)
+    said = diff_text(changed(newer.project, before="1.4.0"), "", "markdown")
     assert said.startswith("```text\n") and said.endswith("\n```") and "<img> | [x](y) ''' @all" in said

@@ -9,9 +9,8 @@ from conftest import ROWS, Toy, git
 
 from measured_report.changes import bisect as module
 from measured_report.changes.bisect import Bisection, first_change, points_between
-from measured_report.changes.flips import flips
-from measured_report.changes.history import flip_history, history
-from measured_report.changes.query import Query
+from measured_report.changes.compare import flips
+from measured_report.changes.query import Query, flip_history, history
 from measured_report.commands import bisect as command
 from measured_report.commands import history as history_command
 from measured_report.editions.release import release_of

@@ -15,12 +15,12 @@ ROWS = (
 
 
 def text(toy, name: str) -> str:
-    templates = Templates(toy.project.templates)
-    return provenance(toy.project, editions_of(toy.project, templates), templates, name)
+    return provenance(toy.project, editions_of(toy.project, Templates(toy.project.templates)), name)
 
 
 def test_a_value_leads_to_page_rows_settings_and_command(toy):
     toy.measure(ROWS)
+    toy.build()
     lines = [line.strip() for line in text(toy, "toy.gain").splitlines()]
     assert lines[0] == "toy.gain: 20 (20.0), noise not known", "stiff has no percentiles"
     for line in (
@@ -37,6 +37,7 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
 
 
 def test_a_number_is_found_by_its_pointer_and_by_section_case_and_column(toy):
+    toy.build()
     pointed, of_row = text(toy, "newton-1.4.0/toy.json#/rows/1/slip_mm"), text(toy, "toy.stiff.slip_mm")
     assert "printed at  cause.html#toy-way" in pointed, "in the caption of a figure"
     assert "row 1, case stiff" in pointed

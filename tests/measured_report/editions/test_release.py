@@ -24,7 +24,7 @@ from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
 from measured_report.measuring import machine, measure
 from measured_report.records import provenance
-from measured_report.records.provenance import package_versions
+from measured_report.records.identity import package_versions
 from measured_report.records.record import write_record
 
 

@@ -25,7 +25,11 @@ ASKS = "{% asks %} whether it helps\n"
         ("{{ gain }}", "{{ gian }}", r"sections/toy.md.j2:4: claim helps names gian, .* it is given: gain"),
         ("It helps {{ gain }}", "It helps {{ 3 }}", r"prints 3, which says nothing of where it comes from"),
         ("{% table cases %} All cases {% endtable %}", "", r"sections/toy.md.j2 says nothing of the table cases"),
+        ("helps {{ gain }}", "helps at most {{ gain }}", r"sections/toy.md.j2:4: at most {{ gain }} takes .most$"),
+        ("helps {{ gain }}", "helps at\nleast {{ gain.most }}", r"j2:4: at least {{ gain.most }} takes .least$"),
+        ("helps {{ gain }}", "helps more than {{ gain }}", r"more than {{ gain }} takes .most or .least$"),
         (ASKS, ASKS * 2, r"sections/toy.md.j2:7: claim helps is worded twice"),
+        ("It helps", r"It helps $\fooo x$", r"toy.md.j2:4: .*fooo x is no TeX that is known here"),
         ("claims=[", 'claims=[Claim("lasts", at_least(gain, bound)), ', "toy.md.j2 says nothing of the claim lasts"),
         ('{"gain": gain}', '{"gain": gain, "none": gain}', r"toy.md.j2:4: claim helps is given none, which is a const"),
     ],
@@ -50,6 +54,21 @@ def test_words_are_known_without_rendering(toy):
     ):
         assert Claim("helps", outcome, {"gain": "3"}, wording).text == said
     assert wording.names == {"gain"}
+
+
+def test_formulas_tables_sources_and_what_lies_in_static_are_on_the_page_and_drafts_are_not(toy):
+    words = "Of $x^2$ for $5 or `$y$`:\n\n$$\\frac{{a}}{b}$$\n\n| a | b |\n|---|---|\n| c | d |\n"
+    cited = "{% stated law %} It is so. {% endstated %}\n"
+    toy.write("templates/sources.toml", '[law]\nurl = "https://example.org/x"\ntitle = "The law"\n')
+    toy.write("templates/sections/toy.md.j2", f"{TEMPLATE}\n{words}\n{cited}")
+    for name in ("static/logo.svg", "static/more/a.txt", "static/style.css"):
+        toy.write(name, "main { color: red }")
+    toy.write("report/sections/_later.py", "a draft(")
+    toy.build()
+    assert re.search(r"Of <span><math .*<msup><mi>x</mi><mn>2</mn></msup>.* for \$5 or <code>\$y\$</code>", toy.page)
+    assert "<mfrac>" in toy.page and "<td>c</td>" in toy.page and ">The law</a>" in toy.page
+    assert 'src="static/logo.svg"' in toy.page and (toy.project.site / "static/more/a.txt").is_file()
+    assert (toy.project.site / "style.css").read_text().endswith("main { color: red }")
 
 
 def test_a_sentence_stands_where_it_is_written(toy):

@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE, program
 
+from measured_report.files.atomic import digests_below
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.files.staging import digests_below
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from conftest import ROWS, git
 
+from measured_report.files.atomic import digests_below
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.staging import digests_below
 from measured_report.site import publish as publishing
 from measured_report.site.check import check_site
 from measured_report.site.publish import SUMS, publish, sums

@@ -2,7 +2,7 @@
 
 import pytest
 
-from experiments.engines.newton_solvers import EXCUSED
+from experiments.newton_solvers.box import EXCUSED
 from measured_report.values.quantities import Value
 from report.sections.engines import Line, _helps
 
@@ -29,9 +29,9 @@ def test_a_shorter_step_helps_where_that_was_seen(law, walk, short, said):
 def test_each_solver_of_a_release_has_numbers_or_an_excuse(editions):
     """One that a release adds and that can't run our scenes has neither."""
     for release, edition in editions.items():
-        if "engines" not in edition.chapters:
+        if "newton_solvers" not in edition.chapters:
             continue
-        told = [row for row in edition.chapters["engines"].results.rows if "of" in row]
+        told = [row for row in edition.chapters["newton_solvers"].results.rows if "of" in row]
         named = {row["of"] for row in told}
         numbers = {row["of"] for row in told if "growth_per_s" in row and row.growth_per_s.value is not None}
         assert {"SolverMuJoCo", "SolverXPBD"} <= numbers, release

@@ -4,6 +4,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from conftest import contents
 
 from experiments.simulation.task import FRAME_RATE
 from measured_report.files.root import ROOT
@@ -12,7 +13,6 @@ from measured_report.pages.prose import Templates
 from measured_report.pages.sections import FRONT
 from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.site.check import check_site
-from measured_report.site.pages import contents_of
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.sections.reproduction import SCENE
@@ -32,7 +32,7 @@ def templates():
 
 def texts(editions, templates, release: str) -> dict[str, str]:
     """Title and text of the front page, and the story, as HTML."""
-    [page] = [content for content in contents_of(editions, templates, release) if content.page == FRONT]
+    [page] = [content for content in contents(editions, templates, release) if content.page == FRONT]
     front, story = page.texts
     drawn = {figure.anchor: f"[{figure.anchor}]" for text in page.texts for figure in text.figures}
     return {"title": front.title.striptags(), "front": front.html(drawn), "story": story.html(drawn)}

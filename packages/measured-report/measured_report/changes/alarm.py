@@ -1,7 +1,4 @@
-"""Alarm: what a comparison and a check found, for people, for a pull request and for a program; worst first.
-
-docs/alarm.md says what the JSON holds.
-"""
+"""Alarm: what a comparison and a check found, for people and, as docs/alarm.md says, for programs; worst first."""
 
 import json
 import math
@@ -40,7 +37,7 @@ def check_text(edition: Edition, form: str) -> str:
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     parts = {
-        config().package: edition.project.release,
+        config().edition: edition.project.release,
         "faults": list(map(vars, faults)),
         "claims": [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in claims],
         "absent": [{"section": section, "reason": reason} for section, reason in absent],
@@ -53,23 +50,20 @@ def check_text(edition: Edition, form: str) -> str:
     return _formed("check", bool(faults), lines, parts, form)
 
 
-def diff_text(found: Comparison, rate: str, form: str, *, all_values: bool) -> str:
-    """Return the comparison as text, markdown or json, every value that moved in it or only how many did.
-
-    Beside what it counts stands the ``rate`` of false alarms.
-    """
-    first, counts, *lines = _diff_lines(found, all_values=all_values)
+def diff_text(found: Comparison, rate: str, form: str) -> str:
+    """Return the comparison as text, markdown or json; beside what it counts stands the ``rate`` of false alarms."""
+    first, counts, *lines = _diff_lines(found)
     told = [first, f"{counts}; false alarms: {rate}", *lines]
     return _formed("diff", found.is_alarm, told, {"false_alarms": rate, **_diff_data(found)}, form)
 
 
 def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
     """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
-    lines = verdict if form == "text" else [*verdict, "", *_diff_lines(found, all_values=False)]
+    lines = verdict if form == "text" else [*verdict, "", *_diff_lines(found)]
     return _formed("upgrade", found.is_alarm, lines, {"verdict": list(verdict), **_diff_data(found)}, form)
 
 
-def _diff_lines(found: Comparison, *, all_values: bool) -> list[str]:
+def _diff_lines(found: Comparison) -> list[str]:
     counts: dict[str, Sequence] = {
         "can't be trusted": found.faults,
         "alarms": found.alarms,
@@ -77,23 +71,21 @@ def _diff_lines(found: Comparison, *, all_values: bool) -> list[str]:
         "values that moved beyond the noise": found.moves,
         "of these near it": [move for move in found.moves if move.is_inconclusive],
     }
-    lines = [" → ".join(f"{config().package} {release}" for release in found.releases)]
+    lines = [" → ".join(f"{config().edition} {release}" for release in found.releases)]
     lines += ["; ".join(f"{words}: {len(those)}" for words, those in counts.items())]
     lines += [*(fault.text for fault in found.faults), f"settings: {settings_text(found.settings)}", *largest(found)]
     lines.append(f"would have shown: {power(found)}")
     for flip in found.flips:
         lines += [f"{flip.claim}: {flip.outcomes}", f"  {flip.before.text}", f"  {flip.after.text}"]
     for section, sums in _sums(found).items():
-        lines += ["", f"{section}: {', '.join(f'{count} {word}' for word, count in sums.items() if count)}"]
-        lines += [f"  {move.text}" for move in found.moves if all_values and move.section == section]
-    lines += ["VALUES=all lists them"] if found.moves and not all_values else []
+        lines.append(f"{section}: {', '.join(f'{count} {word}' for word, count in sums.items() if count)}")
+    lines += ["FORMAT=json lists them"] if found.moves else []
     lines += ["", *(f"not compared: {note}" for note in found.notes)]
     lines += [f"missing in one of them, so that no alarm says: {', '.join(found.missing)}"] if found.missing else []
     return lines
 
 
 def _sums(found: Comparison) -> dict[str, Counter]:
-    """Count by section how many values moved, how many of them for better and worse, and how many near the noise."""
     sums: dict[str, Counter] = {}
     for move in found.moves:
         counts = sums.setdefault(move.section, Counter(moved=0, better=0, worse=0, near=0))
@@ -165,8 +157,7 @@ def _is_told(move: Move) -> bool:
 
 
 def _rank(move: Move) -> tuple[bool, bool, bool, float]:
-    """Put alarms first, of these what the engine was given, then what the deciding sections measured, and then what is
-    farthest beyond its noise."""
+    """Put alarms first, of these what was given, then what decides, and then what is farthest beyond its noise."""
     (before, after), sure = move.values, 1.0
     if move.share:
         sure = (abs(after - before) - move.least) / max(abs(before), abs(after))

@@ -14,8 +14,8 @@ from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import measure
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
+from measured_report.records.identity import MISSING, git
 from measured_report.records.identity import sections as all_sections
-from measured_report.records.provenance import MISSING, git
 from measured_report.records.record import load_record
 from measured_report.values.noise import NOISE
 
@@ -41,10 +41,7 @@ class Bisection:
         return answer
 
     def _measured(self, release: Release, sections: Sequence[str]) -> Answer | None:
-        """Ask what a release has of these sections; what has no record is measured, and kept apart.
-
-        A section that compares editions has this one alone, which is all that its claims about each of them take.
-        """
+        """Ask what a release has of these sections, by itself; what has no record is measured, and kept apart."""
         side = self._side(release, sections)
         if lacking := _lacking(side, sections):
             side = measure(side, release, lacking, self.device)
@@ -52,7 +49,6 @@ class Bisection:
         return self.query.answer(edition.chapters)
 
     def _side(self, release: Release, sections: Sequence[str]) -> Project:
-        """Return where a release's records of these sections are or will be."""
         own = self.project.of(str(release))
         return replace(own, aside=ASIDE) if _lacking(own, sections) else own
 
@@ -92,10 +88,7 @@ def said(answer: Answer | None) -> str:
 
 
 def first_change(points: Sequence, is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list]:
-    """Return the neighbours between which the answer changes, and what lies between them that can't tell.
-
-    The first point and the last are known to differ; ``is_first`` is None for one that can't tell.
-    """
+    """Return the neighbours between which the answer changes, which first and last differ in, and what can't tell."""
     low, high, skipped = 0, len(points) - 1, set[int]()
     while inner := [place for place in range(low + 1, high) if place not in skipped]:
         middle = inner[len(inner) // 2]
@@ -136,10 +129,7 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
 def _which_package(
     search: Bisection, before: Release, after: Release, is_first: Callable[[Release], bool | None]
 ) -> str:
-    """Say which package did it: the older edition takes the other packages of the newer one, one after the other.
-
-    A newer edition may not run with older packages, but an older one with newer.
-    """
+    """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
     old, new = search.packages(before), search.packages(after)
     groups = [names for names in config().changes.together if any(old[name] != new[name] for name in names)]
     pins = [f"{name}=={new[name]}" for names in groups for name in names]
@@ -148,6 +138,6 @@ def _which_package(
     ways = [sum(map(len, groups[:count])) for count in range(1, len(groups) + 1)]
     steps = [before, *(release_of(before.asked, " ".join(pins[:count])) for count in ways), after]
     low, high, skipped = first_change(steps, is_first)
-    found = [*groups, (config().package,)][steps.index(low) : steps.index(high)]
+    found = [*groups, (config().edition,)][steps.index(low) : steps.index(high)]
     names = " or ".join(" and ".join(names) for names in found)
     return f"it is one of {names}" if skipped else f"{names} did it: {low} is as before, {high} is not"

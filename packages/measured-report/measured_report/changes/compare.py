@@ -1,16 +1,144 @@
-"""Comparison of two editions: what can't be trusted, which claims flipped, and which values moved beyond the noise."""
+"""Comparison of editions: which claims flip, what can't be trusted, and which values moved beyond the noise."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import groupby
 from typing import Any
 
-from measured_report.changes.flips import Flip, backed, cells, flips_between
-from measured_report.changes.moves import Move, cells_between
+from markupsafe import Markup
+
+from measured_report.changes.moves import Move, cells_between, cost_terms
 from measured_report.files.config import config
-from measured_report.pages.editions import Edition
+from measured_report.pages.editions import Chapters, Edition, Releases
+from measured_report.pages.sections import Page
+from measured_report.parts.claim import Claim
+from measured_report.parts.macros import macros
 from measured_report.records.columns import UNBELIEVED, column_of
+from measured_report.records.record import Record
+from measured_report.values.noise import NOISE
+from measured_report.values.quantities import Pointer
 from measured_report.values.scatter import discoveries
+
+
+@dataclass(frozen=True)
+class Flip:
+    """Hold a claim that editions answer differently."""
+
+    section: str
+    name: str
+    label: str
+    page: Page
+    said: Sequence[tuple[Sequence[str], Claim]]
+    """Neighbouring editions that agree, and the claim as one of them words it; oldest first."""
+
+    @property
+    def claim(self) -> str:
+        """Name it as CLAIM= does."""
+        return f"{self.section}.{self.name}"
+
+    @property
+    def before(self) -> Claim:
+        return self.said[0][1]
+
+    @property
+    def after(self) -> Claim:
+        return self.said[-1][1]
+
+    @property
+    def outcomes(self) -> str:
+        return f"{self.before.outcome.said} → {self.after.outcome.said}"
+
+    @property
+    def is_decided(self) -> bool:
+        """Tell whether one edition upholds it and another doesn't; or else one of them can't tell."""
+        return len({claim.outcome.name for _, claim in self.said} - {"unknown"}) > 1
+
+
+def flips(releases: Releases, shown: str) -> Iterator[Flip]:
+    """Yield the claims that editions answer differently, as the page's own says it, ``shown``, or else the newest.
+
+    That one can't tell says nothing where it lacks a section, unless it is for being near the noise; nor does what
+    turns on a cost, or on the noise, of another machine than the page's.
+    """
+    sections = set().union(*releases.values())
+    asked: dict[tuple[str, str], dict[str, Claim]] = {}
+    for release, chapters in releases.items():
+        for section, chapter in chapters.items():
+            for claim in chapter.section.claims:
+                if claim.outcome.name != "unknown" or claim.outcome.is_inconclusive or len(chapters) == len(sections):
+                    asked.setdefault((section, claim.name), {})[release] = claim
+    for (section, name), answers in asked.items():
+        terms = {release: _terms_of(section, claim, releases[release]) for release, claim in answers.items()}
+        here = terms.get(shown, next(iter(terms.values())))
+        outcomes = {release: claim.outcome.name for release, claim in answers.items() if terms[release] == here}
+        groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
+        if len(groups) > 1:
+            said = [(group, answers[shown if shown in group else group[-1]]) for group in groups]
+            chapter = releases[next(iter(answers))][section]
+            yield Flip(section, name, chapter.results.label, chapter.page, said)
+
+
+def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
+    """Return what a claim on costs, or on the noise, turns on that is of the machine and not of the edition."""
+    if section == NOISE:
+        return frozenset({(chapters[section].results.record.processor,)})
+    costs = [pointer for pointer in claim.outcome.reads if "cost" in column_of(pointer.rpartition("/")[2]).kinds]
+    return frozenset(cost_terms(record, row) for record, row, _ in cells(costs, chapters))
+
+
+def cells(pointers: Collection[str], chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
+    """Return record, row and column of each pointer to a cell of the edition's own records."""
+    records = {chapter.results.source: chapter.results.record for chapter in chapters.values()}
+    found = [pointer for pointer in map(Pointer, sorted(pointers)) if pointer.cell and pointer.file in records]
+    return [(record := records[each.file], record.rows[each.cell[0]], each.cell[1]) for each in found if each.cell]
+
+
+def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
+    """Return the claims that one of two editions upholds and the other doesn't, or, if both are whole, can't tell."""
+    is_whole = set(before) == set(after)
+    found = flips({"before": before, "after": after}, "after")
+    near = (flip for flip in found if not any(claim.outcome.is_inconclusive for _, claim in flip.said))
+    return [flip for flip in near if flip.is_decided or is_whole]
+
+
+def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
+    """Return the flips of which something moved that their tests read: others may flip when measured again."""
+    of_rows: dict[str, list[Move]] = {}
+    for move in compared:
+        for row in move.rows:
+            of_rows.setdefault(row, []).append(move)
+    found = []
+    for flip in flips:
+        read = {pointer for _, claim in flip.said for pointer in claim.outcome.reads if Pointer(pointer).cell}
+        read = {pointer for pointer in read if f"/{NOISE}.json#" not in pointer}
+        moved = (_moved(of_rows.get(row), column) for row, _, column in (pointer.rpartition("/") for pointer in read))
+        is_untold = any(".csv.gz" in claim.outcome.reason for _, claim in flip.said)
+        found += [flip] if not is_untold and (not read or any(moved)) else []
+    return found
+
+
+def _moved(row: Sequence[Move] | None, column: str) -> bool:
+    """Tell whether a number of a row did, or the row is lost in one of both; one that nothing compares has."""
+    return row is None or any(move.is_real for move in row if move.column == column or move.noise is None)
+
+
+@dataclass(frozen=True)
+class FlipList:
+    """List flips of some releases by section; printed, each has what others say than the page's own."""
+
+    seen: Sequence[str]
+    shown: str
+    sections: Collection[str]
+    flips: Sequence[Flip] = ()
+
+    def of(self, releases: Releases) -> "FlipList":
+        """Return the same with the flips, whose words are of each time and are not kept."""
+        found = flips({release: releases[release] for release in self.seen}, self.shown)
+        return replace(self, flips=[flip for flip in found if flip.is_decided])
+
+    def __html__(self) -> Markup:
+        return macros().turns(self.flips, self.shown, self.sections)
 
 
 @dataclass(frozen=True)
@@ -23,12 +151,11 @@ class Fault:
     """``damaged``, ``missing``, ``not shown``, ``broken`` or ``cannot tell``."""
     reason: str
     claim: str = ""
-    """The claim that can't be told for it."""
 
     @property
     def text(self) -> str:
         place = f"{self.section}.{self.claim}".rstrip(".")
-        return f"{self.kind}: {config().package} {self.release}, {place}: {self.reason}"
+        return f"{self.kind}: {config().edition} {self.release}, {place}: {self.reason}"
 
 
 @dataclass(frozen=True)
@@ -39,7 +166,6 @@ class Comparison:
     faults: list[Fault]
     flips: list[Flip]
     cells: list[Move]
-    """Values that compare, moved or not."""
     notes: list[str]
     """Said of what could not be compared, and why."""
 
@@ -90,7 +216,7 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
     for side, other in ((before, after), (after, before)):
         for state in side.left_out:
             if state.kind == "missing" and state.section in other.chapters:
-                yield f"{state.section}: {config().package} {side.project.release} has no results of it"
+                yield f"{state.section}: {config().edition} {side.project.release} has no results of it"
     apart: dict[str, list[str]] = {}
     for section in (name for name in before.chapters if name in after.chapters):
         records = [side.chapters[section].results.record for side in (before, after)]
@@ -102,8 +228,7 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
 
 
 def faults_of(edition: Edition) -> list[Fault]:
-    """Return what an edition's own results say against it: records that are damaged, gone or can't be shown, and claims
-    that can't be told because a run broke down."""
+    """Return what an edition's own results say against it: records that fail, claims that a broken run leaves open."""
     release, manifest, sections = edition.project.release, edition.project.manifest, edition.chapters
     found = []
     for state in edition.left_out:
@@ -122,14 +247,10 @@ def faults_of(edition: Edition) -> list[Fault]:
 
 
 def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
-    """Yield what speaks against one of two editions only because the other is sound there: sections that are gone, and
-    the first run that breaks down in a section that has none such in the other.
-
-    Where runs break down in both, as where a section looks for the edge at which they do, its claims decide.
-    """
+    """Yield what speaks against one of two editions because the other is sound; where neither is its claims decide."""
     for state in () if after.project.manifest else after.left_out:  # one that has it says itself what it misses
         if state.kind == "missing" and state.section in before.chapters:
-            reason = f"no results, which {config().package} {before.project.release} has"
+            reason = f"no results, which {config().edition} {before.project.release} has"
             yield Fault(after.project.release, state.section, "missing", reason)
     for section in (name for name in before.chapters if name in after.chapters):
         records = [side.chapters[section].results.record for side in (before, after)]

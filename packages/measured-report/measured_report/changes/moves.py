@@ -6,9 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from measured_report.changes.query import Query
 from measured_report.files.config import config
-from measured_report.pages.editions import Chapter, Edition
+from measured_report.pages.editions import Chapter
 from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
@@ -21,6 +20,7 @@ NAMED = 4
 """Chosen: so many claims, and twice as many settings, are named in a line."""
 CHOSEN_SHARE = 0.1
 """Chosen: the share of a value that counts as noise where none was measured."""
+Cells = tuple[Mapping[str, Any], Mapping[str, Any]]
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,6 @@ class Move:
     noise: float | None = None
     """None for what is no number."""
     is_chosen: bool = False
-    """The noise was not measured."""
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)
     """Columns that tell its row apart."""
@@ -43,7 +42,6 @@ class Move:
     rows: tuple[str, str] = ("", "")
     """Pointers to its row in both."""
     limit: float = 1 - PAIRS
-    """The largest chance that counts as none."""
 
     @property
     def values(self) -> tuple[Any, Any]:
@@ -92,10 +90,7 @@ class Move:
 
     @property
     def exceeds_threshold(self) -> bool:
-        """Tell whether a setting, or a number that report.toml names, moved by more than its threshold.
-
-        So does such a number that one edition alone has, or whose run was lost.
-        """
+        """Tell whether a setting, or a number that report.toml names, moved by more than its threshold, or is lost."""
         rules, run = config().changes, self.name.rpartition(".")[0]
         if "loss" in column_of(self.column).kinds:
             return any(name.rpartition(".")[0] == run for name in rules.thresholds)
@@ -124,14 +119,6 @@ class Move:
         return (self.direction or "moved") if self.is_real and not self.is_inconclusive else ""
 
     @property
-    def text(self) -> str:
-        name = " ".join(map(str, self.place.values()))
-        noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
-        noise = noise if self.chance is None else f"  (by chance {self.chance:.1g})"
-        words = ["near the noise"] if self.is_inconclusive else [self.direction] if self.direction else []
-        return "  ".join([f"{name}  {self.column}: {self.ends}{noise}", *words])
-
-    @property
     def ends(self) -> str:
         """Write before and after; of a setting as many digits as tell them apart."""
         if self.is_setting:
@@ -156,25 +143,25 @@ def cells_between(before: Chapter, after: Chapter) -> Iterator[Move]:
             len(set(row[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row
         ):
             cells = a.plain, b.plain
-            has_same_terms = len(set(map(cost_terms, records, cells))) == 1
-            lost, unlike = [is_lost(cell) for cell in cells], _unlike(*cells)
-            for column in cells[0]:
-                if column in cells[1] and _compares(column, cells, lost, unlike, has_same_terms=has_same_terms):
-                    are_numbers = all(is_number(cell[column]) for cell in cells)
-                    noise, is_chosen = _noise(column, cells, floors) if are_numbers else (None, False)
-                    seen = None
-                    if are_numbers and (known := _scatter(column, cells, measured)):
-                        noise, freedom = max(known[0], 0.0 if is_chosen or noise is None else noise), known[1]
-                        seen, is_chosen = chance_of(abs(cells[0][column] - cells[1][column]) / noise, freedom), False
-                    sides, rows = (a[column], b[column]), (a.source, b.source)
-                    yield Move(column, *sides, noise, is_chosen, before.name, place, seen, rows)
+            for column in _comparable(cells, records):
+                noise, is_chosen, seen = _doubt(column, cells, floors, measured)
+                sides, rows = (a[column], b[column]), (a.source, b.source)
+                yield Move(column, *sides, noise, is_chosen, before.name, place, seen, rows)
 
 
-def _scatter(column: str, cells: Sequence[Mapping[str, Any]], measured: Sequence[Apart]) -> tuple[float, int] | None:
-    """Return how far measurements of a number come out apart, and its degrees of freedom; None where none tell."""
+def _doubt(
+    column: str, cells: Cells, floors: Sequence[Mapping[str, Floor]], measured: Sequence[Apart]
+) -> tuple[float | None, bool, float | None]:
+    """Return the noise of a number, whether it is a chosen one, and how often chance has it as far apart."""
+    if not all(is_number(cell[column]) for cell in cells):
+        return None, False, None
+    noise, is_chosen = _noise(column, cells, floors)
     known = [(each.columns[column], cell) for each, cell in zip(measured, cells, strict=True) if column in each.columns]
     noises = [scatter.noise(key_of(cell), cell[column]) for scatter, cell in known]
-    return (max(noises), min(scatter.all_freedom for scatter, _ in known)) if any(noises) else None
+    if not any(noises):
+        return noise, is_chosen, None
+    noise, freedom = max(*noises, 0.0 if is_chosen else noise), min(scatter.all_freedom for scatter, _ in known)
+    return noise, False, chance_of(abs(cells[0][column] - cells[1][column]) / noise, freedom)
 
 
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
@@ -188,29 +175,25 @@ def _unlike(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
     return [kinds for name in names if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
 
 
-def _compares(
-    column: str,
-    cells: Sequence[Mapping[str, Any]],
-    lost: Sequence[bool],
-    unlike: Sequence[frozenset[str]],
-    *,
-    has_same_terms: bool,
-) -> bool:
-    """Tell whether a column of two rows is compared; ``has_same_terms`` says whether costs in them are."""
-    rules, about = config().changes, column_of(column)
-    if column in rules.keys or "chance" in about.kinds or column.endswith((REASON, *EDGES)):
-        return False
-    if any(isinstance(cell[column], str | bool) for cell in cells):
-        return not (all(lost) and "loss" in about.kinds)
-    if any(lost) or ("cost" in about.kinds and not has_same_terms):
-        return False
-    # Of runs that were not set alike nothing compares, and of those that ran for longer or shorter rates alone.
-    return not unlike or about.is_setting or (about.is_rate and all("setting" in kinds for kinds in unlike))
+def _comparable(cells: Cells, records: Sequence[Record]) -> Iterator[str]:
+    """Yield the columns of two rows that are compared."""
+    has_same_terms = len(set(map(cost_terms, records, cells))) == 1
+    lost, unlike = [is_lost(cell) for cell in cells], _unlike(*cells)
+    for column in (name for name in cells[0] if name in cells[1] and name not in config().changes.keys):
+        about = column_of(column)
+        if "chance" in about.kinds or column.endswith((REASON, *EDGES)):
+            continue
+        if any(isinstance(cell[column], str | bool) for cell in cells):
+            is_so = not (all(lost) and "loss" in about.kinds)
+        elif any(lost) or ("cost" in about.kinds and not has_same_terms):
+            is_so = False
+        else:  # of runs that were not set alike nothing, and of those that ran for longer or shorter rates alone
+            is_so = not unlike or about.is_setting or (about.is_rate and all("setting" in kinds for kinds in unlike))
+        if is_so:
+            yield column
 
 
-def _noise(
-    column: str, cells: Sequence[Mapping[str, Any]], floors: Sequence[Mapping[str, Floor]]
-) -> tuple[float, bool]:
+def _noise(column: str, cells: Cells, floors: Sequence[Mapping[str, Floor]]) -> tuple[float, bool]:
     """Return the noise of a number, which is the larger of both editions', and whether it is a chosen one."""
     edges = [column + edge for edge in EDGES]
     chosen = CHOSEN_SHARE * max(abs(cell[column]) for cell in cells)
@@ -222,24 +205,6 @@ def _noise(
     known = [noise for noise in found if noise is not None]
     is_cost = "cost" in column_of(column).kinds and any(known)  # what was counted is exact
     return (chosen, True) if known != found or is_cost else (max(known), False)
-
-
-def blind_spots(edition: Edition) -> list[str]:
-    """Say of which columns no noise is known, and which thresholds ring later than they say, or never."""
-    unknown: dict[str, None] = {}
-    for chapter in edition.chapters.values():
-        for row in chapter.results.rows:
-            numbers = {column: row[column] for column in row.columns if isinstance(row[column], Quantity)}
-            there = (column for column, number in numbers.items() if number.value is not None and number.noise is None)
-            unknown |= dict.fromkeys(each for each in there if column_of(each).kinds.isdisjoint(("chance", "cost")))
-    late = []
-    for name, threshold in config().changes.thresholds.items():
-        number = Query(name).quantity(edition.chapters)
-        if isinstance(number, Quantity) and number.value:
-            least = NEAR_NOISE * (CHOSEN_SHARE if number.noise is None else number.noise / abs(number.value))
-            late += [f"{name} from {100 * least:.2g} %"] if least > threshold else []
-    said = [f"no noise is known of {few(list(unknown), 8)}"] if unknown else []
-    return said + ([f"thresholds that ring later than they say, for the noise: {few(late)}"] if late else [])
 
 
 def few(names: Sequence[str], count: int = NAMED) -> str:

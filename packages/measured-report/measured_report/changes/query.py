@@ -1,14 +1,20 @@
-"""Queries: a claim or a value that one edition after the other is asked for."""
+"""Queries: a claim or a value that editions are asked for, by a command or by ``report.toml``, which must not err."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
-from measured_report.files.config import config
-from measured_report.pages.editions import Chapters
-from measured_report.parts.claim import Claim
-from measured_report.records.columns import column_of
+from measured_report.changes.compare import flips
+from measured_report.changes.moves import CHOSEN_SHARE, Move, few
+from measured_report.editions.status import aligned
+from measured_report.files.config import FILE, config
+from measured_report.files.errors import ReportError, suggestion
+from measured_report.files.root import ROOT
+from measured_report.pages.editions import Chapters, Edition, Releases
+from measured_report.parts.claim import NEAR_NOISE, Claim
+from measured_report.records.columns import column_of, columns_of, parameters
+from measured_report.records.identity import sections
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 
@@ -96,3 +102,116 @@ class Query:
         if self.is_claim:
             return answer == first
         return abs(float(answer) - float(first)) < abs(float(answer) - float(last))
+
+
+@dataclass(frozen=True)
+class Point:
+    """Hold an answer of one edition."""
+
+    release: str
+    answer: Answer
+    noise: float | None
+    """Difference between two runs; None where nobody knows, or where it is no number."""
+    said: str
+    mark: str = ""
+    """Against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
+
+
+def points(releases: Releases, query: Query) -> list[Point]:
+    """Return what the editions answer that can, oldest first."""
+    found: list[Point] = []
+    for release, chapters in releases.items():
+        answer, claim = query.answer(chapters), query.claim(chapters)
+        if claim and answer is not None:
+            mark = "flipped" if found and found[-1].answer != answer else ""
+            found.append(Point(release, answer, None, claim.outcome.said, mark))
+        elif answer is not None:
+            noise = getattr(query.quantity(chapters), "noise", None)
+            least = max(noise or 0.0, found[-1].noise or 0.0) if found else 0.0
+            mark = Move(query.column, found[-1].answer, answer, least).mark if found else ""
+            found.append(Point(release, answer, noise, f"{answer:.4g}" + (f" ± {noise:.2g}" if noise else ""), mark))
+    return found
+
+
+def history(releases: Releases, query: Query) -> str:
+    """Return a line for each edition that answers or says why it can't, oldest first."""
+    found = {point.release: point for point in points(releases, query)}
+    lines = [
+        (release, found[release].said, found[release].mark) if release in found else (release, "cannot tell", why)
+        for release, chapters in releases.items()
+        if (why := _reason(query, chapters)) or release in found
+    ]
+    return "\n".join([query.text, aligned(lines) or "no edition can tell"])
+
+
+def _reason(query: Query, chapters: Chapters) -> str:
+    """Say why an edition that was asked has no answer; empty where it has one, or was not asked."""
+    claim, number = query.claim(chapters), query.quantity(chapters)
+    if claim:
+        return claim.outcome.reason
+    return number.reason if isinstance(number, Quantity) and number.source else ""
+
+
+def flip_history(releases: Releases, shown: str) -> str:
+    """Return a line for each claim that flips, with what each edition says to it; none where that can't compare."""
+    lines = []
+    for flip in (flip for flip in flips(releases, shown) if flip.is_decided):
+        said = {release: claim.outcome.said for names, claim in flip.said for release in names}
+        lines.append((flip.claim, *(said.get(release, "") for release in releases)))
+    return "\n".join(["claims that flip", aligned([("", *releases), *lines])]) if lines else "no claim flips"
+
+
+def refuse_unknown_names(editions: Mapping[str, Edition], own: Edition | None) -> None:
+    """Raise ReportError, one line, for the first name of nothing; what was not measured yet is not asked for."""
+    if own is None or own.project.profile != "full" or own.project.root != ROOT:
+        return
+    rules, known = config().changes, sections(own.project.root)
+    named = [("noise_section", [config().noise_section]), ("changes.deciding", rules.deciding)]
+    for setting, names in [*named, ("changes.same_runs", rules.same_runs)]:
+        for name in filter(None, names):
+            _refuse(setting, name, "section", known)
+    asked = [("thresholds", Query(name)) for name in rules.thresholds]
+    asked += [("headlines", Query(name)) for name in rules.headlines.values()]
+    for setting, query in [*asked, *([("cause", Query(rules.cause, is_claim=True))] if rules.cause else [])]:
+        _refuse(f"changes.{setting}", query.section, "section", known)
+        found = query.claim(own.chapters) if query.is_claim else query.quantity(own.chapters)
+        if query.section in own.chapters and not (found and (not isinstance(found, Quantity) or found.source)):
+            _refuse(f"changes.{setting}", query.text, "value", [*query.names(own.chapters)])
+    if not own.left_out:
+        rows = (chapter.results.record.rows for each in editions.values() for chapter in each.chapters.values())
+        columns = {column for each in rows for column in columns_of(each)} | {*parameters()}
+        for setting, name in _columns():
+            _refuse(setting, name, "column", columns)
+
+
+def _columns() -> Iterator[tuple[str, str]]:
+    for table in config().columns:
+        others = (table.given_beside, table.rate_of, table.known_within, table.grows_with, table.trials)
+        yield from (("columns", name) for name in (*table.names, *filter(None, others)))
+    yield from (("repeating", name) for name in config().repeating)
+    yield from (("cost_terms", name) for name in config().cost_terms)
+
+
+def _refuse(setting: str, name: str, kind: str, known) -> None:
+    if name not in known:
+        raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, known)}")
+
+
+def blind_spots(edition: Edition) -> list[str]:
+    """Say of which columns no noise is known, and which thresholds ring later than they say, or never."""
+    unknown: dict[str, None] = {}
+    for chapter in edition.chapters.values():
+        for row in chapter.results.rows:
+            numbers = {column: row[column] for column in row.columns if isinstance(row[column], Quantity)}
+            there = (column for column, number in numbers.items() if number.value is not None and number.noise is None)
+            unknown |= dict.fromkeys(each for each in there if column_of(each).kinds.isdisjoint(("chance", "cost")))
+    late = []
+    for name, threshold in config().changes.thresholds.items():
+        number = Query(name).quantity(edition.chapters)
+        if isinstance(number, Quantity) and number.value is None:
+            late.append(f"{name} never, {number.reason}")
+        elif isinstance(number, Quantity) and number.value:
+            least = NEAR_NOISE * (CHOSEN_SHARE if number.noise is None else number.noise / abs(number.value))
+            late += [f"{name} from {100 * least:.2g} %"] if least > threshold else []
+    said = [f"no noise is known of {few(list(unknown), 8)}"] if unknown else []
+    return said + ([f"thresholds that ring later than they say, or never: {few(late)}"] if late else [])

@@ -1,7 +1,7 @@
 """The command line: finds the commands, hands one what was typed, and ends as it did.
 
-A command is a module of this folder, or of a report's ``report/commands/``, that has ``run(project, arguments)``. The
-first line of its docstring is its help, and ``OPTIONS`` are its options, as ``add_argument`` takes them.
+A command is a module here or in a report's ``report/commands/`` that has ``run(project, arguments)``, and may have
+``OPTIONS``, as ``add_argument`` takes them. The first line of its docstring is its help.
 """
 
 import argparse

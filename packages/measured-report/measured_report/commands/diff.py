@@ -4,7 +4,7 @@ import argparse
 
 from measured_report.changes.alarm import diff_text
 from measured_report.changes.compare import compare
-from measured_report.changes.rate import Rate, rate_of
+from measured_report.changes.rate import Rate, rate_of, rate_text
 from measured_report.commands.options import refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
@@ -13,10 +13,7 @@ from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.site.build import inputs_digest
 
-OPTIONS = {
-    **shared("a", "b", "profile", "format"),
-    "values": {"choices": ("sums", "all"), "default": "sums", "help": "all: list every value that moved"},
-}
+OPTIONS = shared("a", "b", "profile", "format")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
@@ -25,14 +22,14 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
-    key = (inputs_digest(project), names, arguments.format, arguments.values)
+    key = (inputs_digest(project), names, arguments.format)
     cache = Cache(project.root)
     found = cache.get("diff", key)
     if not found:
         editions = editions_of(project, Templates(project.templates), DerivedCache(project.root), among=names)
         comparison = compare(*(editions[name] for name in names))
         rate = sum((rate_of(editions[name]) for name in names), Rate())
-        text = diff_text(comparison, rate.text, arguments.format, all_values=arguments.values == "all")
+        text = diff_text(comparison, rate_text(rate), arguments.format)
         found = text, int(comparison.is_alarm)
         cache.put("diff", key, found)
     print(found[0])

@@ -2,8 +2,7 @@
 
 import argparse
 
-from measured_report.changes import history
-from measured_report.changes.query import Query
+from measured_report.changes.query import Query, flip_history, history
 from measured_report.commands.options import shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
@@ -19,14 +18,14 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     editions = editions_of(project, Templates(project.templates))
     releases = {release: edition.chapters for release, edition in editions.items()}
     if not (arguments.claim or arguments.value):
-        told = [history.history(releases, Query(value)) for value in config().changes.headlines.values()]
-        print("\n\n".join([*told, history.flip_history(releases, project.release)]))
+        told = [history(releases, Query(value)) for value in config().changes.headlines.values()]
+        print("\n\n".join([*told, flip_history(releases, project.release)]))
         return 0
     query = query_of(arguments)
     if not any(query.answer(each) is not None or query.text in query.names(each) for each in releases.values()):
         hint = suggestion(query.text, query.names(releases[project.release]))
         raise UsageError(f"no edition has {query.text}{hint}")
-    print(history.history(releases, query))
+    print(history(releases, query))
     return 0
 
 

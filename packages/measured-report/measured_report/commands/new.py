@@ -11,10 +11,11 @@ from importlib import metadata
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
+from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
 from measured_report.files.config import Config
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.records.provenance import git
+from measured_report.records.identity import git
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
 OTHER = SKELETON / "other"
@@ -61,11 +62,11 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
         told["@TITLE@"] = title
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, told)
+    (folder / FILE).write_text(reference(), encoding="utf-8")
     print(f"wrote {folder}; cd {shlex.quote(folder.name)} && make report measures, and builds site/index.html")
 
 
 def _write(folder: Path, told: Mapping[str, str]) -> None:
-    """Write all files, with what was ``told`` in the place of marks."""
     source = _source(folder)
     said = {
         **told,
@@ -91,10 +92,7 @@ def _write(folder: Path, told: Mapping[str, str]) -> None:
 
 
 def _source(folder: Path) -> str:
-    """Return the line of pyproject.toml that says where this generator is from; empty where that is an index.
-
-    A wheel is copied into the report, so that it is there wherever the report is.
-    """
+    """Return the line of pyproject.toml that says where this generator is from; a wheel is copied into the report."""
     told = json.loads(metadata.distribution(GENERATOR).read_text("direct_url.json") or "{}")
     url, place = told.get("url", ""), Path(unquote(urlparse(told.get("url", "")).path))
     if "vcs_info" in told:

@@ -13,25 +13,17 @@ from measured_report.files.errors import ReportError
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print what is new, a line each, as outputs of a step; nothing where nothing is new."""
-    package = config().package
+    package = config().edition
     sides = (replace(project, profile=profile) for profile in PROFILES)
     known = [side.of(release) for side in sides for release in side.releases]
     newest = max((each.named for each in known), key=lambda release: release.order)
     releases = releases_of(package)
     if not releases:
         raise ReportError(f"the index says of no release of {package}; this takes the network")
-    latest = releases[-1]
-    if latest.order > newest.order:
-        return _say(latest, "")
+    new = [(str(releases[-1]), "")] if releases[-1].order > newest.order else []
     for other, *_ in config().changes.together:
         used = {record.identity.packages[other] for each in known for record in records_of(each)}
-        for newer in releases_of(other)[-1:]:
-            if str(newer) not in used:
-                return _say(newest.version, f"{other}=={newer}")
-    return 0
-
-
-def _say(release: object, pins: str) -> int:
-    """Print what is new under the package's name, and under ``option`` and ``release``, which know no package."""
-    print(f"{config().package}={release}\nwith={pins}\noption={EDITION}\nrelease={release}")
+        new += [(newest.version, f"{other}=={newer}") for newer in releases_of(other)[-1:] if str(newer) not in used]
+    for release, pins in new[:1]:  # under the package's name, and for a workflow that knows none
+        print(f"{package}={release}\nwith={pins}\noption={EDITION}\nrelease={release}")
     return 0

@@ -1,6 +1,7 @@
 """Build site/ from what is measured; measure nothing."""
 
 import argparse
+import gc
 import sys
 from collections.abc import Iterable
 
@@ -23,6 +24,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 
 def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     """Build the site and say what it lacks; return whether a record is damaged, and whether any is to be renewed."""
+    gc.disable()  # a build keeps what it makes, and is a tenth faster so
     releases = build(project, address)
     built, measurable = releases[project.release], sections(project.root)
     missing = [state.section for state in built.left_out if state.kind == "missing"]

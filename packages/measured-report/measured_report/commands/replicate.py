@@ -9,12 +9,12 @@ from pathlib import Path
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.report import device_of
 from measured_report.editions.project import Project
-from measured_report.editions.replicas import reasons_text, refused
 from measured_report.editions.status import records_of, states_of
 from measured_report.files.atomic import atomic_file
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.machine import NO_CUDA, machine_of, needs_gpu
 from measured_report.measuring.measure import measure
+from measured_report.pages.replicas import reasons_text, refused
 from measured_report.records.replicas import FOLDER, Records, packed, read_replica
 
 ASIDE = "replicate"

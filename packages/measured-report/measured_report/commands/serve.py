@@ -1,13 +1,21 @@
 """Serve site/ at http://127.0.0.1:8000, rebuilt on every change."""
 
 import argparse
+import os
 import subprocess
 import sys
+import threading
+import time
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from itertools import chain
+from pathlib import Path
 
 from measured_report.commands.options import EDITION, refuse_unmeasured, shared
 from measured_report.editions.project import Project
-from measured_report.site.serving import Server
+from measured_report.files.errors import UsageError
 
 OPTIONS = {
     "port": {"type": int, "default": 8000, "help": "where to serve, 8000 if not given"},
@@ -24,3 +32,47 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
     server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0
+
+
+class _Handler(SimpleHTTPRequestHandler):
+    def end_headers(self) -> None:
+        self.send_header("Cache-Control", "no-store")
+        super().end_headers()
+
+    def log_message(self, format: str, *args) -> None:
+        """Say nothing of what was asked for: what was built again would be lost in it."""
+
+
+class Server(ThreadingHTTPServer):
+    """Serve a folder at a port of this machine; UsageError where the port can't be had."""
+
+    def __init__(self, folder: Path, port: int):
+        try:
+            super().__init__(("127.0.0.1", port), partial(_Handler, directory=str(folder)))
+        except (OSError, OverflowError) as error:
+            raise UsageError(f"PORT={port} can't be served at: {error}; PORT=8001 may be free") from None
+
+    def handle_error(self, request, client_address) -> None:
+        """Say nothing: whoever asked has gone."""
+
+    def follow(self, folders: Iterable[Path], build: Callable[[], object]) -> None:
+        """Serve until Ctrl-C, and build first, and again whenever something in these folders has changed."""
+        threading.Thread(target=self.serve_forever, daemon=True).start()
+        before = None
+        while True:
+            now = stamp(folders)
+            if now != before:
+                before = now  # as it was when the build began: what changes meanwhile is seen the next time
+                build()
+            time.sleep(0.5)
+
+
+def stamp(folders: Iterable[Path]) -> dict[Path, tuple[int, int]]:
+    """Return when each file in some folders was changed, and its size."""
+    found = {}
+    walked = (place for folder in folders for place in os.walk(folder))  # which passes over what vanishes meanwhile
+    for path in (Path(place, name) for place, *names in walked for name in chain(*names)):
+        if "__pycache__" not in path.parts:
+            with suppress(OSError):  # it was removed just now
+                found[path] = path.stat().st_mtime_ns, path.stat().st_size
+    return found

@@ -6,23 +6,20 @@ from importlib import import_module
 from measured_report.commands.command_line import OWN, commands
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
-from measured_report.editions.replicas import replicas_text
 from measured_report.editions.status import changes_text, states_of, status_matrix
 from measured_report.files.config import config
+from measured_report.pages.replicas import replicas_text
 
 OPTIONS = shared("edition", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
-    """Print the sections of all editions as a matrix, and those of one with what changed.
-
-    A command of the report that makes something says by its ``state(project)`` whether that is fresh.
-    """
+    """Print the sections of all editions, and of one what changed; of the report's own commands what they make."""
     refuse_unmeasured(project, arguments.release.asked)
     own = (import_module(place) for place in commands().values() if place.startswith(OWN))
     made = [module.state(project) for module in own if hasattr(module, "state")]
     replicas = replicas_text(project)
     print("\n".join([status_matrix(project), *replicas, *(f"{state.section}: {state.summary}" for state in made)]))
     if changed := changes_text([*states_of(project), *made]):
-        print(f"\n{config().package} {project.release}\n{changed}")
+        print(f"\n{config().edition} {project.release}\n{changed}")
     return 0

@@ -4,7 +4,7 @@ import argparse
 import subprocess
 
 from measured_report.commands.options import shared
-from measured_report.editions.environment import add_cluster, add_group_to, python_of
+from measured_report.editions.environment import add_cluster, add_group, python_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import expected_packages
 
@@ -17,7 +17,7 @@ OPTIONS = {
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Run pytest with one edition; return its exit status."""
     python = python_of(arguments.release, expected_packages(project), project.root)
-    add_group_to(python, "dev", project.root)
+    add_group("dev", project.root, python)
     add_cluster(python, project.root)
     command = [str(python), "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
     return subprocess.run(command, cwd=project.root, check=False).returncode

@@ -13,9 +13,8 @@ from measured_report.files.errors import UsageError, suggestion
 from measured_report.pages.editions import Chapter, Chapters, Edition, editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import changed_parameters
-from measured_report.site.pages import undrawn
 from measured_report.values.format import unit_label
-from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
+from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value, local
 
 ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
 OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "profile")}
@@ -24,16 +23,12 @@ OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print the way of one value, from the page back to rows, cases and command."""
     refuse_unmeasured(project, arguments.release.asked)
-    templates = Templates(project.templates)
-    print(provenance(project, editions_of(project, templates), templates, arguments.value))
+    print(provenance(project, editions_of(project, Templates(project.templates)), arguments.value))
     return 0
 
 
-def provenance(project: Project, editions: Mapping[str, Edition], templates: Templates, name: str) -> str:
-    """Return the provenance of a value, ``section.name``, or a number of a row, ``section.case.column``, in lines.
-
-    The pointer that a page has for either will do; UsageError for an unknown one.
-    """
+def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> str:
+    """Return the provenance of ``section.name``, ``section.case.column``, or a page's pointer to either, in lines."""
     chapters = editions[project.release].chapters
     records = {each.results.source: each for edition in editions.values() for each in edition.chapters.values()}
     values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
@@ -43,13 +38,7 @@ def provenance(project: Project, editions: Mapping[str, Edition], templates: Tem
         lines.append(f"  is          {found.formula}")
         for value in (values[pointer] for pointer in found.sources if pointer in values):
             lines.append(f"  made of     {'.'.join(value.source.split('/')[2:])}, {_said(value)}: {value.formula}")
-    places: dict[str, None] = {}
-    for (file, anchor), html in undrawn(editions, templates, project.release).items():
-        for match in ANCHOR.finditer(html):
-            anchor = match[1] or anchor
-            if match[2] == found.source:
-                places[f"{file}#{anchor}"] = None
-    lines += [f"  printed at  {place}" for place in places or ["no page"]]
+    lines += [f"  printed at  {place}" for place in dict.fromkeys(_printed(project, found.source)) or ["no page"]]
     for section, chapter in chapters.items():
         claims = (claim for claim in chapter.section.claims if found.source in claim.outcome.reads)
         lines += [f"  decides     {section}.{claim.name}: {claim.outcome.said}" for claim in claims]
@@ -60,10 +49,22 @@ def provenance(project: Project, editions: Mapping[str, Edition], templates: Tem
     return "\n".join(lines)
 
 
+def _printed(project: Project, source: str) -> Iterator[str]:
+    """Yield the places on the pages that were built where a number of this source is."""
+    own = project.own_release or project.release
+    folder = project.site if project.is_own else project.site / project.results.name
+    for path in sorted(folder.glob("*.html")):
+        anchor = ""
+        for match in ANCHOR.finditer(path.read_text(encoding="utf-8")):
+            anchor = match[1] or anchor
+            if match[2] and local(source, own) in match[2].split():
+                yield f"{path.name}#{anchor}"
+
+
 def _found(
     project: Project, chapters: Chapters, records: Mapping[str, Chapter], values: Mapping[str, Value], name: str
 ) -> Quantity:
-    query, package = Query(name), config().package
+    query, package = Query(name), config().edition
     found = query.quantity(chapters)
     pointer = name if name.startswith(f"{package}-") else f"{package}-{project.release}/{name}"
     for each in (found, values.get(pointer), _cell(records, Pointer(pointer))):
@@ -74,7 +75,6 @@ def _found(
 
 
 def _cell(records: Mapping[str, Chapter], place: Pointer) -> Quantity | None:
-    """Return the number of a record that a pointer leads to."""
     if not place.cell or place.file not in records:
         return None
     found = (row[place.cell[1]] for row in records[place.file].results.rows if place.cell[1] in row)
@@ -82,7 +82,6 @@ def _cell(records: Mapping[str, Chapter], place: Pointer) -> Quantity | None:
 
 
 def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> Iterator[str]:
-    """Describe the rows that a number comes from, and what measured them."""
     record = chapter.results.record
     for index, column, cell in sorted((*each.cell, each) for each in cells if each.cell):
         row = record.rows[index]
@@ -91,7 +90,7 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
         found = _cell({chapter.results.source: chapter}, cell)
         yield f"  row {index}, case {row['case']} ({said}): {column} = {_said(found) if found else row[column]}"
     release, commit = record.origin.release, record.measured["commit"]
-    measured = f"{record.machine_text}, {record.time_text}, {config().package} {release}"
+    measured = f"{record.machine_text}, {record.time_text}, {config().edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
     if chapter.state.notes:
         yield f"  stale:      {chapter.state.words}"

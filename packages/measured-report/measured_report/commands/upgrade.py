@@ -2,13 +2,16 @@
 
 import argparse
 import os
+import shlex
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
-from measured_report.changes.alarm import upgrade_text
-from measured_report.changes.compare import Fault, compare
-from measured_report.changes.upgrade import base_of, deciding, lacking, verdict
+from measured_report.changes.alarm import largest, power, settings_text, upgrade_text
+from measured_report.changes.compare import Comparison, Fault, compare
+from measured_report.changes.moves import few
+from measured_report.changes.query import Query
 from measured_report.commands.options import refuse_itself, shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import measure_what_can
@@ -19,8 +22,11 @@ from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.measuring.machine import NO_CUDA, machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
-from measured_report.pages.editions import editions_of
+from measured_report.pages.editions import Edition, editions_of
 from measured_report.pages.prose import Templates
+from measured_report.parts.claim import HOLDS
+from measured_report.records.identity import package_changes
+from measured_report.records.identity import sections as all_sections
 
 OPTIONS = {
     "since": {
@@ -69,5 +75,66 @@ def _with_deciding(project: Project, release: Release, device: str | None, *, re
         return side
     if not device:
         raise UsageError(f"{NO_CUDA}, and with PROFILE=quick in minutes")
-    print(f"{config().package} {side.release}: measuring {', '.join(names)}", flush=True)
+    print(f"{config().edition} {side.release}: measuring {', '.join(names)}", flush=True)
     return measure_what_can(kept_by(side, machine_name(device), names), release, names, device)[0]
+
+
+def deciding(project: Project) -> Sequence[str]:
+    """Name the sections that tell most of an edition: those that report.toml names, or else all."""
+    return config().changes.deciding or all_sections(project.root)
+
+
+def base_of(project: Project) -> str | None:
+    """Return the same release as it came out, or else the newest before it, that has the deciding sections."""
+    sides = [side.of(name) for side in (project, replace(project, profile="full")) for name in side.releases]
+    plain = [side for side in sides if side.release == side.named.version != project.release and not lacking(side)]
+    before = [side for side in plain if side.named.order <= project.named.order]
+    return max(before, key=lambda side: side.named.order).release if before else None
+
+
+def lacking(project: Project) -> list[str]:
+    """Name the deciding sections that an edition has no record of."""
+    return [section for section in deciding(project) if not project.record_path(section).exists()]
+
+
+def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
+    """Return at most a dozen lines, worst first."""
+    a, b = found.releases
+    names = deciding(after.project)
+    old, new = (
+        [chapter.results.record for name, chapter in edition.chapters.items() if name in names]
+        for edition in (before, after)
+    )
+    changed = package_changes(old[0].identity.packages, new[0].identity.packages) if old and new else []
+    others = ", ".join(change for change in changed if not change.startswith(f"{config().edition} "))
+    machines = " and ".join(sorted({record.machine_text for record in new}))
+    measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
+    measured += "" if after.project.profile == "full" else f", {after.project.profile}"
+    flips = [f"{flip.claim} {flip.outcomes}" for flip in found.flips]
+    cause = Query(config().changes.cause, is_claim=True).claim(after.chapters)
+    why = cause.text if cause and cause.outcome == HOLDS else "the sections that were measured do not say"
+    asks_why = flips or any(not move.is_setting for move in found.alarms)
+    return [
+        f"{config().edition_name} {b} against {a}{f' ({others})' if others else ''}: {measured}",
+        *([f"can't be trusted: {few([fault.text for fault in found.faults])}"] if found.faults else []),
+        f"settings: {settings_text(found.settings)}",
+        f"flipped: {few(flips) if flips else 'no claim'}",
+        *(largest(found) or ["moved: nothing beyond the noise"]),
+        f"would have shown: {power(found)}",
+        *([f"why: {why}"] if asks_why else []),
+        f"what to do: {_advice(found, before.project, after.project)}",
+    ]
+
+
+def _advice(found: Comparison, before: Project, after: Project) -> str:
+    if found.faults:
+        return "look at what can't be trusted first; nothing else can be said"
+    profile = "" if after.profile == "full" else f" PROFILE={after.profile}"
+    lists = f"make diff A={before.release} B={after.release} FORMAT=json{profile} lists it"
+    told = [f"VALUE={move.name}" for move in found.alarms if not move.is_gone]  # else there is no middle
+    if asked := [*(f"CLAIM={flip.claim}" for flip in found.flips), *told]:
+        ends = " ".join(shlex.quote(f"{name}={side.asked}") for name, side in (("A", before), ("B", after)))
+        return f"make bisect {asked[0]} {ends} finds which change did it; {lists}"
+    if any(not move.is_inconclusive for move in found.moves):
+        return f"see whether what moved was meant to: {lists}"
+    return "nothing; make report measures the rest"

@@ -17,7 +17,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.config import config, read_toml
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
-from measured_report.records.provenance import MISSING, package_versions
+from measured_report.records.identity import MISSING, package_versions
 
 MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")
 """What measuring imports of the generator and of the packages that it takes."""
@@ -25,19 +25,17 @@ VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
 FILTER = "UV_EXCLUDE_NEWER"
 """The variable that names another day for the installer's filter than the one on which a release came out."""
+TOOLS = ROOT / ".venv.tools" / "bin"
+"""Where the Makefile has put uv, on a host that has none."""
 READY = ".ready"
 """In an environment that is whole: the digest of what it was made from."""
 
 
-def add_group(group: str, root: Path = ROOT) -> None:
-    """Install a group of pyproject.toml into ``.venv`` as the lock says; another Python is left as it is."""
-    if Path(sys.prefix) == root / ".venv":
+def add_group(group: str, root: Path = ROOT, python: Path = Path(sys.executable)) -> None:
+    """Install a group of pyproject.toml beside what an edition, or ``.venv``, has; another Python is left as it is."""
+    if python.parents[1] == root / ".venv":
         _add(group, root, "--group")
-
-
-def add_group_to(python: Path, group: str, root: Path = ROOT) -> None:
-    """Install a group of pyproject.toml beside what an edition was measured with; ``.venv`` has it."""
-    if python.parents[1] not in (root / ".venv", Path(sys.prefix)):
+    elif python.parents[1] != Path(sys.prefix):
         _run(["pip", "install", "--python", str(python), "--group", f"{root / 'pyproject.toml'}:{group}"], group)
 
 
@@ -58,12 +56,8 @@ def _add(name: str, root: Path, kind: str) -> None:
 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path = ROOT) -> Path:
-    """Return the Python that has a release; its environment is made when it is not there.
-
-    ``packages`` are the versions that its earlier measurements were made with, to be installed again; one that is
-    ``missing`` there is as ``requirements`` says.
-    """
-    package, option = config().package, config().option
+    """Return the Python that has a release, and the ``packages`` that it was measured with; it is made if need be."""
+    package, option = config().edition, config().option
     if release.is_installed_with(package_versions()):
         return Path(sys.executable)
     if not release.requirement:
@@ -81,10 +75,7 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path = ROOT) 
 
 
 def _lend(folder: Path) -> None:
-    """Let an environment import, behind all that is in it, what measuring takes of the generator's own.
-
-    Only what is measured is installed there: of whatever day that is, the generator is the one that asks.
-    """
+    """Let an environment, which has only what is measured, import what measuring takes of the generator's own."""
     lent = folder / "lent"
     lent.mkdir(exist_ok=True)
     for name in MEASURING:
@@ -100,10 +91,7 @@ def _lend(folder: Path) -> None:
 
 
 def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Path:
-    """Return the Python of the environment ``.venv-<name>``, which has these requirements and nothing of the project's.
-
-    It is made when it is not there; UsageError, one line, where it can't be.
-    """
+    """Return the Python of ``.venv-<name>``, which has these requirements alone; it is made when it is not there."""
     folder = root / f".venv-{name}"
     _make(folder, name, requirements)
     return folder / "bin" / "python"
@@ -121,15 +109,14 @@ def environment_of(release: Release, root: Path = ROOT) -> Path:
 def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
     """Read the requirements in the project's pyproject.toml, with these versions of packages in the place of its own.
 
-    One that is ``missing`` is as the project asks for it, or, if it comes out with the edition as those in ``together``
-    do, left to the others, which know which one they take.
+    One that is ``missing`` is as the project asks for it, or left to the edition if they come out ``together``.
     """
     for name, version in packages.items():
         if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
             raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
     asked = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
     known = {name: version for name, version in packages.items() if version != MISSING}
-    other = {*known, config().package}.union(*config().changes.together)
+    other = {*known, config().edition}.union(*config().changes.together)
     own = [requirement for requirement in asked if NAME.sub("", requirement) not in other]
     return own + [f"{config().requirement_of(name)}=={version}" for name, version in known.items()]
 
@@ -143,16 +130,13 @@ def _asked_for(release: Release, rest: Sequence[str]) -> list[str]:
         print(f"{config().option}={release.asked} came out on {day}; its packages are of that day, and {lifted}")
         options += ["--exclude-newer", (date.fromisoformat(day) + timedelta(days=1)).isoformat()]
         options += [word for name in named for word in ("--exclude-newer-package", f"{name}=2100-01-01")]
-    extras = config().requirement.removeprefix(config().package)
+    extras = config().requirement.removeprefix(config().edition)
     asked = ["--editable", f"{release.checkout}{extras}"] if release.checkout else [release.requirement]
     return [*options, *rest, *asked]
 
 
 def _make(folder: Path, name: str, asked: Sequence[str], pins: Sequence[str] = (), edits: str = "") -> None:
-    """Make the environment ``folder``, for ``name``, of what is asked for, unless it is there and of the same.
-
-    ``pins`` are versions that count whatever other packages ask for.
-    """
+    """Make an environment of what is asked for, unless it is there; ``pins`` count whatever other packages ask for."""
     digest, ready = hashlib.sha256("\n".join([edits, *asked, *pins]).encode()).hexdigest(), folder / READY
     python, overrides = folder / "bin" / "python", folder / "overrides.txt"
     with locked(folder.parent):
@@ -170,7 +154,7 @@ def _make(folder: Path, name: str, asked: Sequence[str], pins: Sequence[str] = (
 
 def _run(arguments: Sequence[str], name: str) -> None:
     """Run uv, which may take a while; UsageError, one line, with the last that it said where it fails."""
-    uv = shutil.which("uv") or shutil.which("uv", path=str(Path(sys.executable).parent))
+    uv = shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{TOOLS}")
     if not uv:
         raise UsageError(f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it")
     if sys.stdout.isatty():  # a log has the one line that says why it failed

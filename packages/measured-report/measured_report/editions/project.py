@@ -1,8 +1,4 @@
-"""Project: one report of one checkout, of an edition and in a profile, and what is known of the edition.
-
-``edition.toml`` beside an edition's records says what it was asked for as, and which sections were measured, so that
-none goes unnoticed; an edition without one, as of an older checkout, says nothing of itself.
-"""
+"""Project: one report of one checkout, of an edition and in a profile, and what ``edition.toml`` says of that."""
 
 import json
 import os
@@ -22,8 +18,7 @@ from measured_report.files.root import ROOT
 from measured_report.records.columns import name_problem
 
 PROFILES = ("full", "quick")
-INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
-"""Folders that the site is made from."""
+INPUTS = ("packages", "experiments", "report", "templates", "assets", "static", "results")
 MANIFEST = "edition.toml"
 BYTE_LIMIT = 1 << 20
 
@@ -36,7 +31,6 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     date: str = ""
     """Day of the release or the commit, as 2026-11-11; empty where it is not known."""
     sections: tuple[str, ...] = ()
-    """Sections that have been measured."""
 
 
 def read_manifest(results: Path) -> Manifest | None:
@@ -49,14 +43,14 @@ def read_manifest(results: Path) -> Manifest | None:
         found = parse_toml(content.decode("utf-8"))
         if any(name_problem(str(text)) for text in (*found.values(), *found.get("sections", ()))):
             raise ValueError("it has a text with what can't be printed")
-        told = {"asked": found.pop(config().package), "date": found.pop("date"), "sections": found.pop("sections")}
+        told = {"asked": found.pop(config().edition), "date": found.pop("date"), "sections": found.pop("sections")}
         return msgspec.convert({**told, **found}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
 
 def write_manifest(results: Path, manifest: Manifest) -> None:
-    fields = {config().package: manifest.asked, "date": manifest.date, "sections": manifest.sections}
+    fields = {config().edition: manifest.asked, "date": manifest.date, "sections": manifest.sections}
     lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in fields.items()]
     with atomic_file(results / MANIFEST) as path:
         path.write_text("".join(lines), encoding="utf-8")
@@ -157,10 +151,10 @@ class Project:
 
 def own_release(root: Path = ROOT) -> str:
     """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
-    requirement = config().requirement_of(config().package)
+    requirement = config().requirement_of(config().edition)
     text = (root / "pyproject.toml").read_text(encoding="utf-8")
     found = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not found:
-        line = f'a line "{requirement}==1.2.3" does'
-        raise ReportError(f"pyproject.toml asks for no {config().edition_name} release; {line}")
+        line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
+        raise ReportError(f"pyproject.toml has no line {line}")
     return found[1]

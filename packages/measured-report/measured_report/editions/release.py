@@ -19,7 +19,7 @@ from packaging.version import Version
 
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.records.provenance import SHORT_COMMIT, checkout_source, git, wheel_source
+from measured_report.records.identity import SHORT_COMMIT, checkout_source, git, wheel_source
 
 VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?")
 WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
@@ -36,8 +36,7 @@ class Release:
     version: str
     """Version of that package, with three numbers at least."""
     source: str = ""
-    """Code where the version does not say which: ``g`` and a commit, ``w`` and the digest of a wheel, ``x`` and that
-    of a folder; ``.edited`` behind it for a checkout that differs from its commit."""
+    """``g`` and a commit, maybe ``.edited``, ``w`` or ``x`` and the digest of a wheel or folder; empty: a release."""
     pins: tuple[tuple[str, str], ...] = ()
     """Package and version, of those that were asked for besides."""
     machine: str = ""
@@ -45,7 +44,6 @@ class Release:
     requirement: str = ""
     """Told to the installer; empty where only the results are known."""
     asked: str = ""
-    """As the command named it."""
     date: str = ""
     """Day of the commit, as 2026-11-11; of a release ``release_date`` asks the index."""
     checkout: Path | None = None
@@ -68,7 +66,7 @@ class Release:
 
     def is_installed_with(self, versions: Mapping[str, str]) -> bool:
         """Tell whether these versions of packages are the ones that it names."""
-        return versions[config().package] == self.package_version and dict(self.pins).items() <= versions.items()
+        return versions[config().edition] == self.package_version and dict(self.pins).items() <= versions.items()
 
 
 def read_label(text: str) -> Release | None:
@@ -85,7 +83,7 @@ def read_label(text: str) -> Release | None:
         return None
     version, source, told, machine = found.groups(default="")
     version, pins = full_version(version), (part.rpartition("-") for part in told.split("+")[1:])
-    requirement = "" if source else f"{rules.requirement_of(rules.package)}=={version}"
+    requirement = "" if source else f"{rules.requirement_of(rules.edition)}=={version}"
     named = tuple(sorted((names[name], pin) for name, _, pin in pins))
     return Release(version, source, named, machine, requirement, text)
 
@@ -103,7 +101,7 @@ def release_of(asked: str, pins: str = "", option: str = "") -> Release:
 
 
 def _found(asked: str, option: str) -> Release:
-    requirement, package = config().requirement_of(config().package), config().package
+    requirement, package = config().requirement_of(config().edition), config().edition
     if label := read_label(asked):
         return label
     if not asked:
@@ -140,13 +138,12 @@ def _commit(address: str, reference: str, asked: str, option: str) -> Release:
         if not commit:
             raise UsageError(f"{option}={asked} cannot be fetched; git fetch {address} {reference} says why")
         version = _own_version(git(there, "show", f"{commit}:pyproject.toml"), asked, option)
-    requirement = f"{config().requirement_of(config().package)} @ git+{address}@{commit}"
+    requirement = f"{config().requirement_of(config().edition)} @ git+{address}@{commit}"
     return Release(version, f"g{commit[:SHORT_COMMIT]}", requirement=requirement, asked=asked, date=date)
 
 
 def _own_version(project: str, asked: str, option: str) -> str:
-    """Read the version that the text of a pyproject.toml names."""
-    found, package = OWN_VERSION.search(project), config().package
+    found, package = OWN_VERSION.search(project), config().edition
     if not found or f'name = "{package}"' not in project or not VERSION.fullmatch(found[1]):
         lacking = f"its pyproject.toml names no {package} with a version"
         raise UsageError(f"{option}={asked} is no checkout of {config().edition_name}: {lacking}")
@@ -164,14 +161,14 @@ def _read_pins(text: str) -> Sequence[tuple[str, str]]:
 @cache
 def release_date(release: Release) -> str:
     """Find the day, as 2026-11-11, on which it came out; empty where the index does not say."""
-    if release.date or not release.requirement.startswith(f"{config().requirement_of(config().package)}=="):
+    if release.date or not release.requirement.startswith(f"{config().requirement_of(config().edition)}=="):
         return release.date
-    return _index_dates(config().package).get(release.version, "")
+    return _index_dates(config().edition).get(release.version, "")
 
 
 def releases_between(older: Release, newer: Release) -> list[Release]:
     """Return the releases of the index between two, oldest first."""
-    return [each for each in releases_of(config().package) if older.order < each.order < newer.order]
+    return [each for each in releases_of(config().edition) if older.order < each.order < newer.order]
 
 
 def releases_of(package: str) -> list[Release]:

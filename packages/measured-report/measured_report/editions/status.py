@@ -9,8 +9,7 @@ from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.records.code import unchanged_files
-from measured_report.records.identity import changes, identity_of, sections
-from measured_report.records.provenance import EDITED, MISSING, code_in, package_versions
+from measured_report.records.identity import EDITED, MISSING, changes, code_in, identity_of, package_versions, sections
 from measured_report.records.record import Record, load_record
 
 NOT_SHOWN = "not shown"
@@ -26,7 +25,6 @@ class State:
     """``fresh``, ``stale``, ``missing`` or ``damaged``; of what is left out of a page also ``not shown``."""
     record: Record | None = None
     notes: tuple[str, ...] = ()
-    """Changes since the measurement, or faults of the record."""
 
     @property
     def summary(self) -> str:
@@ -62,7 +60,6 @@ def state_of(project: Project, section: str) -> State:
 
 
 def _read_state(project: Project, section: str) -> State:
-    """Read the record of a section, which is not yet compared with the code."""
     path = project.record_path(section)
     if not os.path.lexists(path):
         return State(section, "missing")
@@ -73,26 +70,18 @@ def _read_state(project: Project, section: str) -> State:
 
 
 def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
-    """Find the package versions that the records of an edition, maybe read already, should have been measured with.
-
-    Of the one that is installed here these are the versions that are. Another one need not be installed to be judged:
-    its newest record says which versions of the other packages belong to it, so that a section measured with others
-    before is stale. A checkout counts as it lies there now.
-    """
+    """Find the versions that an edition's records should have been measured with: of one not here, its newest's."""
     release, installed = project.named, package_versions()
     if release.is_installed_with(installed):
         return installed
     kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
     newest = max(kept, key=lambda record: record.time, default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**others, **dict(release.pins), config().package: package_version(project)}
+    return {**others, **dict(release.pins), config().edition: package_version(project)}
 
 
 def package_version(project: Project) -> str:
-    """Return the version that an edition is of; of a checkout with edits, with the digest of its code.
-
-    Git is not asked: in a repository that a manifest names it would run what that one's settings say.
-    """
+    """Return the version that an edition is of; of an edited checkout with its digest, without what git may run."""
     release, manifest = project.named, project.manifest
     if release.source.endswith(EDITED) and manifest and (folder := Path(manifest.asked)).is_dir():
         return f"{release.package_version}.{code_in(folder)}"
@@ -115,7 +104,7 @@ def status_matrix(project: Project) -> str:
             release: {state.section: state.summary for state in states_of(project.of(release))}
             for release in project.releases
         }
-    lines = [("section", *(f"{config().package} {release}" for release in columns))]
+    lines = [("section", *(f"{config().edition} {release}" for release in columns))]
     for section in sections(project.root):
         lines.append((section, *(column[section] for column in columns.values())))
     return aligned(lines)

@@ -1,6 +1,7 @@
 """Files: read only as what they should be, and written whole; folders are held by one process at a time."""
 
 import fcntl
+import hashlib
 import os
 import shutil
 import stat
@@ -63,8 +64,7 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
 def put_record(record: Path, files: Mapping[str, bytes]) -> None:
     """Put a record and its traces, contents by file name, beside each other at ``record``: all of them, or none.
 
-    They wait in a folder aside whose name says that they are whole; of a process that is killed from then on nothing is
-    lost, since ``recover`` does what is left to do.
+    They wait in a folder aside whose name says that they are whole; after a kill ``recover`` does what is left to do.
     """
     record.parent.mkdir(parents=True, exist_ok=True)
     with locked(record.parent.parent):
@@ -83,10 +83,7 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
 
 
 def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
-    """Finish what processes that were killed have begun to put in place below ``results``, and remove the rest.
-
-    Only what ``load`` finds to be a whole record is put in place: other folders are set aside, and said, a line each.
-    """
+    """Finish what killed processes were putting in place; set aside, and say, what ``load`` finds no whole record."""
     said = []
     for left in results.glob(f"*/.*{NEW}"):
         with locked(results):
@@ -95,12 +92,10 @@ def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
         section = whole.name[1 : -len(WHOLE)]
         with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
             try:
-                if whole.is_symlink():
-                    raise RecordError(f"{short_path(whole)} is no folder of its own")
                 traces = load(whole / f"{section}.json").traces
                 names = [*(f"{section}.{case}.csv.gz" for case in traces), f"{section}.json"]
-                if strange := {path.name for path in whole.iterdir()} - {*names}:
-                    raise RecordError(f"{short_path(whole)} has {min(strange)!r:.80} in it, which is none of it")
+                if whole.is_symlink() or {path.name for path in whole.iterdir()} != {*names}:
+                    raise RecordError(f"{short_path(whole)} is not what was written there")
             except RecordError as error:
                 aside = whole.with_suffix(ASIDE)
                 shutil.rmtree(aside, ignore_errors=True)
@@ -133,3 +128,35 @@ def atomic_file(path: Path) -> Iterator[Path]:
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def staging_folder(folder: Path) -> Iterator[Path]:
+    """Name a staging folder for what is to take the place of ``folder``; what is left there is removed."""
+    with locked(folder.parent):
+        fresh = folder.with_name(f".{folder.name}-new")
+        shutil.rmtree(fresh, ignore_errors=True)
+        try:
+            yield fresh
+        finally:
+            shutil.rmtree(fresh, ignore_errors=True)
+
+
+def digests_below(folder: Path) -> dict[str, str]:
+    """Digest the files below a folder, by their names there; a link, and what else is no file, has none."""
+    there = (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir())
+    return {path.relative_to(folder).as_posix(): _digest(path) for path in there}
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest() if stat.S_ISREG(path.lstat().st_mode) else ""
+
+
+def replace(folder: Path, fresh: Path) -> None:
+    """Let ``fresh`` take the place of ``folder``, or of what that leads to; what was there is removed."""
+    folder, before = folder.resolve(), fresh.with_name(f"{fresh.name}-before")
+    shutil.rmtree(before, ignore_errors=True)
+    if folder.exists():
+        os.rename(folder, before)
+    os.rename(fresh, folder)
+    shutil.rmtree(before, ignore_errors=True)

@@ -2,7 +2,7 @@
 
 import sys
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -40,10 +40,12 @@ class Declared(Told):
     """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
 
     names: Collection[str] = ()
+    """The columns that it is of."""
     pattern: str = ""
+    """A regular expression that matches all of the name of any other."""
     kind: str = ""
-    """``parameter`` (a field of the case, or one like it), ``setting`` (set before a run as well), ``given`` (made from
-    settings), ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
+    """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``given`` (made from settings),
+    ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
     signed: bool | None = None
     """Whether its numbers have a sign; None: its unit says so."""
 
@@ -67,8 +69,7 @@ class Changes:
     same_runs: Sequence[str] = ()
     """Sections that have runs alike, so that a number of a case can be taken from any of them."""
     together: Sequence[Sequence[str]] = ()
-    """The other packages of which each release takes its own versions, those that come out together side by side: these
-    are changed together in a search. What is not among them stays as pyproject.toml asks for it."""
+    """Other packages of which each release takes its own versions, those that come out, and are changed, together."""
     keys: Sequence[str] = ("case",)
     """Columns that tell the rows of one section apart, where they are there."""
     classes: str = ""
@@ -90,8 +91,7 @@ class Config:
     short_names: Mapping[str, str] = field(default_factory=dict)
     """What other packages are called in the label of an edition, where not by their names."""
     host: str = "measured_report.measuring.host"
-    """The module that says how this report measures on a host; the one named here says what it may have, and measures
-    on the CPU."""
+    """The module that says how this report measures on a host; this one measures on the CPU."""
     case: str = ""
     """The dataclass, as ``module:name``, whose fields are what a run was set to."""
     noise_section: str = ""
@@ -103,17 +103,19 @@ class Config:
     cost_terms: Sequence[str] = ()
     """Columns that two rows must share for their costs to be compared."""
     columns: Sequence[Declared] = ()
+    """What is to be known of columns besides their units."""
     baseline: str = "the baseline"
     """What people call the case that all others are changed from."""
     changes: Changes = field(default_factory=Changes)
+    """The table of that name."""
     title: str = "A report"
     """What its data are of, where nothing else of it is at hand."""
     name: str = "report"
-    """What it is called in ids that leave the site: those of the feed."""
+    """What it is called where it is cited."""
     repository: str = ""
     """The page of its sources on the web; where nothing is said, that of git's origin."""
     pages: Sequence[Mapping[str, Any]] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})
-    """The pages in their order, the front page first; ``pages.py`` says what each may name."""
+    """The pages in their order, the front page first: ``name``, ``label`` of links to it, ``texts`` (templates)."""
     story: str = ""
     """The package whose modules derive what texts of pages tell: ``front`` for ``front.md.j2``."""
     plugins: str = "measured_report.pages.plugins"
@@ -128,11 +130,6 @@ class Config:
         return (FILE, f"{module.replace('.', '/')}.py") if module else (FILE,)
 
     @property
-    def package(self) -> str:
-        """Name the package whose releases are editions."""
-        return self.edition
-
-    @property
     def needs_gpu(self) -> bool:
         """Tell whether what a section measures depends on the device, where it does not say."""
         return self.host != Config.host
@@ -140,7 +137,7 @@ class Config:
     @property
     def option(self) -> str:
         """Name the variable of make that names an edition."""
-        return self.package.upper().replace("-", "_")
+        return self.edition.upper().replace("-", "_")
 
     def name_of(self, release: str) -> str:
         """Write what people call an edition."""
@@ -148,20 +145,20 @@ class Config:
 
     def edition_folder(self, release: str) -> str:
         """Name the folder that has the results of an edition."""
-        return f"{self.package}-{release}"
+        return f"{self.edition}-{release}"
 
     def edition_in(self, folder: str) -> str:
         """Return the label of the edition whose results are in a folder of that name."""
-        return folder.removeprefix(f"{self.package}-")
+        return folder.removeprefix(f"{self.edition}-")
 
     def requirement_of(self, package: str) -> str:
         """Write a package as it is asked for, with its extras."""
-        return self.requirement if package == self.package and self.requirement else package
+        return self.requirement if package == self.edition and self.requirement else package
 
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Read a TOML file; ValueError or OSError where it is none."""
-    return parse_toml(path.read_text(encoding="utf-8"))
+    return parse_toml(path.read_text(encoding="utf-8-sig"))
 
 
 def parse_toml(text: str) -> dict[str, Any]:
@@ -179,15 +176,15 @@ def config(root: Path = ROOT) -> Config:
     path = root / FILE
     try:
         found = read_toml(path) if path.is_file() else {}
-        if "edition" in found:
-            found["packages"] = [found["edition"], *found.get("packages", ())]
-            found.setdefault("edition_name", found["edition"])
         tables = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
         for place, table, kind in [*tables, *(("columns.", each, Declared) for each in found.get("columns", ()))]:
             names = {each.name for each in fields(kind)}
             for name in table if isinstance(table, dict) else ():
                 if name not in names:
                     raise ValueError(f"there is no setting {place}{name}{suggestion(name, names)}")
-        return msgspec.convert(found, Config)
+        told = msgspec.convert(found, Config)
     except (OSError, ValueError, TypeError) as error:  # which msgspec's are
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
+    if not (package := told.edition):
+        return told
+    return replace(told, packages=[package, *told.packages], edition_name=told.edition_name or package)

@@ -36,11 +36,12 @@ def bug_of(error: BaseException) -> str:
     frames = [(Path(frame.filename), frame.lineno) for frame in extract_tb(error.__traceback__)]
     installed = (generator, Path(sys.base_prefix), Path(sys.prefix))
     own = [(file, line) for file, line in frames if not any(map(file.is_relative_to, installed))]
-    file, line = (own or frames or [(Path("?"), 0)])[-1]
-    parts = file.parts
-    name = "/".join(parts[max((place for place, part in enumerate(parts) if part == "report"), default=-1) :])
     kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "
-    return f"{name}:{line}: {kind}{' '.join(str(error).split())}"
+    said = f"{kind}{' '.join(str(error).split())}"
+    for file, line in own[-1:]:
+        rooms = [place for place, part in enumerate(file.parts) if part in ("report", "experiments")]
+        return f"{'/'.join(file.parts[max(rooms, default=-1) :])}:{line}: {said}"
+    return said
 
 
 def _say(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:

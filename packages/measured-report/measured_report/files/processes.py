@@ -16,11 +16,7 @@ PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the
 
 @contextmanager
 def workers(count: int, method: str, then: Callable[[], None] | None = None) -> Iterator[ProcessPoolExecutor]:
-    """Open a pool of ``count`` processes, started by ``method`` (fork or spawn), each of which calls ``then`` first.
-
-    When one of them is killed, as the system does for want of memory, ReportError says so; when the block is left by
-    any other error, or by Ctrl-C, the work that is still under way is dropped.
-    """
+    """Open a pool of ``count`` processes, started by ``method``, that call ``then``; ReportError if one is killed."""
     pool = ProcessPoolExecutor(count, get_context(method), begin, (then,))
     try:
         yield pool

@@ -2,13 +2,8 @@
 
 A section that has batches yields those that can run now, and is sent what they return, in that order::
 
-    def measure(conditions: Conditions) -> Plan:
-        points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
-        [times] = yield [Batch("times", time_cell, (conditions, cells[0]), exclusive=True)]
-        return Measurement([*points, *cells, times])
-
-The generator itself runs where the records are kept, which may have no GPU. A ``measure`` that is no generator is one
-batch, which measures no times.
+    points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
+    [times] = yield [Batch("times", time_cell, (conditions, cells[0]), exclusive=True)]
 """
 
 import gc
@@ -17,7 +12,6 @@ import pickle
 import re
 import tempfile
 import time
-import traceback
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -26,7 +20,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from measured_report.files.atomic import locked
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, bug_of
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine
 from measured_report.measuring.measurement import Measurement
@@ -77,7 +71,7 @@ def gpu_lock(*, exclusive: bool) -> Iterator[None]:
 
 
 class BatchError(Exception):
-    """Say why a batch failed, in a line, and where, unless the line says all there is."""
+    """Say why a batch failed, in a line."""
 
 
 def measure_batch(batch: Batch, device: str) -> Result:
@@ -93,7 +87,7 @@ def measure_batch(batch: Batch, device: str) -> Result:
         times = [each.isoformat(timespec="seconds") for each in (started, ended)]
         return Result(pickle.dumps(value), here, times[0], times[1], round(seconds, 1))
     except BaseException as error:  # sys.exit too: a fault of a section must not end the process
-        raise BatchError(reason_of(error), trace_of(error)) from None
+        raise BatchError(reason_of(error)) from None
 
 
 def reason_of(error: BaseException) -> str:
@@ -106,20 +100,15 @@ def reason_of(error: BaseException) -> str:
     if explained := host().explained(error):
         return explained
     if isinstance(error, OSError):
-        said = error.strerror or said  # one that was raised with words alone has no other reason
-        said = f"{error.filename}: {said}" if error.filename else said
-    return said or type(error).__name__
+        said = (
+            error.strerror or said or type(error).__name__
+        )  # one that was raised with words alone has no other reason
+        return f"{error.filename}: {said}" if error.filename else said
+    return str(error) if isinstance(error, ReportError) else bug_of(error)
 
 
 def is_out_of_memory(error: BaseException) -> bool:
     return isinstance(error, MemoryError) or bool(OUT_OF_MEMORY.search(str(error)))
-
-
-def trace_of(error: BaseException) -> str:
-    """Say where an error of the code itself was raised; the reason of another one says all there is."""
-    known = OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error)) or host().explained(error)
-    is_known = isinstance(error, ReportError | OSError | MemoryError) or known
-    return "" if is_known else "".join(traceback.format_exception(error))
 
 
 def now() -> datetime:

@@ -8,7 +8,6 @@ import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from functools import cache
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,8 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import MPS, gpus, machine, share_count, slug
-from measured_report.records.provenance import package_versions
+from measured_report.records.code import digest_of
+from measured_report.records.identity import files_digest, package_versions
 
 SHARED, EXCLUSIVE = "shared", "exclusive"
 """Resources, one of each a worker that measures what shares its GPU, and one a host that measures times."""
@@ -83,10 +83,7 @@ def _worker(resource: str, security: Security, **settings: str) -> dict[str, Any
 def cluster_pools(
     asked: str, device: str, processor: str | None, count: int
 ) -> Iterator[tuple["ClusterPool", "ClusterPool"]]:
-    """Open pools for what shares a GPU and for what is exclusive; ReportError where the workers are unfit.
-
-    A GPU must be called ``processor`` in a label, unless that is None. One worker of each host compiles its kernels.
-    """
+    """Open pools for what shares a GPU and for what is exclusive; ReportError where workers or GPUs are unfit."""
     with connected(asked, device, count) as client:
         workers = client.scheduler_info(n_workers=-1)["workers"].values()
         for resource in (SHARED, EXCLUSIVE):
@@ -149,10 +146,8 @@ def introduce(device: str, processor: str | None, digest: str) -> str:
 def digest_here() -> str:
     """Digest the files that measuring may read, and the versions of packages."""
     places = [ROOT / "experiments", ROOT / "assets", *ROOT.glob("packages/*"), Path(__file__).parents[1]]
-    files = {f"{place.name}/{path.relative_to(place)}": path for place in places for path in place.rglob("*.*")}
-    kept = {name: path for name, path in files.items() if path.suffix != ".pyc" and path.is_file()}
-    code = {name: sha256(path.read_bytes()).hexdigest() for name, path in kept.items()} | package_versions()
-    return sha256(repr(sorted(code.items())).encode()).hexdigest()
+    code = [files_digest((path for path in place.rglob("*.*") if path.suffix != ".pyc"), place) for place in places]
+    return digest_of([*code, package_versions()])
 
 
 def gpu_of(asked: str) -> str:

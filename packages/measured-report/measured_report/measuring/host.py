@@ -1,8 +1,4 @@
-"""A host: what a report's own simulator has to do with the machine that it measures on.
-
-``report.toml`` names a module that has these under the same names; without one a report measures on the CPU, with
-nothing to prepare.
-"""
+"""A host: what a report that measures on the CPU does with it; ``report.toml`` names a module with these names."""
 
 from importlib import import_module
 from types import ModuleType

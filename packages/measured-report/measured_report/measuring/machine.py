@@ -5,10 +5,9 @@ import os
 import platform
 import re
 import subprocess
-from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
@@ -54,10 +53,6 @@ def machine(kind: str) -> dict[str, str | None]:
         "gpu_uuid": uuid,
         "system": f"{platform.system()} {platform.machine()}",
     }
-
-
-def kind_of(machine: Mapping[str, Any]) -> tuple:
-    return tuple(machine[part] for part in KIND)
 
 
 def cpu_name() -> str:

@@ -29,10 +29,7 @@ UNFIT = 2  # exit status of a measurement that could not begin, because of what 
 def measure(
     project: Project, release: Release, sections: Sequence[str], device: str, cluster: str | None = None
 ) -> Project:
-    """Measure the sections, on this host or on a cluster; ReportError if any failed.
-
-    Returns the report that has the results: they are kept apart when those that are there are of another machine.
-    """
+    """Measure the sections; return the report that has them, which is apart from that of another machine."""
     machine, options = "cpu", ["--profile", project.profile, "--aside", project.aside]
     if cluster:
         add_cluster(python_of(release, expected_packages(project), project.root), project.root)
@@ -85,7 +82,6 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
 
 
 def _gpu_of(cluster: str, root: Path) -> str:
-    """Return what the GPUs of a cluster elsewhere are called in a label."""
     add_cluster(Path(sys.executable), root)
     from measured_report.measuring.cluster import gpu_of
 

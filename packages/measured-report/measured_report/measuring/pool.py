@@ -55,10 +55,7 @@ def host_pools(count: int) -> Iterator[tuple[HostPool, HostPool]]:
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:
-    """Open a pool for ``count`` calls, or for as many at once as there are cores. Close it with ``with``.
-
-    What is called, and its arguments, must be found by name in a module. Nothing may be timed meanwhile.
-    """
+    """Open a pool for ``count`` calls, of functions of modules, as many at once as there are cores; time nothing."""
     return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", partial(_begin, {}))
 
 

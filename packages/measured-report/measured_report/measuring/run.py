@@ -27,8 +27,7 @@ from measured_report.measuring.machine import gpus, machine, needs_gpu
 from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import gather, host_pools
 from measured_report.measuring.section import Loop, Section, section_of
-from measured_report.records.identity import sections
-from measured_report.records.provenance import EDITED, package_versions
+from measured_report.records.identity import EDITED, package_versions, sections
 
 FAILED = 1
 
@@ -105,7 +104,7 @@ def section_module(section: str) -> ModuleType:
 
 def edition_of(asked: str | None) -> str:
     """Return the label of what is installed here; ReportError when another one was asked for."""
-    installed, package = package_versions(), config().package
+    installed, package = package_versions(), config().edition
     version, edits, _ = installed[package].partition(f"{EDITED}.")
     version += EDITED if edits else ""
     label = read_label(asked or version)

@@ -1,7 +1,4 @@
-"""Sections, from the first batch to the record, and the loop that measures them.
-
-What times nothing is measured side by side, and then, one after the other, what does.
-"""
+"""Sections, from the first batch to the record, and the loop that measures them."""
 
 import inspect
 import pickle
@@ -16,11 +13,11 @@ from tqdm import tqdm
 
 from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of, trace_of
+from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import commit, kind_of, needs_gpu
+from measured_report.measuring.machine import KIND, commit, needs_gpu
 from measured_report.measuring.measurement import Measurement
-from measured_report.records.columns import UNBELIEVED, is_number, number_problem, plain, units_of
+from measured_report.records.columns import REASON, UNBELIEVED, column_of, is_number, number_problem, plain, units_of
 from measured_report.records.identity import Identity, identity_of
 from measured_report.records.record import Record, write_record
 from measured_report.records.traces import packed
@@ -40,7 +37,6 @@ class Section:
     plan: Plan
     identity: Identity
     stage: list[Batch] = field(default_factory=list)
-    """Batches that were yielded last."""
     waiting: list[Batch] = field(default_factory=list)
     """Batches that are neither done nor running."""
     results: dict[str, Result] = field(default_factory=dict)
@@ -54,10 +50,7 @@ class Section:
         return batch.exclusive or batch.name in self.lost
 
     def advance(self) -> None:
-        """Ask for the next batches once all of a stage are done, and write the record at the end.
-
-        A fault of the section must not cost the others.
-        """
+        """Ask for the next batches once all of a stage are done, and write the record at the end."""
         try:
             while not self.is_over and all(batch.name in self.results for batch in self.stage):
                 values = [self.results[batch.name].value for batch in self.stage]
@@ -69,8 +62,8 @@ class Section:
                 names = [batch.name for batch in self.stage]
                 if not names or len({*names, *self.results}) < len(names) + len(self.results):
                     raise ValueError(f"batches need names of their own: {', '.join(names)}")
-        except Exception as error:
-            self.fail(reason_of(error), trace_of(error))
+        except Exception as error:  # a fault of the section must not cost the others
+            self.fail(reason_of(error))
 
     def lose(self, batch: Batch) -> None:
         """Measure a batch whose process was killed again, alone, but no more than once."""
@@ -81,11 +74,11 @@ class Section:
             tqdm.write(f"{self.name}/{batch.name}: its process was killed; it is tried again alone", file=sys.stderr)
             self.waiting = [*self.waiting, batch]
 
-    def fail(self, reason: str, trace: str = "") -> None:
+    def fail(self, reason: str) -> None:
         """Give the section up, and say why."""
         if not self.is_over:
             self.is_over, self.has_failed, self.waiting = True, True, []
-            tqdm.write(f"{trace}{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
+            tqdm.write(f"{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
 
     def _write(self, measurement: Measurement) -> None:
         parts, path = list(self.results.values()), self.project.record_path(self.name)
@@ -94,7 +87,9 @@ class Section:
             traces = {case: packed(path, case, table) for case, table in measurement.traces.items()}
         except (AttributeError, TypeError) as error:
             raise ReportError(f"it returned no Measurement of rows and traces: {error}") from None
-        if len({kind_of(part.machine) for part in parts}) > 1:
+        if not rows or not all("case" in row for row in rows):
+            raise ReportError("it returned no rows, or one without a case")
+        if len({tuple(map(part.machine.get, KIND)) for part in parts}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
         seconds = round(sum(part.seconds for part in parts), 1)
         record = Record(
@@ -118,10 +113,7 @@ class Section:
 
 
 class Loop:
-    """Measure sections, with a pool for batches that share their host and one for those that are exclusive there.
-
-    A pool submits as an Executor does, takes ``limit`` batches at once, and raises ``lost`` where a process was killed.
-    """
+    """Measure sections by a pool for batches that share their host and one for those that are exclusive there."""
 
     def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
         self.sections, self.shared, self.exclusive = sections, shared, exclusive
@@ -159,8 +151,7 @@ class Loop:
         except CancelledError:
             raise ReportError("the scheduler is gone; what is finished is kept") from None
         except BatchError as error:
-            reason, trace = error.args
-            section.fail(reason if batch.name == WHOLE else f"{batch.name}: {reason}", trace)
+            section.fail(str(error) if batch.name == WHOLE else f"{batch.name}: {error}")
         except Exception as error:  # what it returns, or is given, can't travel
             section.fail(f"{batch.name}: {reason_of(error)}")
         else:
@@ -183,7 +174,6 @@ def _as_one(batch: Batch) -> Plan:
 
 
 def _together(values: Iterable[str | None]) -> str | None:
-    """Join what several machines say."""
     return ", ".join(sorted({value for value in values if value is not None})) or None
 
 
@@ -191,4 +181,5 @@ def believable(row: Mapping[str, object]) -> dict[str, object]:
     """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
     row = {str(name): plain(value) for name, value in row.items()}
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
+    lost += [name for name in row if row[name] is None and name + REASON not in row and column_of(name).unit != "1"]
     return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}

@@ -13,7 +13,6 @@ from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.parts import macros
-from measured_report.parts.claim import Claim
 from measured_report.parts.section import Figure, Pictures, Section
 from measured_report.records.code import digest_of, files, roots_of
 from measured_report.values.quantities import Value
@@ -25,7 +24,6 @@ READ_BY_NAME = config().sources
 Derivation = tuple[Section, Mapping[str, Value]]
 """A section without its words, and the values that were derived for it."""
 Place = tuple[str, str, str]
-"""Profile, release and section."""
 
 
 class Entry(NamedTuple):
@@ -43,25 +41,16 @@ class DerivedCache:
     root: Path | None = None
     _new: dict[Place, Entry] = field(default_factory=dict)
     """What is to be kept once its figures are drawn."""
-    _claims: dict[tuple[str, str, str], Claim] = field(default_factory=dict)
-    """Claims with their words, by release, section and name."""
     _code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
-
-    def tell(self, release: str, section: Section, name: str) -> None:
-        """Say what the claims of a section are: others that show one are kept with its name alone."""
-        self._claims.update({(release, name, claim.name): claim for claim in section.claims})
 
     def code(self, module: Path) -> str:
         """Digest all that decides what a module makes, besides what it is given."""
         return self._code(module)
 
     def derived(self, place: Place, code: Path, given: Sequence[str], derive: Callable[[], Derivation]) -> Entry:
-        """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` before.
-
-        What is given stands there as digests or texts.
-        """
+        """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` texts before."""
         digest = digest_of([*given, self._code(code)]) if self.root else ""
-        kept = Cache(self.root).get(".".join(place), digest, self._claims.__getitem__) if self.root else None
+        kept = Cache(self.root).get(".".join(place), digest) if self.root else None
         if kept:
             return kept
         section, values = derive()
@@ -92,14 +81,13 @@ class DerivedCache:
         """Keep what was derived, its figures drawn as ``pictures`` by release and id."""
         if self.root is None:
             return
-        names = {id(claim): name for name, claim in self._claims.items()}
         for place, entry in self._new.items():
             figures = {
                 name: figure.kept(pictures.get((place[1], f"{place[2]}-{name}")))
                 for name, figure in entry.section.figures.items()
             }
             kept = entry._replace(section=replace(entry.section, figures=figures))
-            Cache(self.root).put(".".join(place), entry.digest, kept, lambda thing: names.get(id(thing)))
+            Cache(self.root).put(".".join(place), entry.digest, kept)
         self._new.clear()
 
 

@@ -1,9 +1,9 @@
 """Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 from importlib import import_module
 from itertools import takewhile
 from typing import Any
@@ -19,18 +19,15 @@ from measured_report.pages.cache import Derivation, DerivedCache
 from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
-from measured_report.pages.replicas import Measurements, measurements_of
+from measured_report.pages.replicas import Measurements, floors_in, measurements_of
 from measured_report.pages.sections import FRONT, PAGES, LostError, Page, Read, derive_section, file_of, outline_of
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
-from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.records.code import digest_of, files
-from measured_report.records.identity import sections
-from measured_report.records.provenance import files_digest
-from measured_report.records.record import Record, traces_of
+from measured_report.records.identity import files_digest, sections
+from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
-from measured_report.values.noise import NOISE, Floor, floors_of
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, ResultsError
 from measured_report.values.scatter import Apart
@@ -56,18 +53,6 @@ class Chapter:
     @property
     def name(self) -> str:
         return self.state.section
-
-
-def stale_mark(chapters: Iterable[Chapter], reads: frozenset[str]) -> Markup:
-    """Link to the section that was measured before its code changed, where pointers lead into one.
-
-    The link is no stop of the keyboard, which the section's own mark and the contents lead to as well.
-    """
-    for chapter in chapters:
-        place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
-        if chapter.state.notes and any(pointer.startswith(place) for pointer in reads):
-            return macros().stale(chapter)
-    return Markup("")
 
 
 Chapters = Mapping[str, Chapter]
@@ -124,10 +109,7 @@ class Edition:
         return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
-        """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``plugins``.
-
-        What can't be said of what was measured is said as if nothing had been.
-        """
+        """Put a page's own texts into words; what can't be said is said as if nothing had been measured."""
         found = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
         told = {anchor: _worded(anchor, text, self._told(anchor, names)) for anchor, text in found.items()}
         said: list[Prose] = []
@@ -148,26 +130,17 @@ class Edition:
     def _prose(
         self, level: int, anchor: str, text: Text, told: Mapping[str, Section], names: Mapping[str, Any]
     ) -> Prose:
-        """Put one text into words, which may need claims of all texts ``told`` of its page."""
         section, sections = told[anchor], {name: chapter.section for name, chapter in self.chapters.items()}
-        mark = partial(stale_mark, self.chapters.values())
-        claims = {  # the one called ``title`` has no mark where it rests on a stale section
-            claim.name: claim.html(anchor) + ("" if claim.name == "title" else mark(claim.outcome.reads))
-            for claim in section.claims
-        }
         known = {
             "release": self.project.release,
             "sections": _Names({name: chapter.names for name, chapter in self.chapters.items()}),
-            **_things(anchor, {**told, **sections}, mark),
-            "claim": _finder(anchor, "claim", claims),
+            **_things(anchor, {**told, **sections}),
+            "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
         }
         return text.prose(anchor, {**known, **self.plugins.names(section), **names}, level)
 
     def _told(self, name: str, names: Mapping[str, Any]) -> Section:
-        """Return what ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives.
-
-        Where what was measured lacks what it is about it tells nothing, and is named.
-        """
+        """Return what ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
         file = file_of(config().story, name) if config().story else None
         arguments = files().source(file, name).top.get("derive", 0) if file else 0
         if not (file and arguments):
@@ -222,38 +195,22 @@ def editions_of(
 
 def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
     """Derive what the results of one release make by themselves: what compares releases has its results alone."""
-    floors: dict[str, Floor] = {}
-    records: list[tuple[State, Record]] = []
-    measurements = Measurements()
-    left_out: list[State] = []
-    for state in states_of(project):
-        try:
-            if state.record and state.section == NOISE:
-                floors |= floors_of(state.record.rows, state.record.units)
-        except (ArithmeticError, LookupError, TypeError, ValueError) as error:
-            lost = LostError(f"no noise can be told from it ({type(error).__name__}: {error})")
-            state = _left_out(project, state, lost)
-        if state.record:
-            records.append((state, state.record))
-        else:
-            left_out.append(state)
+    states, measurements = states_of(project), Measurements()
+    left_out = [state for state in states if not state.record]
+    tracked = {state.section: state.record for state in states if state.record}
     try:  # what a manifest that can't be read says is missed is missed unseen
         read_manifest(project.results)
     except RecordError as error:
         left_out.append(State(MANIFEST, "damaged", notes=(str(error),)))
     try:
-        tracked = {state.section: record for state, record in records}
         measurements = measurements_of(project, tracked, cache or DerivedCache())
     except RecordError as error:
         left_out.append(State(FOLDER, "damaged", notes=(str(error),)))
-    apart = measurements.apart
-    measured = [
-        (
-            state,
-            Results(record, project.record_path(state.section), floors=floors, apart=apart.get(state.section, Apart())),
-        )
-        for state, record in sorted(records, key=lambda each: outline_of(each[0].section).order)
-    ]
+    floors, apart, measured = floors_in(tracked), measurements.apart, []
+    for state in sorted(states, key=lambda each: outline_of(each.section).order):
+        if state.record:
+            path, known = project.record_path(state.section), apart.get(state.section, Apart())
+            measured.append((state, Results(state.record, path, floors=floors, apart=known)))
     edition = Edition(project, {}, left_out, cache or DerivedCache(), measurements=measurements)
     return _with_chapters(edition, measured, {}, templates)
 
@@ -275,10 +232,7 @@ def _with_chapters(
 def _chapter(
     edition: Edition, state: State, results: Results, told: Chapters, releases: Releases, templates: Templates
 ) -> Chapter:
-    """Derive a section and put it into words; one that compares, without ``releases``, has its results alone.
-
-    It may read those of the chapters ``told`` that stand before it; its words may ask of all whether a claim holds.
-    """
+    """Derive a section, from those ``told`` that it reads, and put it into words; one that compares takes releases."""
     project, name, outline = edition.project, state.section, outline_of(state.section)
     before = dict(takewhile(lambda item: item[0] != name, told.items()))
     before = {other: before[other] for other in (before if outline.compares else outline.reads) if other in before}
@@ -296,7 +250,8 @@ def _chapter(
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
-    section = edition.measurements.confirmed(name, entry.section)
+    tables = {key: thing.of(releases) if hasattr(thing, "of") else thing for key, thing in entry.section.tables.items()}
+    section = edition.measurements.confirmed(name, replace(entry.section, tables=tables))
     section = section.worded(name, text.name, text.words, outline.source)
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
@@ -311,14 +266,11 @@ def _chapter(
     # Others read its claims, whose outcomes its words have a part in, and none of its words.
     outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
     digest = digest_of([entry.digest, outcomes, state.notes])
-    if not outline.compares:
-        edition.cache.tell(project.release, section, name)
     prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
 
 
 def _digests(places: Releases) -> list[str]:
-    """Return a text for each chapter, by which others know whether it is the same."""
     return [f"{place} {name} {each.digest}" for place, told in places.items() for name, each in told.items()]
 
 
@@ -331,8 +283,7 @@ def results_digest(results: Results) -> str:
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """Say why a section can't be shown, for the rest of the page stands without it.
 
-    Damaged is what is not as it was measured: all else is a fault of code, which has a line. What is wrong with a
-    section's code or its words, whatever was measured, stops the build where the record is fresh and the project's own.
+    What is wrong with its code or its words stops the build where the record is fresh and the project's own.
     """
     is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError | LostError)
     if is_wrong and state.kind == "fresh" and project.is_own:
@@ -343,14 +294,8 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 
 
-def _things(
-    own: str, sections: Mapping[str, Section], mark: Callable[[frozenset[str]], Markup] = lambda reads: Markup("")
-) -> dict[str, Callable[..., Any]]:
-    """Find tables and figures of the section ``own`` for its words, say its passages, and which claims hold.
-
-    That is asked of ``claim``, its own, or of ``section.claim``; what was not measured does not hold. A passage has a
-    ``mark`` by what it rests on.
-    """
+def _things(own: str, sections: Mapping[str, Section]) -> dict[str, Callable[..., Any]]:
+    """Find tables and figures of the section ``own`` for its words, say its passages, and which claims hold."""
     section = sections[own]
 
     def find(name: str, claim: str) -> Claim | None:
@@ -368,7 +313,7 @@ def _things(
         return found is not None and found.outcome == HOLDS
 
     finders = {"table": _finder(own, "table", section.tables), "figure": _finder(own, "figure", section.figures)}
-    return {"holds": holds, "passage": teller(find, mark), **finders}
+    return {"holds": holds, "passage": teller(find), **finders}
 
 
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:

@@ -8,9 +8,8 @@
 
 A need is a claim that holds, or one with an outcome behind it: ``fails``, or ``opposite``. A passage may print numbers
 of the claims that it needs, by ``section.claim.number``, and what it names itself: a ``cell``, a ``value``, a ``row``.
-Where a need is not met, or a number not there, what is under ``otherwise`` is said, or else what these claims say
-themselves. On one line of a template a passage is a part of a paragraph, on several it is whole ones. One that answers
-a question says which, ``{% passage needs="tower.leans" answer="why" %}``: its element has that as ``data-answer``.
+Where a need is not met, what is under ``otherwise`` is said, or else what these claims say themselves. On one line a
+passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` behind needs is its ``data-answer``.
 """
 
 import re
@@ -97,11 +96,8 @@ def _attribute(parser: Parser, name: str) -> str:
     return parser.stream.expect("string").value
 
 
-def teller(find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[str]], Markup]) -> Callable[..., str]:
-    """Make what says the passages of a template of the claims that ``find`` finds by section and name.
-
-    ``mark`` is shown behind a passage that stands, by the pointers to what its claims have read.
-    """
+def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
+    """Make what says the passages of a template of the claims that ``find`` finds by section and name."""
 
     @jinja2.pass_context
     def passage(
@@ -113,7 +109,7 @@ def teller(find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[s
         caller: Callable[..., str],
     ) -> str:
         printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
-        said, stale, start = None, Markup(""), len(printed)
+        said, start = None, len(printed)
         there = {need: claim for need, claim in claims.items() if claim}
         if len(there) == len(claims):  # rendered as well where another story is told: with other numbers it is this
             said = caller(*_numbers(there))
@@ -127,7 +123,6 @@ def teller(find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[s
                 count = len(printed)
                 otherwise()
                 del printed[count:]
-            stale = mark(frozenset().union(*(claim.outcome.reads for claim in there.values())))
         elif otherwise:
             return otherwise()
         elif len(there) == len(claims):  # what was not measured is listed on the page, and is no other answer
@@ -137,14 +132,13 @@ def teller(find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[s
             return Markup("")
         element, edge = ("span", "") if is_inline else ("div", "\n\n")
         opened = macros().passage(element, ", ".join(map(str, claims)), stands, answer)
-        before, *behind = (token(printed, end) for end in (opened, *filter(None, [stale]), Markup(f"</{element}>")))
-        return Markup(edge.join(["", before, said.strip(), *behind, "" if is_inline else "\n"]))
+        before, behind = (token(printed, end) for end in (opened, Markup(f"</{element}>")))
+        return Markup(edge.join(["", before, said.strip(), behind, "" if is_inline else "\n"]))
 
     return passage
 
 
 def _numbers(claims: Mapping[Need, Claim]) -> list[SimpleNamespace]:
-    """Collect what a passage can name of the claims, by section, in the order of their names."""
     found: dict[str, dict[str, Any]] = {}
     for need, claim in claims.items():
         found.setdefault(need.section, {})[need.claim] = SimpleNamespace(**claim.numbers)

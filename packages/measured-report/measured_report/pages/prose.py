@@ -1,7 +1,4 @@
-"""The page: templates of Markdown with values in it, made into HTML.
-
-What a template prints passes as a token between two private characters, so that none of it is taken for Markdown.
-"""
+"""The page: templates of Markdown, made into HTML; what one prints passes as a token, and is never Markdown."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -18,16 +15,25 @@ from markupsafe import Markup, escape
 
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, references
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
-from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_typed, token
+from measured_report.parts.words import (
+    CLOSE,
+    OPEN,
+    Wording,
+    WordTags,
+    refuse_typed,
+    refuse_unrounded,
+    token,
+    with_formulas,
+)
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
-"""Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which
-may extend ``layout/NAME``."""
+"""Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
 TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")
 """Stands alone in its paragraph where it may be a block."""
@@ -49,7 +55,6 @@ class Prose:
     printed: list[Any]
     anchor: str
     headings: list[tuple[str, Markup]]
-    """Id and text of each heading right below the title."""
 
     @property
     def figures(self) -> list[Figure]:
@@ -75,7 +80,6 @@ class Text:
     name: str
     template: jinja2.Template
     words: Mapping[tuple[str, str], Wording]
-    """What it says of claims, figures and tables, by kind and name."""
 
     def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
         """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
@@ -87,7 +91,7 @@ class Text:
             "baselevel": level,
             "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),
         }
-        markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": slugs})
+        markdown = Markdown(extensions=["toc", "fenced_code", "tables"], extension_configs={"toc": slugs})
         body = HEADING.sub(SELF, TITLE.sub("", markdown.convert(text)))
         body = body.replace("<pre>", '<pre tabindex="0">')  # what may be wider is scrolled with the keyboard too
         if len(markdown.toc_tokens) != 1 or not text.lstrip().startswith("# "):
@@ -122,7 +126,8 @@ class Templates:
 
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._loader.get_source(self._prose, name)
-        refuse_typed(source)
+        refuse_typed(source := with_formulas(source))
+        refuse_unrounded(source)
         code = self._prose.compile(source, name, path)
         template = jinja2.Template.from_code(self._prose, code, self._prose.make_globals(None))
 
@@ -143,9 +148,10 @@ class Templates:
             return self._layout.get_template(template).render(names)
 
 
-def stylesheet() -> str:
-    """Return the styles of pages, which begin with those that drawings have as files."""
-    return "\n".join((LAYOUT / name).read_text(encoding="utf-8") for name in ("theme.css", "style.css"))
+def stylesheet(root: Path = ROOT) -> str:
+    """Return the styles of pages: first those that drawings have as files, last the report's own."""
+    paths = (LAYOUT / "theme.css", LAYOUT / "style.css", root / "static" / "style.css")
+    return "\n".join(path.read_text(encoding="utf-8") for path in paths if path.is_file())
 
 
 @contextmanager
@@ -155,6 +161,8 @@ def _named(template: str) -> Iterator[None]:
         yield
     except jinja2.TemplateNotFound as error:
         raise ReportError(f"there is no templates/{error.name}") from None
+    except UnicodeDecodeError as error:
+        raise ReportError(f"templates/{template}: {error}") from None
     except jinja2.TemplateSyntaxError as error:
         raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
     except jinja2.TemplateError as error:

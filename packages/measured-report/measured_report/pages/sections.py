@@ -1,8 +1,4 @@
-"""Section modules and the pages that they are on: a module is found, asked what it is, and given its results.
-
-``report.toml`` has the pages of a release in their order. Each is a table with a ``name``, the ``label`` of what leads
-to it (without one its name), and its ``texts`` (without any ``pages/NAME.md.j2``).
-"""
+"""Section modules and the pages that they are on: a module is found, asked what it is, and given its results."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -60,7 +56,8 @@ class Outline:
     page: Page
     """The page that it names, or else the first that takes sections."""
     compares: bool
-    """Set where it compares releases: its ``derive`` then takes them as a second argument."""
+    """Set where it compares releases: its ``derive(results, releases)`` then takes them as well, as
+    ``releases["1.4.0"]["friction"].results``."""
     leads: bool
     """Set where its page begins with it, wherever its order has it: it says what the others there come to."""
     label: str
@@ -102,7 +99,7 @@ class Read(Mapping[str, Results]):
     outline: Outline
     there: Mapping[str, Results]
 
-    def __getitem__(self, name: str) -> Results:
+    def __getitem__(self, name: str) -> Results:  # which ``in`` and ``get`` ask as well
         if name not in self.outline.reads and not self.outline.compares:
             raise ReportError(f"{self.outline.source} reads {name}, which its line reads = (...) does not name")
         if outline_of(name).order >= self.outline.order:

@@ -2,9 +2,10 @@
 
     {% stated sea_level %} The sea rises by 3 to 4 mm a year. {% endstated %}
 
-``templates/sources.toml`` has a table for each name: ``url``, or ``package``, ``version``, ``file`` below its folder,
-``line``, and an ``excerpt`` that this line must hold. Its table ``packages`` has the address of a package's files, with
-``{version}``, ``{file}`` and ``{line}``. A page numbers its statements and lists their sources at its end.
+``templates/sources.toml`` has a table for each name: ``url`` with a ``title``, or ``package``, ``version``, ``file``
+below its folder, ``line``, and an ``excerpt`` that this line must hold. Its table ``packages`` has the address of a
+package's files, with ``{version}``, ``{file}`` and ``{line}``. A page numbers its statements and lists their sources at
+its end.
 """
 
 from collections.abc import Callable, Mapping
@@ -30,12 +31,12 @@ class Reference:
     """Lead to the source of a statement: an address, and for a package's file the line in it."""
 
     url: str = ""
+    title: str = ""
     package: str = ""
     version: str = ""
     file: str = ""
     line: int = 0
     excerpt: str = ""
-    """One line of the file, or a part of one."""
 
 
 def references(templates: Path) -> Mapping[str, Reference]:

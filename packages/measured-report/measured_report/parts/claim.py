@@ -18,8 +18,7 @@ from measured_report.values.format import ABSENT
 from measured_report.values.quantities import Quantity, mixed
 
 NEAR_NOISE = 2.0
-"""Chosen: beyond the noise, but up to so many times it, a difference can't tell. The noise is the largest difference
-among some tens of runs, and measured again some other pair differs more."""
+"""Chosen: beyond the noise, but up to so many times it, a difference can't tell: some other pair may differ more."""
 LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')
 """A number that is not there as it is printed, with its reason."""
 
@@ -47,7 +46,6 @@ class Outcome:
 
     name: str
     reason: str = ""
-    """Says why it is unknown."""
     is_inconclusive: bool = False
     """Unknown for being near the noise, so that the same measured again may be decided."""
     is_opposite: bool = field(default=False, compare=False)
@@ -85,7 +83,6 @@ class Claim:
     numbers: Mapping[str, Any] = field(default_factory=dict)
     """Quantities, and texts and flags."""
     wording: Wording | None = None
-    """The words of the section's template, once they are known."""
     confirmed: str = ""
     """Says how many measurements agree, where there are several."""
     effect: Outcome = HOLDS
@@ -93,11 +90,7 @@ class Claim:
 
     @cached_property
     def sentence(self) -> Markup:
-        """Word the outcome.
-
-        Where it is unknown, what the claim asks cannot be told, and why; where it fails and only the opposite has
-        words, it is not shown.
-        """
+        """Word the outcome; one that is unknown, or fails without words for that, by what the claim asks."""
         parts = ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
         if said := next(filter(None, map(self.said, parts)), Markup("")):
             return said
@@ -159,10 +152,7 @@ def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
 
 
 def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "") -> Outcome:
-    """Test whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell.
-
-    The ``noise`` that nobody names is the larger one of theirs.
-    """
+    """Test whether ``a`` is greater than ``b``; less is the opposite, and within the noise it can't tell."""
     return decreases([a, b], noise=_noise_of(a, b) if noise is None else noise, why=why)
 
 
@@ -223,11 +213,7 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
 
 
 def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", compares: bool = True) -> Outcome:
-    """Return what ``judge`` says of them where all are there and may be compared; having read them in any case.
-
-    A plain number has the unit of those that are quantities, and was chosen for ``why``. What ``compares`` numbers
-    refuses those of several units.
-    """
+    """Return what ``judge`` says of them where all may be compared; a plain number was chosen for ``why``."""
     unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
     assert why or all(isinstance(number, Quantity) for number in numbers), "a bound that is a number needs its why"
     quantities = [
@@ -252,10 +238,7 @@ def _absent(*quantities: Quantity) -> Outcome | None:
 
 
 def all_of(*outcomes: Outcome) -> Outcome:
-    """Hold when all hold; one that fails decides, otherwise one that can't tell.
-
-    Of those that fail one that is not shown comes first: no more is said than the weakest of them allows.
-    """
+    """Hold when all hold; one that is not shown decides, then one whose opposite is, then one that can't tell."""
     reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
     bounds = tuple(dict.fromkeys(bound for outcome in outcomes for bound in outcome.bounds))
     order = ("not shown", "the opposite", "cannot tell", "holds")

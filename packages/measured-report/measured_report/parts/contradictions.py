@@ -1,7 +1,6 @@
-"""Pairs of claims that may not both be said, and claims whose words point back at another.
+"""Pairs of claims in ``templates/pairs.toml``, such as ``["gap.not_the_cause holds", "stiffness.cause fails"]``.
 
-``templates/pairs.toml`` has ``contradict`` and ``needs``, lists of pairs such as ``["gap.not_the_cause holds",
-"stiffness.cause fails"]``. Of ``contradict`` not both may be said; of ``needs`` the first not without the second.
+Of those that ``contradict`` not both may be said; of ``needs`` the first not without the second.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,7 +13,6 @@ from measured_report.parts.words import table_beside
 NAME = "pairs.toml"
 KINDS = ("contradict", "needs")
 Pairs = Mapping[str, Sequence[tuple[str, str]]]
-"""Pairs of claims by kind."""
 
 
 def pairs_of(templates: Path) -> Pairs:

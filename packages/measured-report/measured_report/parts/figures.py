@@ -76,7 +76,6 @@ LONGEST_NAME, LONGEST_LINE = 18, 36
 _told: dict[str, list[str]] = {}
 """Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
 _screen = SimpleNamespace(is_narrow=False)
-"""The screen that it is being drawn for."""
 
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
@@ -90,7 +89,6 @@ PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")
 """A hundredth of a point is enough for anything that is drawn."""
 FONTS = re.compile(r" font-family: [^;\"]*;")
-"""The page has its own."""
 UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
 COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
 LETTER = re.compile(r"[^\W\d_]")
@@ -117,10 +115,7 @@ def plain_labels(*, digits: int = 6) -> ticker.FuncFormatter:
 
 
 def write(quantity: Quantity, *, is_short: bool = False) -> str:
-    """Write a number, without its unit, for the figure that is being drawn, which then says where it is from.
-
-    If ``is_short`` there is room for no more than four characters.
-    """
+    """Write a number, if ``is_short`` in four characters, for the figure being drawn, which says where it is from."""
     text = format_short(quantity.number) if is_short else quantity.written
     if quantity.source:
         _told.setdefault(text, []).append(quantity.source)
@@ -142,10 +137,7 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
 
 
 def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Any]:
-    """Make a figure of ``width`` × ``height`` inches, and the axes, or the array of them, of ``Figure.subplots``.
-
-    For a narrow screen panels that are side by side are put one above the other, in an array of the same shape.
-    """
+    """Make a figure of ``width`` × ``height`` inches and its axes; for a narrow screen panels stand on each other."""
     rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
     width = min(width, NARROW_WIDTH) if is_narrow() else width
     if rows * columns == 1 or not is_narrow():
@@ -219,10 +211,7 @@ def own_style(settings: Mapping[str, Any]) -> AbstractContextManager:
 
 
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
-    """Draw the figure for broad and for narrow screens, each in SVG: the same data give the same bytes.
-
-    Their ids begin with ``name``, those of the narrow one with ``narrow-`` before it.
-    """
+    """Draw the figure for broad and for narrow screens in SVG whose ids begin with ``name``: always the same bytes."""
     found = []
     try:
         for kind, prefix in (("broad", ""), ("narrow", "narrow-")):
@@ -276,10 +265,7 @@ def _trimmed(drawing: Drawing) -> Drawing:
 
 
 def _linked(svg: str) -> str:
-    """Return the drawing with each text saying where its numbers are from, and each tick that it is one.
-
-    Numbers that are written alike come in the order in which they were written.
-    """
+    """Return the drawing with each text saying where its numbers are from, and each tick that it is one."""
     numbers = {text: whole(escape(text)) for text in _told}
     longest_first = sorted(_told, key=len, reverse=True)
     groups: list[bool] = []

@@ -1,6 +1,5 @@
 """Macros: the HTML of what a section prints, ``pages/layout/parts.html.j2``; and a drawing as they show it."""
 
-from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -32,18 +31,6 @@ class Picture(NamedTuple):
     view: str
     """The box that it shows, as an SVG element has it."""
     content: Markup
-
-    def __html__(self) -> Markup:
-        return self.html("", ())
-
-    def html(self, alt: str, sources: Sequence[str]) -> Markup:
-        """Show it on a page, with what it says to whoever can't see it and where the numbers in that are from."""
-        return macros().drawing(self, alt, sources)
-
-    @property
-    def file(self) -> str:
-        """Return it as a file: an image has the scheme of the page that it is on, and nothing else of it."""
-        return macros().drawing_file(self)
 
     @property
     def size(self) -> list[int]:

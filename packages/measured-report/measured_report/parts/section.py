@@ -75,12 +75,9 @@ class Table(_Captioned):
 
 
 class _Column(NamedTuple):
-    """Hold all that the cells of a column have in common."""
-
     name: str
     has_numbers: bool
     unit: str
-    """Empty where its numbers have several, and can't be compared."""
     places: int
     """The most digits behind a point."""
 
@@ -114,7 +111,6 @@ def _column(name: str, cells: "pd.Series") -> _Column:
 
 
 def _place_count(number: Quantity) -> int:
-    """Count the digits behind the point of a number as it is written."""
     found = FRACTION.search(number.written if number.source else "")
     return len(found[1]) if found else 0
 
@@ -131,9 +127,7 @@ class Figure(_Captioned):
     """Named by its caption and its alternative text."""
     wording: Wording | None = None
     anchor: str = ""
-    """Id, unique on the page."""
     drawn_by: str = ""
-    """Path of the code that draws it."""
     pictures: Pictures | None = None
     """None where it is not kept, and still to be drawn."""
 
@@ -182,10 +176,7 @@ class Figure(_Captioned):
         return drawing
 
     def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
-        """Show the figure as it is drawn, where anything of it exists.
-
-        Drawings that are files are at ``address``, but for how their names end; ``root`` is the way to the site's root.
-        """
+        """Show the figure, where anything of it exists; drawings that are files are at ``address``."""
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
@@ -200,23 +191,18 @@ class Figure(_Captioned):
         links = [(file, name if names.count(name) == 1 else file) for file, name in zip(files, names, strict=True)]
         return macros().figure(self, self._spoken(pictures, address), links, f"{root}data/")
 
-    @property
-    def undrawn(self) -> Markup:
-        """Return its caption, for whoever only reads."""
-        return macros().undrawn(self)
-
     def _spoken(self, pictures: Pictures | None, address: str) -> Markup:
         """Return the pictures with what they say to whoever can't see them, and where the numbers in that are from."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
         assert pictures, f"the figure {self.anchor} is not drawn yet"
         drawn = [picture for picture in pictures if isinstance(picture, Picture)]
         if not drawn:  # what is said in its place
-            return Markup("").join(pictures)
+            return Markup("").join(each for each in pictures if not isinstance(each, Picture))
         words = self.wording("alt", self.numbers)
         alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
         if address:
             return macros().picture(address, *(picture.size for picture in drawn), alt, sources)
-        return Markup("").join(picture.html(alt, sources) for picture in drawn)
+        return Markup("").join(macros().drawing(picture, alt, sources) for picture in drawn)
 
 
 @dataclass(frozen=True)
@@ -254,10 +240,7 @@ class Section:
     def worded(
         self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], drawn_by: str = ""
     ) -> "Section":
-        """Give it the words of the template ``place``; ReportError unless things and words are those of each other.
-
-        The ids of its figures begin with ``anchor``; all have the same ``drawn_by``.
-        """
+        """Give it the words of the template ``place``; ReportError unless things and words are those of each other."""
         things = {"claim": {claim.name: claim for claim in self.claims}, "figure": self.figures, "table": self.tables}
         for (kind, name), wording in words.items():
             if name not in things[kind] and name not in self.unmeasured:

@@ -8,11 +8,10 @@
     {% endclaim %}
 
     {% figure tower %} The tower from the south. {% alt %} It leans by {{ angle }}. {% endfigure %}
-
     {% table cases %} All cases. {% endtable %}
 
-A claim may have ``{% opposite %}`` beside ``{% fails %}`` or in place of it, for a test that shows it.
-Each stands where it is printed. Its parts can name what Python hands over with it, and nothing else.
+``{% opposite %}`` may stand beside ``{% fails %}``, or in its place. Parts name what Python hands over, nothing else; a
+number behind *at most* or *up to* is ``{{ angle.most }}``, behind *at least* ``{{ angle.least }}``.
 """
 
 import re
@@ -48,6 +47,14 @@ TYPED = re.compile(
     r"(?:[nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?|[mk][AV]|min|times|[%°×x])(?!\w)"
 )
 """A number with the unit of one that is measured."""
+FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)
+"""A formula in TeX; those in code are none."""
+BOUNDS = {
+    "at most|within|no more than|not more than|up to|as much as": (".most",),
+    "at least|no less than|not less than": (".least",),
+    "more than|less than": (".most", ".least"),  # which of them depends on what the sentence denies
+}
+"""Words that bound the number behind them, and how it is rounded there."""
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
 """Names that Jinja has for itself, so that what is given under them is never said."""
 
@@ -57,11 +64,9 @@ class Wording:
     """Hold what a template says of one claim, figure or table."""
 
     place: str
-    """File and line."""
     blocks: Mapping[str, str]
     """Names of its blocks by part."""
     names: frozenset[str]
-    """Names in all parts."""
     render: Callable[[str, Mapping[str, Any]], Markup] | None = None
     """Renders the block of a name with what it can name; None until the template is compiled."""
 
@@ -80,10 +85,7 @@ class Wording:
 
 
 class WordTags(Extension):
-    """Add the tags: each part becomes a block that is printed by name, and the whole a call that prints it in place.
-
-    What a template says is then in the environment's ``wordings``, by the template's name, and by kind and name.
-    """
+    """Add the tags: each part becomes a block, and the whole a call; ``wordings`` has them by template, kind, name."""
 
     tags = set(PARTS)  # noqa: RUF012, as Jinja has it
 
@@ -129,6 +131,37 @@ def refuse_typed(source: str) -> None:
         line = words.count("\n", 0, found.start()) + 1
         number = " ".join(found[0].split())
         raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
+
+
+def with_formulas(source: str) -> str:
+    """Write as MathML what a template has in TeX between dollars, and between two of them what is set apart."""
+
+    def written(found: re.Match) -> str:
+        if not (tex := found[1] or found[2]):
+            return found[0]
+        from latex2mathml.converter import convert  # few templates have any
+
+        try:
+            formula = convert(tex, display="block" if found[1] else "inline")
+        except Exception:  # it has no one error, and no words for any
+            formula = "\\"
+        if "\\" in formula:
+            raise TemplateSyntaxError(
+                f"{tex:.60} is no TeX that is known here", source.count("\n", 0, found.start()) + 1
+            )
+        return f"<span>{formula}</span>"
+
+    return FORMULA.sub(written, source)
+
+
+def refuse_unrounded(source: str) -> None:
+    """Refuse a number that words bound and that could be rounded to their wrong side."""
+    for words, ends in BOUNDS.items():
+        words = words.replace(" ", r"\s+")
+        for found in re.finditer(rf"\b(?:{words})\s+(?:a factor of\s+)?\{{\{{\s*(.*?)\s*\}}\}}", source, re.IGNORECASE):
+            if not found[1].endswith(ends):
+                line = source.count("\n", 0, found.start()) + 1
+                raise TemplateSyntaxError(f"{' '.join(found[0].split())} takes {' or '.join(ends)}", line)
 
 
 def token(printed: list[Any], thing: Any) -> Markup:

@@ -1,8 +1,7 @@
 """Code: what the definitions of a program do, found by reading its files and never by running them.
 
-A definition is a function, a class or a constant of a module. Its digest is made of its syntax tree without comments,
-docstrings and the texts of errors, and of the digests of what its names mean in the place of these names. So it stays
-the same when the definition, or what it names, moves to another file or gets another name.
+A function, class or constant of a module has the digest of its syntax tree, with the digests of what its names mean in
+the place of these. So it stays the same when it, or what it names, moves to another file or gets another name.
 """
 
 import ast
@@ -25,10 +24,8 @@ from measured_report.records.syntax import EFFECTS, Definition, Definitions, Rea
 CARRIED = "measured_report"
 """The package that carries calls to where they are made: nothing of it changes what they return."""
 ROUNDS = 3
-"""So many steps away from a definition what its names mean counts for its digest; what lies farther counts by itself,
-as all does that is reached."""
+"""So many steps from a definition what its names mean counts for its digest; what lies farther counts by itself."""
 Node = tuple[str, str]
-"""A file, and a name that it defines."""
 
 _known: dict[str, Any] = {}
 """What was read of modules, by the digest of that and of their names and texts: every section imports the same few."""
@@ -76,7 +73,6 @@ def cached_sources(root: Path = ROOT) -> Iterator[None]:
 
 
 HERE = str(Path(__file__).resolve().parents[2])
-"""The folder that this program lies in."""
 
 
 class Graph:
@@ -170,7 +166,6 @@ class Graph:
         return [self._meaning(node[0], each, name) for each in self.definitions(node) for name in each.names]
 
     def _meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
-        """Find what of this project a name stands for, or what it is called elsewhere."""
         first, _, rest = name.partition(".")
         if first in self.defined(file) and first not in definition.imports:
             return [(file, first)]

@@ -1,12 +1,4 @@
-"""Columns: what is known of the numbers in a column, by its name.
-
-The name ends in their unit; all else is declared in ``report.toml``, for columns or patterns of their names:
-
-    [[columns]]
-    names = ["height_mm"]
-    better = "less"
-    resolution = 1e-3
-"""
+"""Columns: what is known of the numbers in a column: the end of its name is their unit, the rest in ``report.toml``."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -26,8 +18,7 @@ UNITS = _LENGTHS | _TIMES | _OTHERS | dict(config().units)
 """Unit by the end of a column's name; the longest end that fits counts."""
 
 SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|min|h|°C?|%|1|dB)[²³]?")
-"""A unit that nobody has to declare; several make one with ``/`` and ``·``. Numbers are compared in one unit or not at
-all, and never converted: they stand as they were measured, so that no library for units is needed."""
+"""A unit that nobody declares; several make one with ``/`` and ``·``. Numbers are never converted, so this is all."""
 PLAIN = "1"
 """The unit of a number whose column names none."""
 LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}

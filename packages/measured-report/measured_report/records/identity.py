@@ -1,16 +1,22 @@
 """Identity: what a section's numbers depend on, found by reading the sources and never by running them."""
 
 import hashlib
-from collections.abc import Mapping
+import json
+import os
+import subprocess
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from importlib import metadata
 from pathlib import Path
 from typing import Annotated
+from urllib.parse import unquote, urlparse
 
 from msgspec import Meta
 
+from measured_report.files.config import config
+from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 from measured_report.records.code import digest_of, files, roots_of
-from measured_report.records.provenance import package_changes, package_versions
 
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
 FileName = Annotated[str, Meta(pattern=r"\A(?!.*\.\.)[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
@@ -23,11 +29,9 @@ class Identity:
     """Holds digests of all that a measurement depends on, except the machine."""
 
     code: Digest
-    """Digest of the definitions that its ``measure`` may run; see ``code``."""
     config: Digest
     """Digest of the profile and of the assets that these name."""
     packages: Mapping[str, Version]
-    """Version by package."""
     profile: Profile = "full"
     files: Mapping[FileName, Digest] = field(default_factory=dict)
     """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
@@ -69,9 +73,87 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 
 
 def sections(root: Path = ROOT) -> list[str]:
-    """Name the sections: those that have a module, or a folder of modules, on the report's side."""
+    """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
     folder = root / "report" / "sections"
-    found = {path.stem for path in folder.glob("[!.]*.py")} | {
-        path.parent.name for path in folder.glob("*/__init__.py")
-    }
-    return sorted(found - {"__init__"})
+    found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
+    return sorted(name for name in found if not name.startswith(("_", ".")))
+
+
+SHORT_COMMIT = 7
+EDITED = ".edited"
+"""Behind a commit: a checkout of it differs."""
+MISSING = "missing"
+
+
+def package_versions() -> dict[str, str]:
+    """Return the version of each package here; of the first with its code, where that is not an index's."""
+    found = files().versions
+    if not found:
+        for package in config().packages:
+            try:
+                found[package] = metadata.version(package)
+            except metadata.PackageNotFoundError:
+                found[package] = MISSING
+        if found[config().edition] != MISSING and (source := _source()):
+            found[config().edition] += f"+{source}"
+    return dict(found)
+
+
+def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
+    """Say which packages are of another version than before, each with both."""
+    versions = {name: (before.get(name), after.get(name)) for name in config().packages}
+    return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
+
+
+def _source() -> str:
+    """Return the part of a version that names the code installed here; empty for a package from an index."""
+    found = json.loads(metadata.distribution(config().edition).read_text("direct_url.json") or "{}")
+    if "vcs_info" in found:
+        return f"g{found['vcs_info']['commit_id'][:SHORT_COMMIT]}"
+    address = found.get("url", "")
+    path = Path(unquote(urlparse(address).path))
+    if "dir_info" in found:
+        return checkout_source(path)
+    if address.startswith("file:"):
+        return wheel_source(path)
+    return ""
+
+
+def checkout_source(folder: Path) -> str:
+    """Name the commit that a checkout is at, with ``.edited.`` and the digest of its code if that differs."""
+    module, code = config().edition.replace("-", "_"), code_in(folder)
+    commit = git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]
+    if not commit:
+        return f"x{code}"
+    is_edited = git(folder, "status", "--porcelain", "--", module, f"src/{module}")
+    return f"g{commit}{EDITED}.{code}" if is_edited else f"g{commit}"
+
+
+def code_in(folder: Path) -> str:
+    """Digest the package's code in a checkout."""
+    module = config().edition.replace("-", "_")
+    paths = [path for place in (folder, folder / "src") for path in (place / module).rglob("*.py")]
+    return files_digest(paths, folder)[:SHORT_COMMIT]
+
+
+def wheel_source(path: Path) -> str:
+    return f"w{files_digest([path], path.parent)[:SHORT_COMMIT]}"
+
+
+def files_digest(paths: Iterable[Path], root: Path) -> str:
+    """Digest files, by their names below ``root`` and what they hold; folders are passed over."""
+    digest = hashlib.sha256()
+    for path in sorted(paths):
+        if path.is_file():
+            content = path.read_bytes()
+            digest.update(os.fsencode(f"{path.relative_to(root).as_posix()}\0{len(content)}\0") + content)
+    return digest.hexdigest()
+
+
+def git(folder: Path, *command: str) -> str:
+    """Return what git says in a folder; nothing where it has nothing to say, as outside of a repository."""
+    try:
+        done = subprocess.run(["git", "-C", folder, *command], capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        raise UsageError("git is not installed, and a checkout takes it") from None
+    return done.stdout.strip() if done.returncode == 0 else ""

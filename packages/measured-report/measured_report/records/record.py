@@ -16,8 +16,7 @@ from measured_report.files.atomic import RecordError, put_record, read_own_file,
 from measured_report.files.config import config
 from measured_report.files.errors import UNPRINTABLE
 from measured_report.records.columns import PLAIN, REASON, column_of, columns_of, number_problem, text_problem, units_of
-from measured_report.records.identity import Digest, Identity
-from measured_report.records.provenance import MISSING
+from measured_report.records.identity import MISSING, Digest, Identity
 
 SCHEMA = 1
 BYTE_LIMIT = 32 << 20
@@ -54,13 +53,10 @@ class Seal:
     """Binds a trace to its record."""
 
     digest: Digest
-    """SHA-256 of the file."""
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
 class _Machine(Struct):
-    """Names what is always noted of a machine."""
-
     device: Literal["cuda", "cpu"]
     gpu: Line | None
     driver: Line | None
@@ -69,14 +65,10 @@ class _Machine(Struct):
 
 
 class _Row(Struct):
-    """Names what each row has."""
-
     case: Line
 
 
 class _Measured(Struct):
-    """Names what is always noted of a measurement, and its times."""
-
     date: Time
     commit: Line | None
     command: Line
@@ -98,7 +90,6 @@ class Record:
     units: Mapping[Name, Line]
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
     traces: Mapping[Case, Seal] = field(default_factory=dict)
-    """Seal of each trace by its case."""
 
     @property
     def processor(self) -> str:
@@ -135,7 +126,7 @@ class Record:
 
     @property
     def origin(self) -> Origin:
-        return Origin(self.identity.packages.get(config().package, MISSING), self.processor)
+        return Origin(self.identity.packages.get(config().edition, MISSING), self.processor)
 
 
 def trace_path(record: Path, case: str) -> Path:
@@ -179,10 +170,7 @@ def record_text(record: Record) -> str:
 
 
 def load_record(path: Path) -> Record:
-    """Read the record at ``path``; RecordError, one line with its release and file, when it is damaged in any way.
-
-    The traces that it seals are there and are the ones that were measured with it.
-    """
+    """Read the record at ``path``; RecordError, one line, when it or a trace that it seals is damaged in any way."""
     record = read_record(read_own_file(path, BYTE_LIMIT), path)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)

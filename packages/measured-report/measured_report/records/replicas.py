@@ -20,7 +20,6 @@ SUMS = "SHA256SUMS"
 WHOLE = 0.9
 """Chosen: so large a share of the numbers is there again; runs at an edge may be lost."""
 Records = Mapping[str, Record]
-"""Records by section."""
 
 
 def packed(records: Iterable[Record]) -> bytes:

@@ -25,9 +25,7 @@ class Definition:
     names: tuple[str, ...]
     """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.height_mm``."""
     imports: Mapping[str, str]
-    """What it imports itself, by name."""
     assets: tuple[str, ...]
-    """Paths of assets that it names."""
     decorators: tuple[str, ...]
 
 
@@ -47,7 +45,6 @@ class Source:
 
 
 Definitions = Mapping[str, tuple[Definition, ...]]
-"""Those of one module by name."""
 
 
 class Reader:
@@ -81,7 +78,6 @@ class Reader:
         return {name: tuple(found) for name, found in definitions.items()}
 
     def _definition(self, node: ast.stmt, place: int) -> Definition:
-        """Find what defines the name that a statement binds at this place."""
         nodes = list(ast.walk(node))
         inner = {name: what for each in nodes for name, what, _ in self._named(each)}
         tree = Canonical(self._names | inner.keys(), {**self._imports, **inner})
@@ -204,8 +200,7 @@ class Canonical:
     """Makes plain tuples of a syntax tree, without comments, docstrings, positions and texts that are only printed.
 
     What a function binds is numbered in order of binding; a parameter that can be passed by name keeps it in the
-    signature. Fields that are empty or that only some Python versions know are left out: a record measured under one
-    Python has to be fresh under another.
+    signature. Fields that are empty, as those that only some Pythons know, are left out.
     """
 
     def __init__(self, names: Collection[str] = (), imports: Mapping[str, str] | None = None):
@@ -264,7 +259,6 @@ class Canonical:
         return GAP, *asked.split(".")[0 if self._names_count else 1 :]
 
     def _stands_for(self, name: str, scope: Scope) -> Any:
-        """Return what stands for a name where it is bound."""
         if name in scope.attributes:
             return name
         if name in scope.local:
@@ -314,7 +308,6 @@ class Canonical:
     visit_ListComp = visit_SetComp = visit_DictComp = visit_GeneratorExp = _comprehension
 
     def _within(self, scope: Scope, bound: Iterable[str], without: Collection[str] = ()) -> Scope:
-        """Return the scope within one, where other names are bound."""
         local = {name: number for name, number in scope.local.items() if name not in without}
         for name in dict.fromkeys(bound):
             local[name] = self._local_count

@@ -27,10 +27,7 @@ NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
 
 def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, bytes]:
-    """Pack a trace as it is kept beside ``record``, with its seal; a number that can't be kept is left empty.
-
-    It takes no pandas, which what is measured need not go with.
-    """
+    """Pack a trace as it is kept beside ``record``, with its seal, without pandas, which is not there."""
     text, place = io.StringIO(), short_path(trace_path(record, case))
     columns = {str(name): list(map(plain, cells)) for name, cells in table.items()}
     for name, cells in columns.items():

@@ -1,27 +1,24 @@
 """The site: the pages of every release that has results, each checked, then drawn, then all put in place as a whole."""
 
-import gc
 import hashlib
 from collections.abc import Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-from measured_report.changes.moves import blind_spots
-from measured_report.changes.names import refuse_unknown_names
+from measured_report.changes.query import blind_spots, refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
+from measured_report.files.atomic import digests_below, replace, staging_folder
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.files.staging import Draft, digests_below, replace, staging_folder
 from measured_report.pages.cache import DerivedCache, installed
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
-from measured_report.records.provenance import files_digest, package_versions
+from measured_report.records.identity import files_digest, package_versions
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.site.pages import Site, citation
 from measured_report.site.publish import SUMS, sums
@@ -44,30 +41,22 @@ class Built:
 
 
 def build(project: Project, address: str = "") -> dict[str, Built]:
-    """Write the site and say what it lacks, by release; until the site is whole, the one that was there stays.
-
-    The project's pages are the first of the site; those of other releases that have results lie in a folder each. What
-    was made before from the same is not made again. Where the site will lie is its ``address``, with a slash at its
-    end; empty where that is not known.
-    """
+    """Write the site, which may be known to lie at ``address``, whole or not at all; say what it lacks, by release."""
     cache = Cache(project.root)
-    with ExitStack() as stack, staging_folder(project.site) as fresh:
-        gc.disable()  # a build keeps what it makes, and is a tenth faster so
-        stack.callback(gc.enable)
+    with staging_folder(project.site) as fresh:
         digest, there = inputs_digest(project, address), digests_below(project.site)
         if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
             elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
         if kept := cache.get(BUILT, (digest, there)):
             return kept
-        draft = Draft(fresh)
         with cached_sources(project.root), unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = editions_of(project, templates, derived)
             refuse_unknown_names(editions, editions.get(project.own_release or project.release))
-            site = Site(draft, project.release, editions, templates, address, citation(), derived)
+            site = Site(fresh, project.release, editions, templates, address, citation(), derived)
             site.write()
-            draft.write(SUMS, sums(draft.digests))
+            (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
         replace(project.site, fresh)
         built = {
             release: Built(
@@ -77,7 +66,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             )
             for release, edition in editions.items()
         }
-        cache.put(BUILT, (digest, draft.digests), built)
+        cache.put(BUILT, (digest, digests_below(project.site)), built)
     return built
 
 

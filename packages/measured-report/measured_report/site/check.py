@@ -7,8 +7,7 @@ from urllib.parse import SplitResult, unquote, urlsplit
 
 from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT
-from measured_report.site.check_numbers import Data, check_bounds, check_numbers
-from measured_report.site.page_reader import SCRIPT, PageReader
+from measured_report.site.check_numbers import SCRIPT, Data, PageReader, check_numbers
 
 SCHEMES = {"", "http", "https", "mailto"}
 """Beginnings of links: a page may lead anywhere, but nothing that it leads to may run in it."""
@@ -28,15 +27,13 @@ def check_site(site: Path) -> list[str]:
 def _problems_of(site: Path) -> list[str]:
     problems = []
     files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])  # drawings are parts of pages
-    texts = {path.resolve(): path.read_text(encoding="utf-8") for path in files}
-    pages = {path: PageReader(text) for path, text in texts.items()}
+    pages = {path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in files}
     data = Data(site / "data")
     for path, page in pages.items():
         found = [*check_self_contained(page), *_check_links(page, path, pages, site)]
         unsaid = (claim["data-claim"] for claim in page.claims if claim.get("data-outcome") not in OUTCOMES)
         found += [f"the claim {name} has no outcome" for name in unsaid]
-        numbers = check_numbers(page, data)
-        found += numbers or check_bounds(texts[path], page, data)
+        found += check_numbers(page, data)
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
     for folder in {path.parent for path in pages if path.suffix == ".html"}:
         claims = [claim for path, page in pages.items() if path.parent == folder for claim in page.claims]

@@ -1,17 +1,17 @@
-"""Check of the numbers and bounds on a page, in sentences, tables and drawings: each is what its source says."""
+"""Check of the numbers on a page, in sentences, tables and drawings: each is what its source says."""
 
 import json
 import re
-from collections.abc import Iterator, Mapping
-from decimal import Decimal
+from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache, cached_property
+from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import config
 from measured_report.pages.sections import labels_of
 from measured_report.records.replicas import measurements_beside
-from measured_report.site.page_reader import PageReader
 from measured_report.values.format import (
     format_code,
     format_least,
@@ -20,12 +20,111 @@ from measured_report.values.format import (
     label_of,
     read_number,
     spellings,
-    undusted,
     whole,
 )
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
 from measured_report.values.scatter import Apart, apart
+
+SCRIPT = "page.js"
+"""The one script that pages run: the project's own, beside them."""
+
+FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "action", "formaction", "ping", "manifest"}
+"""Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
+ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal", "set", "animate"}
+"""Elements that run, hold another page, or change where links lead."""
+PICTURES = {"svg", "img", "video", "canvas"}
+
+
+@dataclass
+class Drawn:
+    """Holds a text of a drawing, or what it says to whoever can't see it, with pointers to its numbers."""
+
+    text: str
+    sources: list[str]
+    is_drawn: bool = True
+    """Set where there may be little room."""
+    is_tick: bool = False
+    """Set at an axis, where numbers are places and not measurements."""
+
+
+class PageReader(HTMLParser):
+    """Read the HTML of a page."""
+
+    def __init__(self, html: str):
+        super().__init__()
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.fetched: list[str] = []
+        self.scripts: list[str] = []
+        self.inline: list[str] = []
+        self.numbers: list[dict[str, str]] = []
+        self.drawn: list[Drawn] = []
+        self.cells: list[str] = []
+        self.claims: list[dict[str, str]] = []
+        self.styles = ""
+        self._open: list[str] = []
+        self._ticks: list[bool] = []
+        self.feed(html)
+
+    def handle_starttag(self, tag, attrs):
+        attributes = {name: value or "" for name, value in attrs}
+        self._open.append(tag)
+        is_inline = tag == "script" and not attributes  # judged by what it holds
+        self.inline += [""] if is_inline else []
+        # A file's bytes are checked where they lie, so that it need only be one of the site.
+        is_file = (
+            tag == "script" and attributes.get("src", "").endswith(".js") and attributes.keys() <= {"src", "defer"}
+        )
+        is_active = tag in ACTIVE and not is_inline and not is_file
+        if is_active or any(name.startswith("on") or name == "srcdoc" for name in attributes):
+            self.scripts.append(tag)
+        if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():
+            self.scripts.append(tag)
+        if tag == "script" and not is_inline:
+            self.fetched.append(attributes.get("src", ""))
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+        if "href" in attributes:
+            (self.links if tag == "a" else self.fetched).append(attributes["href"])
+        self.fetched += [value for name, value in attributes.items() if name in FETCHING]
+        self.styles += attributes.get("style", "")
+        if tag == "td":
+            self.cells.append("")
+        if tag == "g":
+            self._ticks.append(attributes.get("class") == "tick")
+        sources = attributes.get("data-src", "").split()
+        if tag == "text":
+            self.drawn.append(Drawn("", sources, is_tick=any(self._ticks)))
+        said = attributes.get("aria-label") or attributes.get("alt")
+        if tag in PICTURES and said:
+            self.drawn.append(Drawn(said, sources, is_drawn=False))
+        if tag == "data":
+            self.numbers.append({**attributes, "text": "", "in": "code" if "code" in self._open else ""})
+        if "data-claim" in attributes:
+            self.claims.append(attributes)
+
+    def handle_data(self, data):
+        tag = self._open[-1] if self._open else ""
+        if tag == "data":
+            self.numbers[-1]["text"] += data
+        if tag == "text":
+            self.drawn[-1].text += data
+        if "td" in self._open and not {"data", "code"} & set(self._open):
+            self.cells[-1] += data
+        if tag == "style":
+            self.styles += data
+        if tag == "script" and self.inline:
+            self.inline[-1] += data
+        elif tag == "script" and data.strip():
+            self.scripts.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag == "g" and self._ticks:
+            self._ticks.pop()
+        while self._open and self._open.pop() != tag:
+            pass
+
 
 WRITES = {"": format_number, MOST: format_most, LEAST: format_least}
 """Writers of numbers in words, by how the page says that they are written."""
@@ -33,19 +132,6 @@ RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 EDITION = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
 TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
 """Numbers in drawings and in their words that are names and formulas."""
-ABOVE = ("at most", "within", "no more than", "not more than", "up to", "as much as")
-BELOW = ("at least", "no less than", "not less than")
-SIDES = dict.fromkeys(ABOVE, MOST) | dict.fromkeys(BELOW, LEAST) | {"more than": LEAST, "less than": MOST}
-"""Sides from which words bound the number behind them."""
-NOT = re.compile(r"\b(?:no|not|nothing|none|never|neither|nor|nowhere|cannot|without)\b", re.IGNORECASE)
-"""Words that may turn *more than* and *less than* round, in the same sentence."""
-END = re.compile(r"[.;:]\s")
-WORDS = rf"\b({'|'.join(SIDES)})\s(?:a factor of\s)?"
-NUMBER = r'<data value="([^"]+)"([^>]*)>([^<]*)</data>'
-BEFORE = re.compile(WORDS + NUMBER, re.IGNORECASE)
-BEHIND = re.compile(rf"{NUMBER}(?:\s[^\s<]{{1,5}})?\s(at (?:most|least))\b")
-LAST = re.compile(WORDS + "$", re.IGNORECASE)
-OTHER_TAG = re.compile(r"<(?!/?data\b)[^>]*>")
 
 
 class Data:
@@ -119,7 +205,6 @@ def _check_written(page: PageReader, data: Data) -> list[str]:
 
 
 def _text(number: Mapping[str, str], kept: float | int | None, noise: float | None, data: Data) -> str:
-    """Write a number as it has to be where it is."""
     text, how = format_number(kept, noise=noise), number.get("data-as", "")
     if number["in"] == "code":
         return format_code(kept)
@@ -167,7 +252,6 @@ def _check_cells(page: PageReader, data: Data) -> list[str]:
 
 
 def _unnamed(text: str, data: Data) -> str:
-    """Return a text without names and formulas."""
     return data.names.sub("", TYPED.sub("", text))
 
 
@@ -175,53 +259,3 @@ def _resolve(data: Any, pointer: str) -> Any:
     for part in pointer.removeprefix("/").split("/"):
         data = data[int(part)] if isinstance(data, list) else data[part]
     return data
-
-
-def check_bounds(html: str, page: PageReader, data: Data) -> list[str]:
-    """Say which bounds of a page err, in its sentences and in the words of its drawings, a line each."""
-    text = OTHER_TAG.sub("", html).replace("&nbsp;", " ")
-    return [
-        f"{words} {written} errs: it is {value}"
-        for words, value, written, side in (*_bounds_said(text), *_bounds_drawn(page, data))
-        if written != SAME and _errs(Decimal(repr(undusted(float(value)))), written, side)
-    ]
-
-
-def _bounds_said(text: str) -> Iterator[tuple[str, str, str, str]]:
-    """Yield the words of each bound, its value, how that is written, and which bound it has to be, if that is plain."""
-    for found in BEFORE.finditer(text):
-        words, value, attributes, written = found.groups()
-        chosen = re.search(f'data-as="({MOST}|{LEAST})"', attributes)
-        yield words, value, written, _side(words, text, found.start()) or (chosen[1] if chosen else "")
-    for found in BEHIND.finditer(text):
-        value, _, written, words = found.groups()
-        yield words, value, written, SIDES[words]
-
-
-def _bounds_drawn(page: PageReader, data: Data) -> Iterator[tuple[str, str, str, str]]:
-    """Yield the same for drawings; what is written as a bound there, and is none, has no words."""
-    for drawn in page.drawn:
-        for value, noise in map(data.number, drawn.sources):
-            texts = dict.fromkeys(write(value, noise=noise) for write in WRITES.values()) if value is not None else ()
-            places = {text: found.start() for text in texts if (found := whole(text).search(drawn.text))}
-            for text in list(places)[:1]:
-                words = LAST.search(drawn.text[: places[text]])
-                if words:
-                    yield words[1], str(value), text, _side(words[1], drawn.text, words.start())
-                elif text not in spellings(value, noise):
-                    yield "", str(value), text, ""
-
-
-def _side(words: str, text: str, place: int) -> str:
-    """Return ``MOST`` or ``LEAST``; empty where what else the sentence says may turn it round."""
-    sentence = END.split(text[max(0, place - 400) : place])[-1] + END.split(text[place : place + 400])[0]
-    is_turned = words.lower() in ("more than", "less than") and NOT.search(sentence)
-    return "" if is_turned else SIDES[words.lower()]
-
-
-def _errs(value: Decimal, written: str, side: str) -> bool:
-    """Tell whether a number as it is written is on the wrong side of its value, or is none; any, without a side."""
-    said = read_number(written)
-    if said is None:
-        return True
-    return {MOST: said < value, LEAST: said > value}.get(side, said != value)

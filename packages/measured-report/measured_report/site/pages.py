@@ -4,27 +4,23 @@ import csv
 import io
 import json
 import re
-import uuid
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from datetime import timezone
 from functools import cached_property
 from itertools import chain
-from operator import itemgetter
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from measured_report.changes.flips import flips_between
-from measured_report.changes.rate import rate_of
-from measured_report.editions.replicas import replica_files
+from measured_report.changes.rate import rate_of, rate_values
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
-from measured_report.files.staging import Draft
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import Chapter, Edition
 from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
+from measured_report.pages.replicas import replica_files
 from measured_report.pages.sections import FRONT, Page
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.section import Pictures, draw
@@ -37,22 +33,17 @@ FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # as OWASP has it
 CARD = "card.png"  # the picture for links to the site
 ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
+LOGO = "static/logo.svg"
 FIELD = re.compile(r"^(title|license): *(.+)$", re.MULTILINE)
 AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-names: *(.+)$", re.MULTILINE)
 
 
-@dataclass(frozen=True)
-class Citation:
-    """Say how the report is cited, as ``CITATION.cff`` has it."""
+class Citation(NamedTuple):
+    """Say how the report is cited, as ``CITATION.cff`` has it, with names as people write them."""
 
     title: str
     license: str
     authors: tuple[str, ...]
-    """Names as people write them."""
-
-    @property
-    def names(self) -> str:
-        return " and ".join(filter(None, [", ".join(self.authors[:-1]), *self.authors[-1:]]))
 
 
 def citation() -> Citation:
@@ -89,7 +80,6 @@ class Link:
     edition: Edition
     base: str
     is_shown: bool
-    """Set for the other one itself."""
 
     @property
     def release(self) -> str:
@@ -115,7 +105,7 @@ class Link:
 class Site:
     """Write a site: the pages of ``shown`` are the first; ``editions`` are by release, oldest first."""
 
-    draft: Draft
+    folder: Path
     shown: str
     editions: Mapping[str, Edition]
     templates: Templates
@@ -133,8 +123,8 @@ class Site:
     def write(self) -> None:
         """Draw all figures, and write data and pages of all releases, and what is there once."""
         places = self.places
-        links = {release: _links(self.editions, places, release) for release in places}
-        contents = {release: _contents(self.editions[release], self.templates, links[release]) for release in places}
+        links = {release: links_of(self.editions, places, release) for release in places}
+        contents = {release: contents_of(self.editions[release], self.templates, links[release]) for release in places}
         pictures = _draw(contents, self.cache)
         for edition in self.editions.values():
             self._write_data(edition)
@@ -163,8 +153,9 @@ class Site:
             "address": self.address and f"{self.address}{place}",
             "root": edition.root,
             "folder": self.editions[self.shown].project.results.name,
-            "card": CARD if CARD in self.draft.digests else "",
+            "card": CARD if (self.folder / CARD).exists() else "",
             "icon": ICON if icon.is_file() else "",
+            "logo": LOGO if (edition.project.root / LOGO).is_file() else "",
             "citation": self.citation,
             "sources": config().repository,
             "measured_on": max((each.results.record.measured["date"][:10] for each in chapters), default=""),
@@ -183,12 +174,14 @@ class Site:
             }
             pages[content.page.file] = self.templates.layout("base.html.j2", {**known, **own})
         for file, html in pages.items():
-            self.draft.write(f"{place}{file}", local(html, self.shown))
-        self.draft.write(f"{place}style.css", stylesheet())
+            self._write(f"{place}{file}", local(html, self.shown))
+        self._write(f"{place}style.css", stylesheet(edition.project.root))
         for path in (LAYOUT / "page.js", *([icon] if icon.is_file() else [])):
-            self.draft.copy(f"{place}{path.name}", path)
+            self._write(f"{place}{path.name}", path)
+        for path in (path for path in (edition.project.root / "static").rglob("*") if path.is_file()):
+            self._write(f"{place}{path.relative_to(edition.project.root).as_posix()}", path)
         for download in chain.from_iterable(chapter.section.downloads for chapter in chapters):
-            self.draft.write(f"{place}download/{download.name}", download.text)
+            self._write(f"{place}download/{download.name}", download.text)
 
     def _drawn(self, content: Content, place: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
         """Show the figures of a page by their ids: the first is a part of it, and those behind it are files."""
@@ -200,68 +193,45 @@ class Site:
                 address = f"figures/{figure.anchor}"
                 found[figure.anchor] = figure.html(drawn, address, root)
                 for end, picture in zip(("", "-narrow"), drawn, strict=True):
-                    self.draft.write(
+                    self._write(
                         f"{place}{address}{end}.svg",
-                        local(picture.file if isinstance(picture, Picture) else picture, self.shown),
+                        local(macros().drawing_file(picture) if isinstance(picture, Picture) else picture, self.shown),
                     )
             else:
                 found[figure.anchor] = figure.html(drawn, root=root)
                 has_drawing = has_drawing or bool(drawn and all(drawn))
         return found
 
+    def _write(self, name: str, content: str | bytes | Path) -> None:
+        data = content.read_bytes() if isinstance(content, Path) else content
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).write_bytes(data.encode() if isinstance(data, str) else data)
+
     def _write_once(self) -> None:
-        """Write what the site has once, at its root: the feed, the picture for links, and what its data are."""
-        entries = sorted(_entries(self.editions, self.places), key=itemgetter("updated"), reverse=True)
-        names = {"address": self.address, "citation": self.citation, "id": _id(""), "entries": entries}
-        for file in ("404.html", "feed.xml"):
-            self.draft.write(file, self.templates.layout(f"{file}.j2", names))
+        """Write what the site has once, at its root: the picture for links, and what its data are."""
+        self._write("404.html", self.templates.layout("404.html.j2", {"address": self.address}))
         if (ROOT / "LICENSE").is_file():
-            self.draft.copy("license.txt", ROOT / "LICENSE")
+            self._write("license.txt", ROOT / "LICENSE")
         if card := plugins().card(self.editions, self.cache):
-            self.draft.write(CARD, card)
-        self.draft.write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
-        self.draft.write(".gitkeep", "")
+            self._write(CARD, card)
+        self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
+        self._write(".gitkeep", "")
 
     def _write_data(self, edition: Edition) -> None:
-        """Write all that pages name of a release: what was measured, as it is kept and as tables, and its values."""
         folder = f"data/{edition.project.results.name}/"
         for chapter in edition.chapters.values():
             path = chapter.results.path
             for file in (path, *traces_of(path, chapter.results.record)):
-                self.draft.copy(f"{folder}{file.name}", file)
-            self.draft.write(f"{folder}{path.stem}.csv", rows_csv(chapter.results.record.rows))
+                self._write(f"{folder}{file.name}", file)
+            self._write(f"{folder}{path.stem}.csv", rows_csv(chapter.results.record.rows))
         for file in replica_files(edition.project):
-            self.draft.copy(f"{folder}{FOLDER}/{file.name}", file)
+            self._write(f"{folder}{FOLDER}/{file.name}", file)
         for file in edition.plugins.data:
-            self.draft.copy(f"{folder}{file.name}", file)
+            self._write(f"{folder}{file.name}", file)
         for name, file in edition.plugins.files.items():
-            self.draft.copy(name, file)
-        values = edition.values_text(rate_of(edition).values(edition.project))
-        self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(values, self.shown))
-
-
-def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
-    """Yield the feed's entries: editions and what flips with them; an id is the same for the same news anywhere."""
-    before: Edition | None = None
-    for release, edition in editions.items():
-        if not edition.chapters:
-            continue
-        flips = flips_between(before.chapters, edition.chapters) if before else ()
-        claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
-        said = [flip.after.text for flip in flips] or [claim.text for claim in claims[:1]]
-        times = [chapter.results.record.time for chapter in edition.chapters.values()]
-        yield {
-            "id": _id(release),
-            "title": ": ".join([config().name_of(release), *said[: len(flips)][:1]]),
-            "text": " ".join(said),
-            "address": f"{places[release]}index.html",
-            "updated": max(times).astimezone(timezone.utc).isoformat(timespec="seconds"),
-        }
-        before = edition
-
-
-def _id(key: str) -> str:
-    return f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, f'{config().name}/{key}')}"
+            self._write(name, file)
+        values = edition.values_text(rate_values(rate_of(edition), edition.project))
+        self._write(local(f"{folder}{VALUES_FILE}", self.shown), local(values, self.shown))
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
@@ -277,36 +247,20 @@ def _inert(cell: Any) -> Any:
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell
 
 
-def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
+def links_of(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
+    """Return what leads from the pages of one release to those of all, which lie at ``places`` below the site."""
     up = "../" if places[shown] else ""
     bases = {release: f"{up}{place}" for release, place in places.items()} | {shown: ""}
     return [Link(edition, bases[release], release == shown) for release, edition in editions.items()]
 
 
-def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Content]:
-    names = {"releases": links, "false_alarms": rate_of(edition).values(edition.project)}
+def contents_of(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Content]:
+    """Put the pages of a release into words; nothing is drawn yet."""
+    names = {"releases": links, "false_alarms": rate_values(rate_of(edition), edition.project)}
     return [Content(page, edition.texts(page, templates, names), found) for page, found in edition.pages.items()]
 
 
-def contents_of(editions: Mapping[str, Edition], templates: Templates, shown: str) -> list[Content]:
-    """Return the pages of one release as they are without a site."""
-    return _contents(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
-
-
-def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
-    """Return the words of one release's pages by file and anchor of their parts; of a figure those below it."""
-    words = Markup("<h2>{}</h2>{}")
-    return {
-        (content.page.file, part.anchor): words.format(
-            part.title, part.html({figure.anchor: figure.undrawn for figure in part.figures})
-        )
-        for content in contents_of(editions, templates, shown)
-        for part in content.parts
-    }
-
-
 def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dict[tuple[str, str], Pictures]:
-    """Draw each figure once, by release and id."""
     placed = {
         (release, figure.anchor): figure
         for release, found in contents.items()
@@ -324,10 +278,7 @@ def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dic
 
 
 def _addresses(content: Content, contents: Sequence[Content], edition: Edition) -> dict[str, str]:
-    """Find where the links of a page to ids lead: to the page that has the id.
-
-    Where the edition lacks sections, a link to what is on no page leads to the front page, which names them.
-    """
+    """Find where a page's links to ids lead: to the page that has it, or to the front, which names what is left out."""
     files = {anchor: each.page.file for each in reversed(contents) for anchor in each.ids}
     lost = FRONT.file if edition.left_out else ""
     found = {}

@@ -8,9 +8,8 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from measured_report.files.atomic import locked
+from measured_report.files.atomic import digests_below, locked, replace, staging_folder
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.staging import digests_below, replace, staging_folder
 from measured_report.site.check import check_site
 
 DEFAULT = "git:origin"
@@ -23,10 +22,7 @@ QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and 
 
 
 def publish(site: Path, target: str) -> str:
-    """Put a checked copy of ``site`` at ``target`` and return where it lies; what can't be put there leaves nothing.
-
-    A target is ``dir:PATH`` or ``git:REMOTE#BRANCH``; empty: the branch gh-pages of origin.
-    """
+    """Put a checked copy of ``site`` at ``dir:PATH`` or ``git:REMOTE#BRANCH``, whole, and return where it lies."""
     scheme, _, place = (target or DEFAULT).partition(":")
     told = f"TARGET={without_password(target)}"
     if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
@@ -73,7 +69,6 @@ def sums(digests: Mapping[str, str]) -> str:
 
 
 def _to_folder(copy: Path, place: str, site: Path) -> str:
-    """Publish to a folder of this machine, which is replaced as a whole."""
     # Path.expanduser would raise for a user that does not exist.
     path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
     if not path.name or not path.parent.is_dir():
@@ -90,9 +85,7 @@ def _to_folder(copy: Path, place: str, site: Path) -> str:
 def _to_branch(copy: Path, place: str, site: Path) -> str:
     """Publish to a branch of a remote of the project's git repository, as its one commit.
 
-    The commit is made in a repository of its own, which is removed: neither the working tree nor the index nor any
-    branch is touched, and, since it is pushed by address, nor is what is noted of the remote. A branch that holds
-    something else is left alone.
+    The commit is made in a repository of its own and pushed by address: nothing of the project's is touched.
     """
     remote, _, branch = place.partition("#")
     branch = branch or BRANCH

@@ -23,7 +23,6 @@ PLAIN_EXPONENTS = range(-4, 7)
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
 NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"
-"""A number in the name of a case."""
 WRITTEN = re.compile(r"(-?\d+(?:\.\d+)?)?(?:×?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
 
@@ -33,14 +32,7 @@ def unit_label(unit: str) -> str:
 
 
 def format_number(value: float | int | None, *, noise: float | None = None, rounding: str = ROUND_HALF_UP) -> str:
-    """Write ``value`` as people do.
-
-    Args:
-        value: Measured, counted or chosen; what is counted, an integer, is written in full.
-        noise: How far apart two measurements of it come out, in its unit; None where nobody knows, and 0 for what was
-            chosen, or computed from nothing but what was.
-        rounding: Where to, of those that ``decimal`` knows.
-    """
+    """Write ``value`` as people do, an integer in full, to what its ``noise`` carries: None where nobody knows it."""
     if value is None:
         return ABSENT
     if isinstance(value, int):
@@ -159,13 +151,11 @@ def _format_noise(noise: float, value: float) -> str:
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:
-    """Write so many significant digits, without zeros at the end."""
     place = Decimal(1).scaleb(exact.adjusted() + 1 - digits)
     return _format_decimal(exact.quantize(place, rounding).normalize())
 
 
 def _format_decimal(number: Decimal) -> str:
-    """Write all digits of a number, zeros at its end included."""
     exponent = number.adjusted()
     if exponent in PLAIN_EXPONENTS:
         return _typeset(f"{number:,f}")

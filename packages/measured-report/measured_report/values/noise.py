@@ -19,8 +19,7 @@ MEDIAN = 1.25
 """Ratio of the spreads of the median of n numbers and of their mean, which does by 1/√n of theirs: √(π/2), for many."""
 TIMES = ("s", "ms")
 PAIRS = 0.999
-"""Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
-comparisons, and the largest difference that was seen among some tens of runs is less than the largest of those."""
+"""Chosen: so many of all pairs of runs of one case differ by no more than the noise, of hundreds that are compared."""
 CONFIDENCE = 0.95
 """Chosen: how sure that is, for a spread that was measured with as many runs."""
 LEAST_RUNS = 4
@@ -28,11 +27,7 @@ LEAST_RUNS = 4
 
 
 def is_beyond(noise: float, before: float, after: float) -> bool:
-    """Tell whether two values differ by more than noise, and by more than rounding.
-
-    A processor without parallel sums repeats itself to the last bit and has no noise, but any other order of its sums
-    would then be a change.
-    """
+    """Tell whether two values differ by more than noise, and than rounding, as another order of sums may make."""
     return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
 
 
@@ -84,16 +79,6 @@ class Floor:
         return self.spread * max(1.0, scale, longer)
 
 
-def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
-    """Return the largest noise of all by column."""
-    floors: dict[str, Floor] = {}
-    for each in found:
-        for column, floor in each.items():
-            if column not in floors or floor.spread > floors[column].spread:
-                floors[column] = floor
-    return floors
-
-
 def is_lost(row: Mapping[str, Any]) -> bool:
     """Tell whether the run of a row was lost, which makes its numbers chance."""
     return any(row[name] for name in row if "loss" in column_of(name).kinds)
@@ -106,12 +91,7 @@ def is_repeated(column: str, row: Mapping[str, Any]) -> bool:
 
 
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
-    """Return the noise of a number in ``row``, in its unit; None where nobody measured it.
-
-    What a row says to be known within a share has that; a time is the median of frames that it has the spread of;
-    successes are as binomial as their trials. Other numbers have the floor of their column, or of rounding where the
-    engine repeats itself; what was set or counted is exact.
-    """
+    """Return the noise of a number in ``row``, in its unit; None where nobody measured it."""
     value, about = row[column], column_of(column)
     timed = about.rate_of or column
     if value is None:
@@ -138,10 +118,9 @@ def derived_noise(
 ) -> float | None:
     """Return the noise of ``function``, each source changed by its noise; None where one has none.
 
-    Two runs are apart by the noise, so that each is off by 1/√2 of it, and what is off independently adds in squares:
-    a difference of two has the noise of one, and a mean of many has less. It never has less than its noisiest source
-    gives it, nor more than all of them together can: the largest of many has the noise of one. What was chosen has a
-    noise of 0.
+    Each of two runs is off by 1/√2 of the noise, and what is off independently adds in squares: a difference of two has
+    the noise of one, a mean of many less. It never has less than its noisiest source gives it, nor more than all of
+    them together can: the largest of many has the noise of one. What was chosen has a noise of 0.
     """
     if None in noises:
         return None

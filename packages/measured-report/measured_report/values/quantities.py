@@ -47,8 +47,7 @@ class Quantity:
     value: float | int | None
     unit: str
     source: str
-    """Pointer below the site's ``data/``, such as ``engine-1.4.0/friction.json#/rows/3/drag_n``; empty for a number
-    that no file has a place for."""
+    """Pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for."""
     reason: str = ""
     """Why there is no number, where there is none."""
     origins: frozenset[Origin] = frozenset()
@@ -150,11 +149,7 @@ class Value(Quantity):
 
 
 def mixed(*origins: frozenset[Origin]) -> str:
-    """Say why what has these origins is not to be compared; empty when it may be.
-
-    Numbers of one origin may, and so may numbers that each compare the same ones already, as a change between two
-    releases does.
-    """
+    """Say why what has these origins is not to be compared; empty for one origin, or for the same several."""
     if len({origin for origin in origins if origin}) < 2:
         return ""
     return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"

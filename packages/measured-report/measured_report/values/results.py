@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError
@@ -47,28 +46,14 @@ class Series:
 class Row:
     """Reads one row of a record: ``row.drag_n`` is a Quantity; text and yes or no stay as they are.
 
-    What the record's other rows have and this one lacks is an absent Quantity, or no text. A row that the record lacks
-    has nothing but the name of its case.
+    What other rows have and this one lacks is an absent Quantity, or no text; so is all of a row that is not there.
     """
 
-    def __init__(
-        self,
-        record: Record,
-        index: int | None,
-        source: str,
-        case: str = "",
-        floors: Mapping[str, Floor] = MappingProxyType({}),
-        labels: Mapping[str, str] = MappingProxyType({}),
-        apart: Apart | None = None,
-    ):
-        self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
+    def __init__(self, results: "Results", index: int | None, case: str = ""):
+        self._results, self._record = results, results.record
+        self._cells: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
-        self._record = record
-        self._source = f"{source}#/rows/{index}"
-        self._origins = frozenset({record.origin})
-        self._floors = floors
-        self._labels = labels
-        self._apart = apart or Apart()
+        self._source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
         self._read: dict[str, Any] = {}  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
@@ -89,10 +74,11 @@ class Row:
             return value
         said = (self.label, self._cells.get(f"{column}_reason")) if value is None else ()
         reason = ": ".join(filter(None, said))
-        known = cell_noise(column, self._cells, self._floors), self._apart.noise(column, self._cells)
+        apart = self._results.apart
+        known = cell_noise(column, self._cells, self._results.floors), apart.noise(column, self._cells)
         noise = max((each for each in known if each is not None), default=None)
-        interval = self._apart.interval(column, self._cells)
-        return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise, interval)
+        place, interval = f"{self._source}/{column}", apart.interval(column, self._cells)
+        return Quantity(value, units[column], place, reason, self._origins, noise, interval)
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
@@ -109,7 +95,7 @@ class Row:
     @property
     def label(self) -> str:
         """Return what people call its case."""
-        return label_of(self._cells["case"], self._labels)
+        return label_of(self._cells["case"], self._results.labels)
 
     @property
     def plain(self) -> Mapping[str, Any]:
@@ -129,12 +115,12 @@ class Row:
 class Rows(dict):
     """Holds rows by case; of a case that has no single row, one without anything."""
 
-    def __init__(self, rows: Mapping[str, Row], record: Record):
+    def __init__(self, rows: Mapping[str, Row], results: "Results"):
         super().__init__(rows)
-        self._record = record
+        self._results = results
 
     def __missing__(self, case: str) -> Row:
-        return Row(self._record, None, "", case)
+        return Row(self._results, None, case)
 
 
 @dataclass(frozen=True)
@@ -150,7 +136,6 @@ class Results:
     floors: Mapping[str, Floor] = field(default_factory=dict, repr=False)
     """Noise of one case with this release, by column."""
     apart: Apart = field(default_factory=Apart, repr=False)
-    """How the section's measurements differ, where there are several."""
     label: str = ""
     """Name of the section in figures and tables."""
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
@@ -169,18 +154,14 @@ class Results:
     @cached_property
     def rows(self) -> list[Row]:
         """Return all rows but those that are damaged in what tells them apart."""
-        return [
-            Row(self.record, index, self.source, floors=self.floors, labels=self.labels, apart=self.apart)
-            for index, is_whole in enumerate(_whole(self.record))
-            if is_whole
-        ]
+        return [Row(self, index) for index, is_whole in enumerate(_whole(self.record)) if is_whole]
 
     @cached_property
     def row(self) -> Rows:
         """Return rows by case, those whose case is not unique left out."""
         named = [(row.plain["case"], row) for row in self.rows]
         count = Counter(case for case, _ in named)
-        return Rows({case: row for case, row in named if count[case] == 1}, self.record)
+        return Rows({case: row for case, row in named if count[case] == 1}, self)
 
     @cached_property
     def seconds(self) -> Quantity:
@@ -211,9 +192,8 @@ class Results:
     ) -> Value:
         """Derive the value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
 
-        It does not exist when one of its sources doesn't, when ``function`` has no finite result, or when the sources
-        were measured with different releases or on different machines; ``across`` says that this is the point.
-        Its noise is what theirs make of it, unless it is itself how far runs are apart, as ``is_noise`` says.
+        It does not exist when a source doesn't, when ``function`` has no finite result, or when the sources are of
+        different releases or machines, unless ``across``. Its noise is what theirs make of it, unless it ``is_noise``.
         """
         if name in self.derived:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
@@ -241,10 +221,7 @@ class Results:
 
 
 def _whole(record: Record) -> list[bool]:
-    """Tell which rows have what says of which run they are: texts, yes and no, and settings.
-
-    A row lacks it where one of these is null for a reason, or a text is there in all other rows.
-    """
+    """Tell which rows have what says of which run they are: a setting that is not null, a text that all others have."""
     cells = Counter(chain.from_iterable(record.rows))
     # Not the reasons, which say of a number that it is not there: of most rows it may not be.
     texts = {column for column in cells if column not in record.units and not column.endswith(REASON)}
@@ -274,7 +251,6 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
 
 
 def _of_all(function: Callable[..., float]) -> Callable[..., float]:
-    """Return the same; ``max`` and ``min`` of however many numbers there are."""
     return (lambda *values: function(values, default=math.nan)) if function in (max, min) else function
 
 

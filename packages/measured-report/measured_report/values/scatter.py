@@ -1,10 +1,9 @@
 """Scatter: how measurements as a whole come out apart, on other hosts and by other builds.
 
-Each number has few measurements and each column many numbers, so that a number's variance is its own together with that
-of its column, which counts for as many degrees of freedom as ``POOLED`` numbers have: the moderated t of Smyth (2004),
-Statistical Applications in Genetics and Molecular Biology 3, article 3. Numbers of a column share their hosts, so that
-more of them would pretend to more measurements than there are. The measurement is the random effect of a mixed model
-(Laird and Ware 1982, Biometrics 38, 963-974), and the noise the prediction interval of one more of them.
+A number's variance is its own together with that of its column, which counts for the degrees of freedom of ``POOLED``
+numbers: the moderated t of Smyth (2004), Statistical Applications in Genetics and Molecular Biology 3, article 3. More
+would pretend to more measurements than there are, since they share their hosts. The measurement is the random effect of
+a mixed model (Laird and Ware 1982, Biometrics 38, 963-974), and the noise the prediction interval of one more of them.
 """
 
 import math
@@ -23,8 +22,7 @@ from measured_report.values.noise import CONFIDENCE, PAIRS, TIMES, is_lost, is_r
 POOLED = 4
 """Chosen: the numbers of a column that its variance counts for."""
 TYPICAL = 0.9
-"""Chosen: so large a share of a column's numbers vary no more than it: no outlier counts, and no number that happened
-to repeat itself."""
+"""Chosen: so large a share of a column's numbers vary no more: neither an outlier counts nor one that repeats."""
 Key = tuple[Any, ...]
 Row = Mapping[str, Any]
 
@@ -67,10 +65,9 @@ def chance_of(times: float, freedom: int) -> float:
 
 
 def discoveries(chances: Sequence[float]) -> float:
-    """Return the largest chance that counts as none among so many comparisons.
+    """Return the largest chance that counts as none among so many comparisons, by Benjamini and Hochberg (1995).
 
-    Of what is told no more than 1 − ``CONFIDENCE`` is by chance: Benjamini and Hochberg (1995), Journal of the Royal
-    Statistical Society B 57, 289-300.
+    Of what is told no more than 1 − ``CONFIDENCE`` is by chance: J. R. Statist. Soc. B 57, 289-300.
     """
     ranked = enumerate(sorted(chances), 1)
     return max((each for rank, each in ranked if each <= (1 - CONFIDENCE) * rank / len(chances)), default=0.0)
@@ -81,7 +78,6 @@ class Apart:
     """Holds how the measurements of a section are apart."""
 
     count: int = 1
-    """Measurements."""
     columns: Mapping[str, Scatter] = field(default_factory=dict)
     edge: frozenset[Key] = frozenset()
     """Rows that were lost in one measurement and not in another, or are text otherwise: which of both is chance."""
@@ -114,19 +110,14 @@ def apart(records: Sequence[Record]) -> Apart:
     words = {name for name in words - {"case"} if name not in records[0].units and not name.endswith(REASON)}
     edge = frozenset(key for key in shared if any(len({rows[key].get(name) for rows in keyed}) > 1 for name in words))
     there = [key for key in shared if key not in edge and not is_lost(keyed[0][key])]
-    columns = {}
+    columns, shown = {}, records[0].processor  # whose times say nothing of those of another kind
     for name in records[0].units:
         about = column_of(name)
         is_cost = "cost" in about.kinds or about.unit in TIMES
-        mine = [rows for rows, record in zip(keyed, records, strict=True) if _compares(record, records[0], is_cost)]
+        mine = [rows for rows, record in zip(keyed, records, strict=True) if not is_cost or record.processor == shown]
         if len(mine) > 1 and (scatter := _scatter(name, {key: [rows[key] for rows in mine] for key in there})):
             columns[name] = scatter
     return Apart(len(records), columns, edge)
-
-
-def _compares(record: Record, shown: Record, is_cost: bool) -> bool:
-    """Tell whether a number of both may be compared: a time of one kind of processor says nothing of another."""
-    return not is_cost or record.processor == shown.processor
 
 
 def _by_key(rows: Sequence[Row]) -> dict[Key, Row]:

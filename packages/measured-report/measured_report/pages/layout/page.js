@@ -391,7 +391,7 @@ document.addEventListener("DOMContentLoaded", () => {
   addSchemeSwitch();
   addSearch();
   markPlace();
-  for (const table of document.querySelectorAll("main table")) rove([...addSorting(table), addCopying(table)]);
+  for (const table of document.querySelectorAll("main figure table")) rove([...addSorting(table), addCopying(table)]);
   rove([...document.querySelectorAll(".sources a")]);
   document.querySelectorAll("pre").forEach(addCodeCopying);
   addOrigins();

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from measured_report.changes import names
+from measured_report.changes import query
 from measured_report.files.config import Changes, Config, Declared
 from measured_report.files.errors import ReportError
 
@@ -46,8 +46,8 @@ RULES = Config(
 def test_a_name_of_nothing_stops_the_build(toy, monkeypatch, wrong, said):
     changes = {name: wrong.pop(name) for name in [*wrong] if name in vars(Changes())}
     rules = replace(RULES, **wrong, changes=replace(RULES.changes, **changes))
-    monkeypatch.setattr(names, "ROOT", toy.project.root)
-    monkeypatch.setattr(names, "config", lambda: rules)
+    monkeypatch.setattr(query, "ROOT", toy.project.root)
+    monkeypatch.setattr(query, "config", lambda: rules)
     if not said:
         toy.build()
         return

@@ -1,0 +1,65 @@
+"""A mistake in a new report: one line that says where and what, and what to do; or it works."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import mujoco
+import pytest
+
+from measured_report.commands.new import new
+from measured_report.files.root import ROOT
+
+X, S, T = "experiments/pendulum.py", "report/sections/pendulum.py", "templates/sections/pendulum.md.j2"
+MISTAKES = [
+    (X, "return Measurement(rows, traces)", "return Measurement([], {})", "it returned no rows, or one without a case"),
+    (X, '{"case": case,', '{"cas": case,', "it returned no rows, or one without a case"),
+    (X, "return Measurement(rows, traces)", "pass", "it returned no Measurement of rows"),
+    (X, "    seconds =", "    1 / 0\n    seconds =", "experiments/pendulum.py:39: ZeroDivisionError"),
+    (X, "    seconds =", "    raise SystemExit(3)\n    seconds =", "experiments/pendulum.py:39: SystemExit: 3"),
+    (X, "1e3 * error}", 'float("nan")}', "or never: .* euler: the measurement gave nan"),
+    (X, "1e3 * error}", "None}", "or never: pendulum.euler.energy_error_mj never, euler: the measurement gave None"),
+    (X, "1e3 * error}", "str(error)}", "energy_error_mj is not all numbers"),
+    (S, '(errors["euler"], errors["rk4"])', '(errors["euler"], results.row["rk4"].duration_s)', " mJ with 20 s"),
+    (S, ".energy_error_mj", ".energy_eror_mj", "pendulum.py:16: pendulum: euler has no column energy_eror_mj"),
+    (S, "        drawing, axes", "        1 / 0\n        drawing, axes", "can't be drawn: .*.py:21: ZeroDivision"),
+    (S, "        return drawing\n", "", "the figure pendulum-energy can't be drawn: it draws a builtins.NoneType"),
+    (S, "import pandas as pd", "import pandass as pd", "pendulum.py:3: ModuleNotFoundError: No module named 'pandass'"),
+    (T, "{% fails %}", "{# #}", r"pendulum.md.j2:3: claim rk4_keeps_more has no {% fails %}"),
+    (T, "With RK4 its", "With RK4, 4.5 GB, its", r"pendulum.md.j2:5: 4.5 GB is typed"),
+    (T, "{{ rk4 }}", "{{ rk44 }}", "names rk44, which it is not given; it is given: euler, rk4"),
+    ("report.toml", 'packages = ["numpy"]', 'packages = "numpy"', r"report.toml: Expected `array`, got `str`"),
+    ("report.toml", 'edition = "mujoco"', "", 'report.toml has no edition = "NAME"'),
+    ("results/*/pendulum.json", '"rows"', '"row"', "pendulum: 10 rows in"),
+    ("*", "\n", "\r\n", "built"),
+]  # fmt: skip
+
+
+def report(folder: Path) -> str:
+    settings = {**os.environ, "PYTHONPATH": str(ROOT / "packages" / "measured-report")}
+    command = [sys.executable, "build.py", "report"]
+    done = subprocess.run(command, cwd=folder, env=settings, stdout=-1, stderr=-2, text=True, check=False)
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def measured(tmp_path_factory) -> Path:
+    new(folder := tmp_path_factory.mktemp("a folder") / "mine")
+    text = (folder / "pyproject.toml").read_text()
+    (folder / "pyproject.toml").write_text(text.replace("mujoco==4.0.0", f"mujoco=={mujoco.__version__}"))
+    assert "built" in report(folder)
+    return folder
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("names", "old", "put", "said"), MISTAKES)
+def test_a_mistake_is_one_line(measured, names, old, put, said):
+    folder = shutil.copytree(measured, measured.with_name("planted"), dirs_exist_ok=True)
+    for path in [each for each in folder.rglob(names) if each.suffix in (".py", ".toml", ".j2", ".json", ".cff")]:
+        path.write_bytes((text := path.read_bytes()).replace(old.encode(), put.encode(), 1 if put.strip() else -1))
+        assert path.read_bytes() != text or names == "*"
+    found = report(folder)
+    assert "Traceback" not in found and [line for line in found.splitlines() if re.search(said, line)], found

@@ -1,0 +1,35 @@
+"""The reference has every setting, and every name that the document and a new report take from the generator."""
+
+import re
+from dataclasses import fields
+
+import pytest
+
+from measured_report.commands.new import SKELETON
+from measured_report.commands.reference import reference
+from measured_report.files.config import Changes, Config, Declared, Told
+from measured_report.files.root import ROOT
+from measured_report.records.columns import UNITS
+
+TEXT = reference()
+
+
+@pytest.mark.parametrize("kind", [Config, Changes, Declared, Told])
+def test_every_setting_is_told(kind):
+    assert not [each.name for each in fields(kind) if f"- `{each.name}: " not in TEXT]
+
+
+def test_what_a_section_imports_and_every_unit_are_told():
+    sources = [
+        (ROOT / "docs/your-own.md").read_text(),
+        *(path.read_text() for path in SKELETON.rglob("*/sections/*.py")),
+    ]
+    imported = {
+        name.strip()
+        for text in sources
+        for names in re.findall(r"from measured_report\S+ import (.+)", text)
+        for name in names.split(",")
+    }
+    assert {"Claim", "greater", "new_figure", "Results"} <= imported
+    assert not [name for name in imported if f"### {name}\n" not in TEXT and f"- `{name}(" not in TEXT]
+    assert not [end for end in UNITS if f"`_{end}`" not in TEXT]
