@@ -24,6 +24,7 @@ from measured_report.records.traces import packed
 
 WHOLE = "whole"
 """Name of the one batch of a section that has declared none."""
+GONE = "the scheduler is gone; what is finished is kept"
 
 
 @dataclass
@@ -113,7 +114,11 @@ class Section:
 
 
 class Loop:
-    """Measure sections by a pool for batches that share their host and one for those that are exclusive there."""
+    """Measure sections, with a pool for batches that share their host and one for those that are exclusive there.
+
+    A pool submits as an Executor does, takes ``limit`` batches at once, raises ``lost`` where a process was killed, and
+    is checked while nothing ends.
+    """
 
     def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
         self.sections, self.shared, self.exclusive = sections, shared, exclusive
@@ -125,7 +130,10 @@ class Loop:
             section.advance()
         with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
             while self._submit():
-                for future in wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done:
+                done = wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done
+                if not done:
+                    self.shared.check()
+                for future in done:
                     self._take(future, *self.running.pop(future))
                     bar.update()
         return any(section.has_failed for section in self.sections)
@@ -149,7 +157,7 @@ class Loop:
         except pool.lost:
             section.lose(batch)
         except CancelledError:
-            raise ReportError("the scheduler is gone; what is finished is kept") from None
+            raise ReportError(GONE) from None
         except BatchError as error:
             section.fail(str(error) if batch.name == WHOLE else f"{batch.name}: {error}")
         except Exception as error:  # what it returns, or is given, can't travel
