@@ -21,8 +21,8 @@ from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.pages.replicas import Measurements, floors_in, measurements_of
 from measured_report.pages.sections import FRONT, PAGES, LostError, Page, Read, derive_section, file_of, outline_of
+from measured_report.parts.citations import refuse_contradictions
 from measured_report.parts.claim import HOLDS, Claim
-from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Section
 from measured_report.records.code import digest_of, files
 from measured_report.records.identity import files_digest, sections

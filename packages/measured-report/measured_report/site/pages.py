@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from measured_report.changes.rate import rate_of, rate_values
+from measured_report.changes.alarm import rate_of, rate_values
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.pages.cache import DerivedCache
