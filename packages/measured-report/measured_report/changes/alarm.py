@@ -234,7 +234,6 @@ def rate_of(edition: Edition) -> Rate:
 
 
 def _rates(project: Project, measured: Sequence[Records], out: int, several: Sequence[str]) -> Iterator[Rate]:
-    """Compare one measurement with the others, in the sections that it has and that were measured often enough."""
     shown, single = measured[0], {**measured[0], **measured[out]}
     rest = [each for place, each in enumerate(measured) if place != out]
     first = {name: record for each in reversed(rest) for name, record in each.items()}

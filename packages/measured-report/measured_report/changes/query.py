@@ -145,7 +145,6 @@ def history(releases: Releases, query: Query) -> str:
 
 
 def _reason(query: Query, chapters: Chapters) -> str:
-    """Say why an edition that was asked has no answer; empty where it has one, or was not asked."""
     claim, number = query.claim(chapters), query.quantity(chapters)
     if claim:
         return claim.outcome.reason

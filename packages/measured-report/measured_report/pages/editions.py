@@ -218,7 +218,6 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
 def _with_chapters(
     edition: Edition, measured: Sequence[tuple[State, Results]], releases: Releases, templates: Templates
 ) -> Edition:
-    """Add these sections to an edition, each made of what there is by then; what can't be shown is left out."""
     found, left_out = dict(edition.chapters), list(edition.left_out)
     for state, results in measured:
         try:
@@ -281,10 +280,7 @@ def results_digest(results: Results) -> str:
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
-    """Say why a section can't be shown, for the rest of the page stands without it.
-
-    What is wrong with its code or its words stops the build where the record is fresh and the project's own.
-    """
+    """Say why a section can't be shown; what is wrong with its code stops the build where the record is fresh."""
     is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError | LostError)
     if is_wrong and state.kind == "fresh" and project.is_own:
         raise error

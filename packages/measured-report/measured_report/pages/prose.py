@@ -155,7 +155,6 @@ def stylesheet(root: Path = ROOT) -> str:
 
 @contextmanager
 def _named(template: str) -> Iterator[None]:
-    """Say of an error in a template which one it is in, and in which line, where that is known."""
     try:
         yield
     except jinja2.TemplateNotFound as error:

@@ -101,7 +101,6 @@ class Reader:
                 yield node.name, len(node.args.args)
 
     def _named(self, node: ast.AST) -> Iterator[tuple[str, str, str]]:
-        """Find the names that an import binds, what they are, and the module that each may be or be of."""
         if isinstance(node, ast.Import):
             for alias in node.names:
                 what = alias.name if alias.asname else alias.name.partition(".")[0]
@@ -133,7 +132,6 @@ def _here(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def _bound(node: ast.AST) -> Iterator[str]:
-    """Find the names that a statement binds where it stands."""
     for each in _here(node):
         if isinstance(each, DEFINING):
             yield each.name
@@ -228,7 +226,6 @@ class Canonical:
         return getattr(self, f"visit_{type(node).__name__}", self._fields)(node, scope)
 
     def _fields(self, node: ast.AST, scope: Scope, **instead: Any) -> Any:
-        """Make tuples of the fields of a node, some of which have others ``instead``."""
         fields = [
             (name, instead[name] if name in instead else self.plain(value, scope))
             for name, value in ast.iter_fields(node)

@@ -97,7 +97,6 @@ def _check_cells(lines: Iterator[list[str]]) -> None:
 
 
 def _problem(column: str, numbers: Sequence[float], texts: Iterable[str]) -> str:
-    """Say what is wrong with a column of a trace that has these; empty when nothing is."""
     if not HEAD.fullmatch(column):
         return "is no column name"
     if column == "time_s" and any(later < earlier for earlier, later in pairwise(numbers)):

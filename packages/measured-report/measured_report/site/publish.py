@@ -82,10 +82,7 @@ def _to_folder(copy: Path, place: str, site: Path) -> str:
 
 
 def _to_branch(copy: Path, place: str, site: Path) -> str:
-    """Publish to a branch of a remote of the project's git repository, as its one commit.
-
-    The commit is made in a repository of its own and pushed by address: nothing of the project's is touched.
-    """
+    """Publish to a branch of a remote, as its one commit, made in a repository of its own and pushed by address."""
     remote, _, branch = place.partition("#")
     branch = branch or BRANCH
     ref, git, aside = f"refs/heads/{branch}", ["git", "-C", str(site.parent)], copy.with_name("git")

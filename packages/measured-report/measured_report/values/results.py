@@ -44,10 +44,7 @@ class Series:
 
 
 class Row:
-    """Reads one row of a record: ``row.drag_n`` is a Quantity; text and yes or no stay as they are.
-
-    What other rows have and this one lacks is an absent Quantity, or no text; so is all of a row that is not there.
-    """
+    """Reads one row: ``row.drag_n`` is a Quantity, an absent one where there is none; text, yes and no stay so."""
 
     def __init__(self, results: "Results", index: int | None, case: str = ""):
         self._results, self._record = results, results.record
@@ -255,7 +252,6 @@ def _of_all(function: Callable[..., float]) -> Callable[..., float]:
 
 
 def _noise(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> float | None:
-    """Return the noise of what was computed; None where that of a source is not known, as of a series."""
     values: list[Any] = [source.value for source in sources]
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     try:
