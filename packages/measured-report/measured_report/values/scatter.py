@@ -128,15 +128,15 @@ def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
     if not any(len(set(numbers)) > 1 for numbers in found.values()):
         return None
     own = {key: (variance(numbers), min(numbers), max(numbers)) for key, numbers in found.items()}
+    magnitudes = [abs(fmean(numbers)) for numbers in found.values()]
 
     def typical(size: float) -> tuple[float, float]:
         """Return how unlike the variances are, in proportion to numbers of that size or not, and the typical one."""
-        sizes = (abs(fmean(numbers)) / size if size else 1.0 for numbers in found.values())
+        sizes = (each / size if size else 1.0 for each in magnitudes)
         scaled = sorted(one[0] / max(1.0, each) ** 2 for one, each in zip(own.values(), sizes, strict=True))
         middle, most = (scaled[math.ceil(share * len(scaled)) - 1] for share in (0.5, TYPICAL))
         return most / middle if middle else math.inf, most
 
-    magnitudes = [abs(fmean(numbers)) for numbers in found.values()]
     (_, most), size = min((typical(size), size) for size in (0.0, median(magnitudes), min(filter(None, magnitudes))))
     freedom = len(next(iter(found.values()))) - 1
     part = 2 / (9 * freedom)  # chi-squared by Wilson and Hilferty, as in ``tolerance``
