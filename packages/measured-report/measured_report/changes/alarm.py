@@ -237,14 +237,10 @@ def _rates(project: Project, measured: Sequence[Records], out: int, several: Seq
     shown, single = measured[0], {**measured[0], **measured[out]}
     rest = [each for place, each in enumerate(measured) if place != out]
     first = {name: record for each in reversed(rest) for name, record in each.items()}
-    before, after = _edition(project, {**shown, **first}, _others(first, rest)), _edition(project, single, [])
+    left = ({name: record for name, record in each.items() if first[name] is not record} for each in rest)
+    before, after = _edition(project, {**shown, **first}, [*filter(None, left)]), _edition(project, single, [])
     found = compare(before, after)
     return _counted(found, [name for name in several if name in measured[out]], before)
-
-
-def _others(first: Records, rest: Sequence[Records]) -> list[Records]:
-    left = ({name: record for name, record in each.items() if first.get(name) is not record} for each in rest)
-    return [each for each in left if each]
 
 
 def _edition(project: Project, records: Records, replicas: Sequence[Records]) -> Edition:

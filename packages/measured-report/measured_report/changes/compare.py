@@ -164,7 +164,6 @@ class Comparison:
     flips: list[Flip]
     cells: list[Move]
     notes: list[str]
-    """Said of what could not be compared, and why."""
 
     @cached_property
     def moves(self) -> list[Move]:

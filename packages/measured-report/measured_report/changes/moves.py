@@ -36,7 +36,6 @@ class Move:
     is_chosen: bool = False
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)
-    """Columns that tell its row apart."""
     chance: float | None = None
     """How often measurements of one edition come out as far apart; None where there are no replicas."""
     rows: tuple[str, str] = ("", "")

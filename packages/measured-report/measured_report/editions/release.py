@@ -38,7 +38,6 @@ class Release:
     source: str = ""
     """``g`` and a commit, maybe ``.edited``, ``w`` or ``x`` and the digest of a wheel or folder; empty: a release."""
     pins: tuple[tuple[str, str], ...] = ()
-    """Package and version, of those that were asked for besides."""
     machine: str = ""
     """Name of the machine that measured it, when the label without it is of another machine."""
     requirement: str = ""

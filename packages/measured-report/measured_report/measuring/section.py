@@ -34,12 +34,10 @@ class Section:
     project: Project
     name: str
     device: str
-    """Device that it measures on, ``cuda`` or ``cpu``, whatever else the host has."""
     plan: Plan
     identity: Identity
     stage: list[Batch] = field(default_factory=list)
     waiting: list[Batch] = field(default_factory=list)
-    """Batches that are neither done nor running."""
     results: dict[str, Result] = field(default_factory=dict)
     lost: set[str] = field(default_factory=set)
     """Names of batches whose process was killed."""

@@ -18,7 +18,6 @@ from measured_report.records.code import digest_of, files, roots_of
 from measured_report.values.quantities import Value
 
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
-"""What decides how numbers are computed and figures are drawn."""
 READ_BY_NAME = config().sources
 """What says what columns are, and nobody imports."""
 Derivation = tuple[Section, Mapping[str, Value]]

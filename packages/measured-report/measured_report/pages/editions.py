@@ -56,7 +56,6 @@ class Chapter:
 
 
 Chapters = Mapping[str, Chapter]
-"""The chapters of one release by name, in the order of the page."""
 Releases = Mapping[str, Chapters]
 """The chapters of every release that has results, oldest first."""
 

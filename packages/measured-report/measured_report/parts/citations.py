@@ -89,15 +89,14 @@ class StatedTag(Extension):
 
 PAIRS = "pairs.toml"
 """``contradict`` and ``needs``: pairs such as ``["gap.not_the_cause holds", "stiffness.cause fails"]``."""
-KINDS = ("contradict", "needs")
 Pairs = Mapping[str, Sequence[tuple[str, str]]]
 
 
 def pairs_of(templates: Path) -> Pairs:
     """Read the pairs of a folder of templates, which need not be there; ReportError, one line, for what is none."""
     pairs = table_beside(templates, PAIRS)
-    if unknown := sorted(pairs.keys() - KINDS):
-        raise ReportError(f"templates/{PAIRS} has {unknown[0]}; it may have {' and '.join(KINDS)}")
+    if unknown := sorted(pairs.keys() - {"contradict", "needs"}):
+        raise ReportError(f"templates/{PAIRS} has {unknown[0]}; it may have contradict and needs")
     return pairs
 
 

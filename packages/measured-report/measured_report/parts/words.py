@@ -146,9 +146,8 @@ def with_formulas(source: str) -> str:
         except Exception:  # it has no one error, and no words for any
             formula = "\\"
         if "\\" in formula:
-            raise TemplateSyntaxError(
-                f"{tex:.60} is no TeX that is known here", source.count("\n", 0, found.start()) + 1
-            )
+            line = source.count("\n", 0, found.start()) + 1
+            raise TemplateSyntaxError(f"{tex:.60} is no TeX that is known here", line)
         return f"<span>{formula}</span>"
 
     return FORMULA.sub(written, source)
