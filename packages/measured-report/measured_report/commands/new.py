@@ -49,9 +49,7 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
         raise UsageError(f"{folder} is not empty; name a folder that is not there")
     if any(mark in title for mark in '"\\\n{}') or UNPRINTABLE.search(title):
         said = UNPRINTABLE.sub("?", title)
-        raise UsageError(
-            f"--title={said} has a quote, a brace, a break or what can't be printed, which no title takes here"
-        )
+        raise UsageError(f"--title={said} has a quote, a brace, a break or what can't be printed, which no title takes")
     told = json.loads(TOLD.read_text(encoding="utf-8"))
     if package:
         name, _, version = package.partition("==")

@@ -34,7 +34,6 @@ class Release:
     """Name a release, or other code, of the package whose releases are editions, and what is installed with it."""
 
     version: str
-    """Version of that package, with three numbers at least."""
     source: str = ""
     """``g`` and a commit, maybe ``.edited``, ``w`` or ``x`` and the digest of a wheel or folder; empty: a release."""
     pins: tuple[tuple[str, str], ...] = ()

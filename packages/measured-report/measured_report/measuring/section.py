@@ -40,7 +40,6 @@ class Section:
     waiting: list[Batch] = field(default_factory=list)
     results: dict[str, Result] = field(default_factory=dict)
     lost: set[str] = field(default_factory=set)
-    """Names of batches whose process was killed."""
     is_over: bool = False
     has_failed: bool = False
 
@@ -112,11 +111,7 @@ class Section:
 
 
 class Loop:
-    """Measure sections, with a pool for batches that share their host and one for those that are exclusive there.
-
-    A pool submits as an Executor does, takes ``limit`` batches at once, raises ``lost`` where a process was killed, and
-    is checked while nothing ends.
-    """
+    """Measure sections by a pool for batches that share their host and one for those that are exclusive there."""
 
     def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
         self.sections, self.shared, self.exclusive = sections, shared, exclusive
@@ -137,7 +132,6 @@ class Loop:
         return any(section.has_failed for section in self.sections)
 
     def _submit(self) -> bool:
-        """Submit what can run beside what does; tell whether anything runs."""
         for pool, is_exclusive in ((self.shared, False), (self.exclusive, True)):
             if all(section.is_exclusive(batch) == is_exclusive for section, batch in self.running.values()):
                 waiting = [(section, batch) for section in self.sections for batch in section.waiting]

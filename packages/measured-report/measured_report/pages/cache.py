@@ -39,7 +39,6 @@ class DerivedCache:
 
     root: Path | None = None
     _new: dict[Place, Entry] = field(default_factory=dict)
-    """What is to be kept once its figures are drawn."""
     _code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
 
     def code(self, module: Path) -> str:

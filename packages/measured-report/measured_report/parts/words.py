@@ -65,7 +65,6 @@ class Wording:
 
     place: str
     blocks: Mapping[str, str]
-    """Names of its blocks by part."""
     names: frozenset[str]
     render: Callable[[str, Mapping[str, Any]], Markup] | None = None
     """Renders the block of a name with what it can name; None until the template is compiled."""

@@ -34,14 +34,12 @@ class Source:
     """Holds what the text of one module says, as far as it matters here."""
 
     digest: str
-    """Of its whole syntax tree."""
     modules: tuple[str, ...]
     """Names that it imports, anywhere in it, of which some are modules of this project."""
     assets: tuple[str, ...]
     top: Mapping[str, Any]
     """By name, at its top level: the plain constants, and how many parameters a function has."""
     imports: Mapping[str, str]
-    """What its names are that it imports, as ``experiments.facts.metrics``."""
 
 
 Definitions = Mapping[str, tuple[Definition, ...]]
@@ -189,7 +187,6 @@ class Scope:
     """Holds names as they are bound around a place."""
 
     local: Mapping[str, int] = field(default_factory=dict)
-    """Number by name, of what functions bind."""
     attributes: Collection[str] = ()
     """Names that the class binds whose body this is."""
 

@@ -79,7 +79,6 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
 
 
 def _check_cells(lines: Iterator[list[str]]) -> None:
-    """Raise ValueError unless each line has a cell for each column, and a missing number is an empty cell."""
     head, number = next(lines, []), 1
     if len(head) > COLUMN_LIMIT:
         raise ValueError(f"it has more than {COLUMN_LIMIT} columns")

@@ -204,7 +204,6 @@ def _check_written(page: PageReader, data: Data) -> list[str]:
 
 
 def _check_drawn(page: PageReader, data: Data) -> list[str]:
-    """Check that every number of a drawing and of its words is as its source says, or a name or a tick."""
     problems = []
     for drawn in page.drawn:
         rest = drawn.text
@@ -226,7 +225,6 @@ def _check_drawn(page: PageReader, data: Data) -> list[str]:
 
 
 def _check_cells(page: PageReader, data: Data) -> list[str]:
-    """Check that words in tables have no numbers but those of names, and of words that a record has."""
     left = ((cell, _unnamed(cell, data)) for cell in page.cells if re.search(r"\d", cell))
     return [
         f"the number {number[0]} leads nowhere in the cell: {cell.strip()}"

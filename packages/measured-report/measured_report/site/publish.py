@@ -115,7 +115,6 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
 
 
 def _run(command: Sequence[str], **settings: str) -> str:
-    """Return what a program prints; UsageError, with the line that says why, when it fails or is not there."""
     name = "ghp-import" if "ghp_import" in command else command[0]
     quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
     own = {**os.environ, **quiet, **settings}
