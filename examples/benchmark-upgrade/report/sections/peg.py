@@ -1,7 +1,7 @@
 """What of the pads' contact parameters mends the peg."""
 
 from measured_report.pages.editions import Releases
-from measured_report.parts.claim import Claim, decided
+from measured_report.parts.claim import FAILS, HOLDS, Claim
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.paired import Step
@@ -22,4 +22,5 @@ def derive(results: Results, releases: Releases) -> Section:
     found = {row.case.replace("-", "_"): row.success_count for row in pegs.rows}
     found |= {"shipped": shipped.success_count, "count": shipped.seed_count}
     is_mended = step.gained > step.lost and step.is_beyond_chance("success", 1)
-    return Section(claims=[Claim("margin_mends_the_peg", decided(is_mended, *found.values()), found)])
+    outcome = (HOLDS if is_mended else FAILS).having_read(*found.values())
+    return Section(claims=[Claim("margin_mends_the_peg", outcome, found)])
