@@ -200,10 +200,10 @@ def blind_spots(edition: Edition) -> list[str]:
     """Say of which columns no noise is known, and which thresholds ring later than they say, or never."""
     unknown: dict[str, None] = {}
     for chapter in edition.chapters.values():
-        for row in chapter.results.rows:
-            numbers = {column: row[column] for column in row.columns if isinstance(row[column], Quantity)}
-            there = (column for column, number in numbers.items() if number.value is not None and number.noise is None)
-            unknown |= dict.fromkeys(each for each in there if column_of(each).kinds.isdisjoint(("chance", "cost")))
+        for column in chapter.results.record.units:
+            is_asked = column_of(column).kinds.isdisjoint(("chance", "cost", "parameter", "setting"))
+            found = (row[column] for row in chapter.results.rows if is_asked and row.plain.get(column) is not None)
+            unknown |= {column: None} if any(number.noise is None for number in found) else {}
     late = []
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)
