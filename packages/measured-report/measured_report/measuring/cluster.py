@@ -56,7 +56,7 @@ def connected(asked: str, device: str, count: int = 1) -> Iterator[Client]:
                 client = Client(asked, timeout=CONNECT_S)
             stack.enter_context(client)
             client.wait_for_workers(1)
-        except (OSError, ValueError, RuntimeError) as error:
+        except (MemoryError, OSError, ValueError, RuntimeError) as error:  # what is no scheduler may name any size
             said = " ".join(str(error).split()) or type(error).__name__
             raise ReportError(f"CLUSTER={asked}: no workers could be started or reached: {said:.200}") from None
         yield client
