@@ -6,7 +6,7 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import rows_with, table_of, total
+from report.shared.arithmetic import extreme, rows_with, table_of, total
 
 VARIANTS = {
     "plain": "nothing done",
@@ -50,5 +50,12 @@ def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str
     chance = results.value("tumble_chance", formula, lambda count: count + 3.0 * math.sqrt(count + 1.0), alone["aside"])
     worlds = total(results, "tumble_count", "worlds with the exact term", [row.world_count for row in rows])
     outcome = all_of(at_most(alone["exact"], chance), at_least(worlds, 10_000, why="enough to see what is rare"))
-    numbers = {"worlds": worlds, "alone": alone["exact"], "aside": alone["aside"]} | gains
+    steps = {
+        name: extreme(results, f"tumble_{name}", f"the {name} step", choose, [row.step_ms for row in rows])
+        for name, choose in (("shortest", min), ("longest", max))
+    }
+    spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, unit="rad/s")
+    gain = results.chosen("tumble_gain", "less can be rounding", 1.0, unit="%")
+    numbers = {"worlds": worlds, "alone": alone["exact"]} | gains | steps
+    numbers |= {"aside": alone["aside"], "spin": spin, "gain": gain}
     return Claim("tumbling_gains_nothing", outcome, numbers)
