@@ -27,8 +27,10 @@ def derive(results: Results) -> Section:
         for variant in VARIANTS
     }
     columns = {heading: list(counts[variant].values()) for variant, heading in VARIANTS.items()}
+    gain = results.chosen("tumble_gain", "less can be rounding", 1.0, unit="%")
     return Section(
-        tables={"tumbles": table_of("body", bodies, columns, rows)}, claims=[_gains_nothing(results, rows, counts)]
+        tables={"tumbles": table_of("body", bodies, columns, rows, gain=gain)},
+        claims=[_gains_nothing(results, rows, counts, gain)],
     )
 
 
@@ -37,7 +39,7 @@ def _gains(results: Results, variant: str, body: str, rows: list[Row]) -> Value:
     return total(results, f"{variant}_{body}_gains", formula, [row[f"{variant}_gain_count"] for row in rows])
 
 
-def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str, Value]]) -> Claim:
+def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str, Value]], gain: Value) -> Claim:
     """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
     formula = "worlds whose energy ends over 1 % above its start"
     gains = {name: total(results, f"{name}_gains", formula, counts[name].values()) for name in VARIANTS}
@@ -55,7 +57,6 @@ def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str
         for name, choose in (("shortest", min), ("longest", max))
     }
     spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, unit="rad/s")
-    gain = results.chosen("tumble_gain", "less can be rounding", 1.0, unit="%")
     numbers = {"worlds": worlds, "alone": alone["exact"]} | gains | steps
     numbers |= {"aside": alone["aside"], "spin": spin, "gain": gain}
     return Claim("tumbling_gains_nothing", outcome, numbers)
