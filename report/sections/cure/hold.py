@@ -16,7 +16,7 @@ def derive(results: Results) -> Section:
     formula = "slip with positions rounded over that with compensated ones"
     gain = ratio(results, "kept_gain", formula, before.slip_mm, after.slip_mm)
     outcome = all_of(
-        at_most(kept, bound), at_least(gain, 2.0, why="less by half"), at_least(whole, 2.0, why="less by half")
+        at_most(kept, bound), at_least(gain, 2.0, why="less by half"), greater(before.slip_mm, best.slip_mm)
     )
     numbers = {"slip": before.slip_mm, "slip_kept": after.slip_mm, "best": best.slip_mm}
     return Section(
