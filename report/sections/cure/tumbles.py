@@ -10,9 +10,9 @@ from report.shared.arithmetic import extreme, rows_with, table_of, total
 
 VARIANTS = {
     "plain": "nothing done",
-    "aside": "nothing done, started a hair aside",
+    "aside": "started a hair aside",
     "exact": "exact term",
-    "points": "term of material points in all rows",
+    "points": "material points",
 }
 """Headings by variant."""
 
