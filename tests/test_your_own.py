@@ -15,7 +15,7 @@ FILE = re.compile(r"`([\w/.]+)` (?:measures|derives|says)[^`]*?.*?\n\n```\w+\n(.
 SCRIPT = re.compile(r"way is better:\n\n```python\n(.*?)```", re.DOTALL)
 LINES = re.compile(r"^ {4}(make .*)$", re.MULTILINE)
 UV = Path(sys.executable).with_name("uv")
-MOST_PYTHON, MOST_MARKDOWN = 60, 15
+MOST_PYTHON, MOST_MARKDOWN, MOST_NAMES = 40, 10, 12
 
 
 def files() -> dict[str, str]:
@@ -36,6 +36,9 @@ def test_a_section_takes_little_to_write():
     told = files()["templates/sections/ball.md.j2"].splitlines()
     assert len([line for line in sources if line.strip()]) - model <= MOST_PYTHON
     assert len([line for line in told if line.strip()]) <= MOST_MARKDOWN
+    names = re.findall(r"from measured_report\S+ import (.+)", "\n".join(sources))
+    tags = set(re.findall(r"{% (\w+)", "\n".join(told)))
+    assert len(tags | {name for some in names for name in some.split(", ")}) <= MOST_NAMES
 
 
 @pytest.mark.slow

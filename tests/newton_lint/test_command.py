@@ -4,6 +4,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -196,6 +197,8 @@ def test_a_fault_of_the_lint_is_no_finding(scene, monkeypatch, capsys):
     assert main([scene()]) == 3
     out, err = capsys.readouterr()
     assert out == "" and "Traceback" in err
+    monkeypatch.setattr("newton_lint.report.lint", lambda _: signal.raise_signal(signal.SIGINT))
+    assert (main([scene()]), *capsys.readouterr()) == (130, "", "")
 
 
 def test_a_function_and_a_robot_are_targets(tmp_path, capsys):

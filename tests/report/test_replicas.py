@@ -7,9 +7,8 @@ from dataclasses import replace
 import pytest
 from conftest import SOURCES, compared, link
 
-from measured_report.changes.alarm import largest, settings_text
+from measured_report.changes.alarm import largest, rate_of, settings_text
 from measured_report.changes.compare import Comparison
-from measured_report.changes.rate import rate_of
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.pages.replicas import replica_files

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-CLEAN, FOUND, UNFIT, BROKEN = 0, 1, 2, 3
+CLEAN, FOUND, UNFIT, BROKEN, STOPPED = 0, 1, 2, 3, 130
 """Exit status."""
 PROGRAM = "newton-lint"
 OTHERS = ("prescribe", "page", "pair")
@@ -48,6 +48,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             with contextlib.suppress(OSError, ValueError):
                 print(f"{PROGRAM}: {error}", file=sys.stderr)
             return UNFIT
+    except KeyboardInterrupt:
+        return STOPPED
     except Exception:  # a fault of the lint itself, which Python would end with the status of a finding
         traceback.print_exc()
         return BROKEN
@@ -137,9 +139,7 @@ def _pipe_may_close() -> Iterator[None]:
 def parser() -> Parser:
     """Make the parser of the lint's own options."""
     about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
-    others = (
-        "Also: newton-lint prescribe searches settings for what is held, page writes a page, pair tells of a contact."
-    )
+    others = "Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a contact."
     made = Parser(prog=PROGRAM, description=about, epilog=others)
     add = made.add_argument
     targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"

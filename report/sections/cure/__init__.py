@@ -7,7 +7,6 @@ from report.shared.arithmetic import joined
 
 order = 141
 page = "cure"
-reads = ("noise",)
 label = "the root cure"
 leads = True
 labels = {

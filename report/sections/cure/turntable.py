@@ -15,7 +15,8 @@ CORNERS = 4
 """Contacts of the box."""
 BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
 UPSTREAM = [
-    ROOT / "assets/upstream" / name for name in ("mujoco_warp-4.0.0.patch", "newton-1.8.0.patch", "upstream.md")
+    ROOT / "assets/upstream" / name
+    for name in ("mujoco_warp-4.0.0-equality.patch", "mujoco_warp-4.0.0.patch", "newton-1.8.0.patch", "upstream.md")
 ]
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """Variants that one would try against sliding."""

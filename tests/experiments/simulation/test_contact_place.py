@@ -147,6 +147,17 @@ def test_the_twin_in_c_is_the_rate_of_the_row(first, second):
         assert held == STATES_OF_A_KIND
 
 
+def test_bodies_that_turn_by_a_radian_while_their_contact_settles_get_nothing():
+    model = pair("plane", "cylinder", "elliptic", 3)
+    model.opt.timestep, model.geom_solref[:, 0] = 0.002, 0.02
+    data = next(states(model, 0))
+    data.qvel[3:] = 0.0, 100.0, 0.0
+    mujoco.mj_fwdVelocity(model, data)
+    before = data.efc_aref.copy()
+    contact_place_c.subtract_bias(model, data, normal=True)
+    assert data.efc_aref == pytest.approx(before, abs=1e-6)
+
+
 @pytest.mark.slow
 def test_the_kernel_adds_what_the_twin_adds():
     with wp.ScopedDevice("cpu"):

@@ -88,6 +88,8 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
     with pytest.raises(ReportError, match="measuring ended") as error:
         searched(search, "1.9.0")
     assert not isinstance(error.value, UsageError)
+    with pytest.raises(UsageError, match=r"there is no claim .*; near it: toy"):
+        searched(replace(search, query=Query("toy.halps", True)))
     with pytest.raises(UsageError, match="holds at A and holds at B"):
         searched(search, "1.5.9")
 
@@ -115,12 +117,12 @@ def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     lines = history(told, Query("toy.soft.slip_mm", False)).splitlines()
     assert [line.split() for line in lines[1:4]] == [["1.4.0", "6.362"], ["1.5.9", "6.362"], ["1.6.9", "0.4", "better"]]
     lines = history(told, Query("toy.helps", True)).splitlines()
-    assert [" ".join(line.split()) for line in lines[1:4]] == ["1.4.0 holds", "1.5.9 holds", "1.6.9 not shown flipped"]
+    assert [" ".join(line.split()) for line in lines[1:4]] == ["1.4.0 holds", "1.5.9 holds", "1.6.9 fails flipped"]
     assert history(told, Query("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
     assert history(told, Query("toy.soft.nothing_mm", False)).splitlines()[1:] == ["no edition can tell"]
     (flip,) = flips(told, "1.4.0")
     said = {tuple(names): claim.outcome.said for names, claim in flip.said}
-    assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "not shown"}
+    assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "fails"}
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
 
 

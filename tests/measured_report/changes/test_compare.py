@@ -89,7 +89,7 @@ def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, 
     assert diff.run(toy.project, arguments) == 1
     said = capsys.readouterr().out
     flips = said.partition("toy: 1 moved, 1 better")[0]
-    assert "toy.helps: holds → not shown\n  It helps 20 times.\n  It does not." in flips
+    assert "toy.helps: holds → fails\n  It helps 20 times.\n  It does not." in flips
     assert "slip 6.4 mm → 0.40 mm, -94 % better (toy soft)" in flips and "(toy stiff)" not in said
     newer.measure(ROWS)
     assert diff.run(toy.project, arguments) == 0

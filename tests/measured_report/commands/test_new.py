@@ -30,7 +30,7 @@ def test_without_one_it_is_the_pendulum_and_what_is_no_package_or_title_is_refus
     names = {path.name for path in (tmp_path / "mine").rglob("*") if path.is_file()}
     assert "pendulum.py" in names and "importing.py" not in names
     assert len(names) >= 3
-    for package, title in (("no package", ""), ("numpy==one", ""), ("numpy==2.3.0", 'A "title"')):
+    for package, title in (("no package", ""), ("numpy==one", ""), ("numpy==2.3.0", 'A "title"'), ("", "a\x1b[2Jb")):
         with pytest.raises(UsageError, match=r"which no title takes|names one with its release"):
             new(tmp_path / "other", package, title)
     assert not (tmp_path / "other").exists()

@@ -2,6 +2,7 @@
 
 import gc
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -112,20 +113,29 @@ def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, 
     assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
 
 
-def test_workers_for_what_is_exclusive_are_asked_for_and_a_scheduler_that_ends_is_noticed(plain, toy, monkeypatch):
+def test_workers_for_what_is_exclusive_are_asked_for(plain):
+    with started(plain, 2) as process:
+        lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
+        with lacks, cluster_pools(process.stdout.readline().strip(), "cpu", None, 1):
+            pass
+        process.kill()
+
+
+@pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(plain, toy, monkeypatch, stop):
+    monkeypatch.setattr(cluster, "SILENT_S", 10.0)
     with started(plain, 2) as process:
         address = process.stdout.readline().strip()
-        lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
-        with lacks, cluster_pools(address, "cpu", None, 1):
-            pass
         gone = pytest.raises(ReportError, match="the scheduler is gone; what is finished is kept")
         with gone, connected(address, "cpu") as client:
             pools = [cluster.ClusterPool(client, resource) for resource in ("shared", "exclusive")]
-            Loop([section_of(toy, batches.single(Batch("end", os.kill, (process.pid, 9))))], *pools).run()
-    monkeypatch.setattr(cluster, "CONNECT_S", 0.5)
-    unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
-    with unreachable, connected(address, "cpu"):
-        pass
+            Loop([section_of(toy, batches.single(Batch("end", os.kill, (process.pid, stop))))], *pools).run()
+        process.kill()
+        process.wait()
+        monkeypatch.setattr(cluster, "CONNECT_S", 0.5)
+        unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
+        with unreachable, connected(address, "cpu"):
+            pass
 
 
 def test_finding_6_only_who_has_the_key_of_the_run_is_let_in():

@@ -36,7 +36,7 @@ WRONG = [
     ("</main>", "<form></main>", "runs a script"),
     ("</main>", '<base href="."></main>', "runs a script"),
     ("</main>", '<meta http-equiv="Refresh"></main>', "runs a script"),
-    (LABEL, 'aria-label="It moves 0.3 mm."', "is not said by"),
+    (LABEL, 'aria-label="It moves 0.4 mm."', "is not said by"),
     (LABEL, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
     ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
     ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">7 mm</text></svg>', "is not said by"),

@@ -73,10 +73,10 @@ def test_a_quick_look_is_not_published(toy, tmp_path):
         publish(quick.project.site, f"dir:{tmp_path / 'www'}")
 
 
-def spoil(site: Path) -> None:
+def spoil(site: Path, more: bytes = b'<a href="x">x</a>') -> None:
     """Let a page lead nowhere, as if it had been built so."""
     index = site / "index.html"
-    index.write_text(index.read_text() + '<a href="x">x</a>')
+    index.write_bytes(index.read_bytes() + more)
     (site / SUMS).write_text(sums({path: digest for path, digest in digests_below(site).items() if path != SUMS}))
 
 
@@ -86,7 +86,10 @@ DAMAGES = {
     "link": lambda site: (site / "passwd").symlink_to("/etc/passwd"),
     "folder": lambda site: (site / "all").symlink_to("/"),
     "no sums": lambda site: (site / SUMS).unlink(),
+    "sums of bytes": lambda site: (site / SUMS).write_bytes(b"\xff"),
+    "pipe": lambda site: os.mkfifo(site / "pipe"),
     "problem": spoil,
+    "bytes": lambda site: spoil(site, b"\xff"),
 }
 
 
@@ -203,7 +206,9 @@ def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
     assert git(remote, "for-each-ref") == before
 
 
-@pytest.mark.parametrize("target", ["nowhere", "--upload-pack=touch x", "origin#a..b", "origin#@", "origin#HEAD"])
+@pytest.mark.parametrize(
+    "target", ["nowhere", "fd::17", "--upload-pack=touch x", "origin#a..b", "origin#@", "origin#HEAD"]
+)
 def test_what_git_can_not_publish_to_is_one_line(toy, remote, target):
     with pytest.raises(UsageError) as error:
         publish(toy.project.site, f"git:{target}")

@@ -3,12 +3,12 @@
 import pandas as pd
 
 from measured_report.pages.editions import Releases
-from measured_report.parts.claim import Claim, at_least, at_most, decided
+from measured_report.parts.claim import Claim, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 from report.paired import FAILED
-from report.sections.confirm import DIAL, LOCK, LOCK_STEPS, PEG, PUSH
+from report.sections.confirm import DIAL, LOCK, LOCK_STEPS, PUSH
 
 order = 30
 page = "settings"
@@ -17,7 +17,6 @@ label = "settings"
 BACK, PLANTED, SHIPPED = "push-back-v3", "impratio-10", "as shipped"
 SHOWN = {  # the release that began it, and the number that shows it; the last is planted in a release that is well
     DIAL: ("3.5.0", "success_count"),
-    PEG: ("3.4.0", "success_count"),
     LOCK: ("3.4.0", "step_median"),
     PUSH: ("3.7.0", "untouched_mm"),
     BACK: ("3.3.0", "success_count"),
@@ -28,18 +27,13 @@ def derive(results: Results, releases: Releases) -> Section:
     columns = {task: _column(results, releases, task, *SHOWN[task]) for task in SHOWN}
     dial, push = columns[DIAL].get("own-invweight"), columns[PUSH].get("no-nativeccd")
     lock, planted = columns[LOCK].get(PLANTED), columns[BACK].get(PLANTED)
-    pegs = list(columns[PEG].values())
-    best = pegs and results.value(
-        "peg_best", "most successes with any setting, and as shipped", max, *pegs, across=True
-    )
     tested = {
-        "nothing_mends_the_peg": best and decided(best.value == pegs[0].value, best, *pegs),
         "own_invweight_turns_the_dial": dial and at_least(dial, 5, "most of ten"),
         "old_collider_keeps_the_thermos": push and at_most(push, 30.0, "far less than it slides"),
         "impratio_speeds_the_lock": lock and at_most(lock, LOCK_STEPS, "half as long again as with MuJoCo 3.3"),
         "planted_is_seen": planted and at_most(planted, 8, "80 %, as Meta-World's own tests ask"),
     }
-    found = zip(tested.items(), (best, dial, push, lock, planted), strict=True)
+    found = zip(tested.items(), (dial, push, lock, planted), strict=True)
     claims = [Claim(name, outcome, {"found": cell}) for (name, outcome), cell in found if outcome]
     frame = pd.DataFrame({f"{task} {SHOWN[task][0]}": cells for task, cells in columns.items()}, dtype=object)
     lacking = [name for name, outcome in tested.items() if not outcome]

@@ -10,7 +10,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of, releases_between
 from measured_report.editions.status import state_of
 from measured_report.files.config import config
-from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.errors import ReportError, UsageError, suggestion
 from measured_report.measuring.measure import measure
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
@@ -46,6 +46,9 @@ class Bisection:
         if lacking := _lacking(side, sections):
             side = measure(side, release, lacking, self.device)
         edition = editions_of(side, self.templates, among=[side.release])[side.release]
+        known = [*self.query.names(edition.chapters)]
+        if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in known:
+            raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, known)}")
         return self.query.answer(edition.chapters)
 
     def _side(self, release: Release, sections: Sequence[str]) -> Project:

@@ -56,16 +56,13 @@ class Flip:
 
 
 def flips(releases: Releases, shown: str) -> Iterator[Flip]:
-    """Yield the claims that editions answer differently, as the page's own says it, ``shown``, or else the newest.
-
-    That one can't tell says nothing where it lacks a section, unless it is for being near the noise; nor does what
-    turns on a cost, or on the noise, of another machine than the page's.
-    """
+    """Yield the claims that editions answer differently, as the page's own says it, ``shown``, or else the newest."""
     sections = set().union(*releases.values())
     asked: dict[tuple[str, str], dict[str, Claim]] = {}
     for release, chapters in releases.items():
         for section, chapter in chapters.items():
             for claim in chapter.section.claims:
+                # That one can't tell says nothing where it lacks a section, unless it is for being near the noise.
                 if claim.outcome.name != "unknown" or claim.outcome.is_inconclusive or len(chapters) == len(sections):
                     asked.setdefault((section, claim.name), {})[release] = claim
     for (section, name), answers in asked.items():
@@ -167,7 +164,6 @@ class Comparison:
     flips: list[Flip]
     cells: list[Move]
     notes: list[str]
-    """Said of what could not be compared, and why."""
 
     @cached_property
     def moves(self) -> list[Move]:
@@ -212,7 +208,6 @@ def compare(before: Edition, after: Edition) -> Comparison:
 
 
 def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
-    """Name the sections that one edition lacks, and those whose costs are of other machines."""
     for side, other in ((before, after), (after, before)):
         for state in side.left_out:
             if state.kind == "missing" and state.section in other.chapters:

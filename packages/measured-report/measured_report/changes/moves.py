@@ -36,7 +36,6 @@ class Move:
     is_chosen: bool = False
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)
-    """Columns that tell its row apart."""
     chance: float | None = None
     """How often measurements of one edition come out as far apart; None where there are no replicas."""
     rows: tuple[str, str] = ("", "")
@@ -176,7 +175,6 @@ def _unlike(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
 
 
 def _comparable(cells: Cells, records: Sequence[Record]) -> Iterator[str]:
-    """Yield the columns of two rows that are compared."""
     has_same_terms = len(set(map(cost_terms, records, cells))) == 1
     lost, unlike = [is_lost(cell) for cell in cells], _unlike(*cells)
     for column in (name for name in cells[0] if name in cells[1] and name not in config().changes.keys):

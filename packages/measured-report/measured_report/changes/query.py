@@ -145,7 +145,6 @@ def history(releases: Releases, query: Query) -> str:
 
 
 def _reason(query: Query, chapters: Chapters) -> str:
-    """Say why an edition that was asked has no answer; empty where it has one, or was not asked."""
     claim, number = query.claim(chapters), query.quantity(chapters)
     if claim:
         return claim.outcome.reason
@@ -201,10 +200,10 @@ def blind_spots(edition: Edition) -> list[str]:
     """Say of which columns no noise is known, and which thresholds ring later than they say, or never."""
     unknown: dict[str, None] = {}
     for chapter in edition.chapters.values():
-        for row in chapter.results.rows:
-            numbers = {column: row[column] for column in row.columns if isinstance(row[column], Quantity)}
-            there = (column for column, number in numbers.items() if number.value is not None and number.noise is None)
-            unknown |= dict.fromkeys(each for each in there if column_of(each).kinds.isdisjoint(("chance", "cost")))
+        for column in chapter.results.record.units:
+            is_asked = column_of(column).kinds.isdisjoint(("chance", "cost", "parameter", "setting"))
+            found = (row[column] for row in chapter.results.rows if is_asked and row.plain.get(column) is not None)
+            unknown |= {column: None} if any(number.noise is None for number in found) else {}
     late = []
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)

@@ -123,5 +123,4 @@ def _typed(module: ModuleType) -> Iterator[str]:
 
 
 def _say(text: str) -> None:
-    """Say in one line, without what moves a terminal, what is wrong."""
     print(UNPRINTABLE.sub("?", " ".join(text.split())), file=sys.stderr)

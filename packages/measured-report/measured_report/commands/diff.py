@@ -2,9 +2,8 @@
 
 import argparse
 
-from measured_report.changes.alarm import diff_text
+from measured_report.changes.alarm import Rate, diff_text, rate_of, rate_text
 from measured_report.changes.compare import compare
-from measured_report.changes.rate import Rate, rate_of, rate_text
 from measured_report.commands.options import refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache

@@ -14,7 +14,7 @@ from urllib.parse import unquote, urlparse
 from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
 from measured_report.files.config import Config
-from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError
 from measured_report.records.identity import git
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
@@ -47,8 +47,9 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     """Write a report into a folder that is empty or not there: on a pendulum, or importing a package."""
     if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
         raise UsageError(f"{folder} is not empty; name a folder that is not there")
-    if any(mark in title for mark in '"\\\n{}'):
-        raise UsageError(f"--title={title} has a quote, a brace or a break in it, which no title takes here")
+    if any(mark in title for mark in '"\\\n{}') or UNPRINTABLE.search(title):
+        said = UNPRINTABLE.sub("?", title)
+        raise UsageError(f"--title={said} has a quote, a brace, a break or what can't be printed, which no title takes")
     told = json.loads(TOLD.read_text(encoding="utf-8"))
     if package:
         name, _, version = package.partition("==")

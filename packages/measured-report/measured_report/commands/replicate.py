@@ -45,7 +45,6 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def _keep(project: Project, records: Records, source: str) -> None:
-    """Write a replica of those records that are of this edition, and name the others; ReportError when none is."""
     try:
         left_out = refused(project, records)
     except ReportError as error:

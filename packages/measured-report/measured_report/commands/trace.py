@@ -50,7 +50,6 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
 
 
 def _printed(project: Project, source: str) -> Iterator[str]:
-    """Yield the places on the pages that were built where a number of this source is."""
     own = project.own_release or project.release
     folder = project.site if project.is_own else project.site / project.results.name
     for path in sorted(folder.glob("*.html")):
@@ -98,7 +97,6 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
 
 
 def _said(found: Quantity) -> str:
-    """Write a number as the page prints it, with all its digits, and its noise."""
     if found.value is None:
         return f"not there, for {found.reason}"
     noise = "not known" if found.noise is None else f"{found.noise:.2g} {unit_label(found.unit)}".rstrip()

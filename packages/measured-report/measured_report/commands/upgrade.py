@@ -67,7 +67,6 @@ def _apart():
 
 
 def _with_deciding(project: Project, release: Release, device: str | None, *, renews: bool) -> Project:
-    """Measure the deciding sections of a release that are missing or, if ``renews``, stale; return its report."""
     side = project.of(str(release))
     absent = lacking(side)
     stale = {state.section for state in states_of(side) if state.kind != "fresh"} if device and renews else ()

@@ -107,10 +107,7 @@ def environment_of(release: Release, root: Path = ROOT) -> Path:
 
 
 def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
-    """Read the requirements in the project's pyproject.toml, with these versions of packages in the place of its own.
-
-    One that is ``missing`` is as the project asks for it, or left to the edition if they come out ``together``.
-    """
+    """Read the project's requirements with these versions in the place of its own, ``missing`` ones as they come."""
     for name, version in packages.items():
         if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
             raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")

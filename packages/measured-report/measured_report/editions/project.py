@@ -29,7 +29,6 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     asked: str
     """As the command that measured it named its package: a release, a path or an address."""
     date: str = ""
-    """Day of the release or the commit, as 2026-11-11; empty where it is not known."""
     sections: tuple[str, ...] = ()
 
 
@@ -61,7 +60,6 @@ class Project:
     """Name the folders, editions and commands of a report in one checkout."""
 
     release: str
-    """Label of the edition whose results are shown."""
     profile: str = "full"
     """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
     root: Path = ROOT

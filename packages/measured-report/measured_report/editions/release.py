@@ -34,11 +34,9 @@ class Release:
     """Name a release, or other code, of the package whose releases are editions, and what is installed with it."""
 
     version: str
-    """Version of that package, with three numbers at least."""
     source: str = ""
     """``g`` and a commit, maybe ``.edited``, ``w`` or ``x`` and the digest of a wheel or folder; empty: a release."""
     pins: tuple[tuple[str, str], ...] = ()
-    """Package and version, of those that were asked for besides."""
     machine: str = ""
     """Name of the machine that measured it, when the label without it is of another machine."""
     requirement: str = ""

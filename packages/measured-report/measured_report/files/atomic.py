@@ -62,10 +62,7 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
 
 
 def put_record(record: Path, files: Mapping[str, bytes]) -> None:
-    """Put a record and its traces, contents by file name, beside each other at ``record``: all of them, or none.
-
-    They wait in a folder aside whose name says that they are whole; after a kill ``recover`` does what is left to do.
-    """
+    """Put a record and its traces, contents by name, at ``record``, all or none: after a kill ``recover`` goes on."""
     record.parent.mkdir(parents=True, exist_ok=True)
     with locked(record.parent.parent):
         new, whole = (record.with_name(f".{record.stem}{end}") for end in (NEW, WHOLE))

@@ -100,9 +100,7 @@ def reason_of(error: BaseException) -> str:
     if explained := host().explained(error):
         return explained
     if isinstance(error, OSError):
-        said = (
-            error.strerror or said or type(error).__name__
-        )  # one that was raised with words alone has no other reason
+        said = error.strerror or said or type(error).__name__
         return f"{error.filename}: {said}" if error.filename else said
     return str(error) if isinstance(error, ReportError) else bug_of(error)
 

@@ -1,5 +1,6 @@
 """Pools of the workers of a Dask cluster: who may measure, and by which code."""
 
+import asyncio
 import contextlib
 import logging
 import pickle
@@ -20,6 +21,7 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import MPS, gpus, machine, share_count, slug
+from measured_report.measuring.section import GONE
 from measured_report.records.code import digest_of
 from measured_report.records.identity import files_digest, package_versions
 
@@ -35,7 +37,7 @@ SETTINGS = {
     "distributed.worker.http.routes": [],
 }
 LOCAL = {"host": "127.0.0.1", "protocol": "tls", "dashboard": False, "dashboard_address": "127.0.0.1:0"}
-CONNECT_S = 30.0
+CONNECT_S, SILENT_S = 30.0, 120.0
 OTHER_CODE = "has other code or packages"
 
 
@@ -54,7 +56,7 @@ def connected(asked: str, device: str, count: int = 1) -> Iterator[Client]:
                 client = Client(asked, timeout=CONNECT_S)
             stack.enter_context(client)
             client.wait_for_workers(1)
-        except (OSError, ValueError, RuntimeError) as error:
+        except (MemoryError, OSError, ValueError, RuntimeError) as error:  # what is no scheduler may name any size
             said = " ".join(str(error).split()) or type(error).__name__
             raise ReportError(f"CLUSTER={asked}: no workers could be started or reached: {said:.200}") from None
         yield client
@@ -105,6 +107,7 @@ class ClusterPool:
     limit = sys.maxsize  # it also keeps what waits
 
     def __init__(self, client: Client, resource: str):
+        self._client = client
         self._executor = client.get_executor(pure=False, resources={resource: 1})
         self._digest = digest_here()
 
@@ -116,6 +119,13 @@ class ClusterPool:
             future.set_exception(error)
             return future
         return self._executor.submit(call_here, self._digest, call)
+
+    def check(self) -> None:
+        """Raise ReportError where the scheduler no longer answers, which Dask itself waits for without end."""
+        try:
+            self._client.sync(self._client.scheduler.ncores, callback_timeout=SILENT_S)
+        except (OSError, asyncio.TimeoutError):
+            raise ReportError(GONE) from None
 
 
 def call_here(digest: str, call: bytes) -> Any:

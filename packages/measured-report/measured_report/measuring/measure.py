@@ -66,7 +66,6 @@ def batches_at_once(project: Project, device: str) -> int:
 
 
 def _run(project: Project, release: Release, module: str, device: str, *options: str) -> None:
-    """Run a module that measures with a release, by the Python of its environment; ReportError when it fails."""
     python = python_of(release, expected_packages(project), project.root)
     command = [str(python), "-m", module, "--device", device, *options]
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all

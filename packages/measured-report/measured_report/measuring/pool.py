@@ -33,6 +33,9 @@ class HostPool:
             self._pool = self._opened()
             return self._pool.submit(function, *arguments)
 
+    def check(self) -> None:
+        """Do nothing: a process of this host that is killed is noticed."""
+
     def close(self) -> None:
         """Drop what waits, and end the thread that leads the processes, which must not meet the end of the program."""
         self._pool.shutdown(cancel_futures=True)

@@ -24,6 +24,7 @@ from measured_report.records.traces import packed
 
 WHOLE = "whole"
 """Name of the one batch of a section that has declared none."""
+GONE = "the scheduler is gone; what is finished is kept"
 
 
 @dataclass
@@ -33,15 +34,12 @@ class Section:
     project: Project
     name: str
     device: str
-    """Device that it measures on, ``cuda`` or ``cpu``, whatever else the host has."""
     plan: Plan
     identity: Identity
     stage: list[Batch] = field(default_factory=list)
     waiting: list[Batch] = field(default_factory=list)
-    """Batches that are neither done nor running."""
     results: dict[str, Result] = field(default_factory=dict)
     lost: set[str] = field(default_factory=set)
-    """Names of batches whose process was killed."""
     is_over: bool = False
     has_failed: bool = False
 
@@ -125,13 +123,15 @@ class Loop:
             section.advance()
         with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
             while self._submit():
-                for future in wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done:
+                done = wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done
+                if not done:
+                    self.shared.check()
+                for future in done:
                     self._take(future, *self.running.pop(future))
                     bar.update()
         return any(section.has_failed for section in self.sections)
 
     def _submit(self) -> bool:
-        """Submit what can run beside what does; tell whether anything runs."""
         for pool, is_exclusive in ((self.shared, False), (self.exclusive, True)):
             if all(section.is_exclusive(batch) == is_exclusive for section, batch in self.running.values()):
                 waiting = [(section, batch) for section in self.sections for batch in section.waiting]
@@ -149,7 +149,7 @@ class Loop:
         except pool.lost:
             section.lose(batch)
         except CancelledError:
-            raise ReportError("the scheduler is gone; what is finished is kept") from None
+            raise ReportError(GONE) from None
         except BatchError as error:
             section.fail(str(error) if batch.name == WHOLE else f"{batch.name}: {error}")
         except Exception as error:  # what it returns, or is given, can't travel

@@ -18,7 +18,6 @@ from measured_report.records.code import digest_of, files, roots_of
 from measured_report.values.quantities import Value
 
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
-"""What decides how numbers are computed and figures are drawn."""
 READ_BY_NAME = config().sources
 """What says what columns are, and nobody imports."""
 Derivation = tuple[Section, Mapping[str, Value]]
@@ -40,7 +39,6 @@ class DerivedCache:
 
     root: Path | None = None
     _new: dict[Place, Entry] = field(default_factory=dict)
-    """What is to be kept once its figures are drawn."""
     _code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
 
     def code(self, module: Path) -> str:

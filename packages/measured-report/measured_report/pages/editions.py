@@ -21,8 +21,8 @@ from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.pages.replicas import Measurements, floors_in, measurements_of
 from measured_report.pages.sections import FRONT, PAGES, LostError, Page, Read, derive_section, file_of, outline_of
+from measured_report.parts.citations import refuse_contradictions
 from measured_report.parts.claim import HOLDS, Claim
-from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Section
 from measured_report.records.code import digest_of, files
 from measured_report.records.identity import files_digest, sections
@@ -56,7 +56,6 @@ class Chapter:
 
 
 Chapters = Mapping[str, Chapter]
-"""The chapters of one release by name, in the order of the page."""
 Releases = Mapping[str, Chapters]
 """The chapters of every release that has results, oldest first."""
 
@@ -218,7 +217,6 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
 def _with_chapters(
     edition: Edition, measured: Sequence[tuple[State, Results]], releases: Releases, templates: Templates
 ) -> Edition:
-    """Add these sections to an edition, each made of what there is by then; what can't be shown is left out."""
     found, left_out = dict(edition.chapters), list(edition.left_out)
     for state, results in measured:
         try:
@@ -281,10 +279,7 @@ def results_digest(results: Results) -> str:
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
-    """Say why a section can't be shown, for the rest of the page stands without it.
-
-    What is wrong with its code or its words stops the build where the record is fresh and the project's own.
-    """
+    """Say why a section can't be shown; what is wrong with its code stops the build where the record is fresh."""
     is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError | LostError)
     if is_wrong and state.kind == "fresh" and project.is_own:
         raise error

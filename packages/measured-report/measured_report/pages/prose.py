@@ -17,8 +17,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.passages import PassageTag
-from measured_report.parts.citations import Mark, StatedTag, references
-from measured_report.parts.contradictions import pairs_of
+from measured_report.parts.citations import Mark, StatedTag, pairs_of, references
 from measured_report.parts.section import Figure
 from measured_report.parts.words import (
     CLOSE,
@@ -156,7 +155,6 @@ def stylesheet(root: Path = ROOT) -> str:
 
 @contextmanager
 def _named(template: str) -> Iterator[None]:
-    """Say of an error in a template which one it is in, and in which line, where that is known."""
     try:
         yield
     except jinja2.TemplateNotFound as error:

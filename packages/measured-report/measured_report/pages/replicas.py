@@ -33,7 +33,6 @@ class Measurements:
     apart: Mapping[str, Apart] = field(default_factory=dict)
     """By section, of those that were measured more than once."""
     said: Mapping[str, Mapping[str, Sequence[Outcome]]] = field(default_factory=dict)
-    """What replicas say, by section and claim."""
     kinds: Mapping[str, str] = field(default_factory=dict)
     """By section on how many kinds of processor it was measured, in words; empty for one."""
 

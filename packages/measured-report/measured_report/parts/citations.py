@@ -8,7 +8,7 @@ package's files, with ``{version}``, ``{file}`` and ``{line}``. A page numbers i
 its end.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,7 @@ from markupsafe import Markup
 
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
+from measured_report.parts.section import Section
 from measured_report.parts.words import table_beside, token
 
 NAME = "sources.toml"
@@ -84,3 +85,33 @@ class StatedTag(Extension):
     def _stated(self, context: Context, name: str, caller: Callable[[], str]) -> Markup:
         words = Markup(" ".join(caller().split()))
         return macros().stated(words, token(context["printed"], Mark(f"source {name}"))) + "\n"
+
+
+PAIRS = "pairs.toml"
+"""``contradict`` and ``needs``: pairs such as ``["gap.not_the_cause holds", "stiffness.cause fails"]``."""
+Pairs = Mapping[str, Sequence[tuple[str, str]]]
+
+
+def pairs_of(templates: Path) -> Pairs:
+    """Read the pairs of a folder of templates, which need not be there; ReportError, one line, for what is none."""
+    pairs = table_beside(templates, PAIRS)
+    if unknown := sorted(pairs.keys() - {"contradict", "needs"}):
+        raise ReportError(f"templates/{PAIRS} has {unknown[0]}; it may have contradict and needs")
+    return pairs
+
+
+def refuse_contradictions(pairs: Pairs, sections: Mapping[str, Section]) -> None:
+    """Raise ReportError, one line, when what the sections of a release say does not go together."""
+    claims = [(f"{name}.{claim.name}", claim) for name, section in sections.items() for claim in section.claims]
+    said = {f"{place} {claim.outcome.name}" for place, claim in claims}
+    known = {f"{name}.{each}" for name, section in sections.items() for each in section.unmeasured}
+    known |= {place for place, _ in claims}
+    for place in (words.partition(" ")[0] for found in pairs.values() for pair in found for words in pair):
+        if place.partition(".")[0] in sections and place not in known:
+            raise ReportError(f"templates/{PAIRS}: there is no claim {place}")
+    for first, second in pairs.get("contradict", ()):
+        if {first, second} <= said:
+            raise ReportError(f"templates/{PAIRS}: {first} contradicts {second}, and both are said")
+    for first, second in pairs.get("needs", ()):
+        if first in said and second not in said:
+            raise ReportError(f"templates/{PAIRS}: {first} needs {second}, which is not said")

@@ -63,10 +63,8 @@ class Outcome:
 
     @property
     def said(self) -> str:
-        """Say one of four: holds, the opposite, not shown, cannot tell."""
-        if self.name == "fails":
-            return "the opposite" if self.is_opposite else "not shown"
-        return {"unknown": "cannot tell"}.get(self.name, self.name)
+        """Say one of four: holds, the opposite, fails, cannot tell."""
+        return {"unknown": "cannot tell"}.get(self.name, "the opposite" if self.is_opposite else self.name)
 
 
 HOLDS = Outcome("holds")
@@ -241,6 +239,6 @@ def all_of(*outcomes: Outcome) -> Outcome:
     """Hold when all hold; one that is not shown decides, then one whose opposite is, then one that can't tell."""
     reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
     bounds = tuple(dict.fromkeys(bound for outcome in outcomes for bound in outcome.bounds))
-    order = ("not shown", "the opposite", "cannot tell", "holds")
+    order = ("fails", "the opposite", "cannot tell", "holds")
     found = min(outcomes, key=lambda outcome: order.index(outcome.said), default=HOLDS)
     return replace(found, reads=reads, bounds=bounds)

@@ -192,7 +192,6 @@ class Figure(_Captioned):
         return macros().figure(self, self._spoken(pictures, address), links, f"{root}data/")
 
     def _spoken(self, pictures: Pictures | None, address: str) -> Markup:
-        """Return the pictures with what they say to whoever can't see them, and where the numbers in that are from."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
         assert pictures, f"the figure {self.anchor} is not drawn yet"
         drawn = [picture for picture in pictures if isinstance(picture, Picture)]

@@ -65,7 +65,6 @@ class Wording:
 
     place: str
     blocks: Mapping[str, str]
-    """Names of its blocks by part."""
     names: frozenset[str]
     render: Callable[[str, Mapping[str, Any]], Markup] | None = None
     """Renders the block of a name with what it can name; None until the template is compiled."""
@@ -146,9 +145,8 @@ def with_formulas(source: str) -> str:
         except Exception:  # it has no one error, and no words for any
             formula = "\\"
         if "\\" in formula:
-            raise TemplateSyntaxError(
-                f"{tex:.60} is no TeX that is known here", source.count("\n", 0, found.start()) + 1
-            )
+            line = source.count("\n", 0, found.start()) + 1
+            raise TemplateSyntaxError(f"{tex:.60} is no TeX that is known here", line)
         return f"<span>{formula}</span>"
 
     return FORMULA.sub(written, source)

@@ -81,7 +81,6 @@ def sections(root: Path = ROOT) -> list[str]:
 
 SHORT_COMMIT = 7
 EDITED = ".edited"
-"""Behind a commit: a checkout of it differs."""
 MISSING = "missing"
 
 

@@ -41,7 +41,6 @@ class Origin:
     """Say what a number was measured with, as far as others must share it to be compared with it."""
 
     release: str
-    """Version of the package whose releases are editions."""
     processor: str
 
     def __str__(self) -> str:

@@ -34,14 +34,12 @@ class Source:
     """Holds what the text of one module says, as far as it matters here."""
 
     digest: str
-    """Of its whole syntax tree."""
     modules: tuple[str, ...]
     """Names that it imports, anywhere in it, of which some are modules of this project."""
     assets: tuple[str, ...]
     top: Mapping[str, Any]
     """By name, at its top level: the plain constants, and how many parameters a function has."""
     imports: Mapping[str, str]
-    """What its names are that it imports, as ``experiments.facts.metrics``."""
 
 
 Definitions = Mapping[str, tuple[Definition, ...]]
@@ -101,7 +99,6 @@ class Reader:
                 yield node.name, len(node.args.args)
 
     def _named(self, node: ast.AST) -> Iterator[tuple[str, str, str]]:
-        """Find the names that an import binds, what they are, and the module that each may be or be of."""
         if isinstance(node, ast.Import):
             for alias in node.names:
                 what = alias.name if alias.asname else alias.name.partition(".")[0]
@@ -133,7 +130,6 @@ def _here(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def _bound(node: ast.AST) -> Iterator[str]:
-    """Find the names that a statement binds where it stands."""
     for each in _here(node):
         if isinstance(each, DEFINING):
             yield each.name
@@ -191,7 +187,6 @@ class Scope:
     """Holds names as they are bound around a place."""
 
     local: Mapping[str, int] = field(default_factory=dict)
-    """Number by name, of what functions bind."""
     attributes: Collection[str] = ()
     """Names that the class binds whose body this is."""
 
@@ -228,7 +223,6 @@ class Canonical:
         return getattr(self, f"visit_{type(node).__name__}", self._fields)(node, scope)
 
     def _fields(self, node: ast.AST, scope: Scope, **instead: Any) -> Any:
-        """Make tuples of the fields of a node, some of which have others ``instead``."""
         fields = [
             (name, instead[name] if name in instead else self.plain(value, scope))
             for name, value in ast.iter_fields(node)

@@ -79,7 +79,6 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
 
 
 def _check_cells(lines: Iterator[list[str]]) -> None:
-    """Raise ValueError unless each line has a cell for each column, and a missing number is an empty cell."""
     head, number = next(lines, []), 1
     if len(head) > COLUMN_LIMIT:
         raise ValueError(f"it has more than {COLUMN_LIMIT} columns")
@@ -97,7 +96,6 @@ def _check_cells(lines: Iterator[list[str]]) -> None:
 
 
 def _problem(column: str, numbers: Sequence[float], texts: Iterable[str]) -> str:
-    """Say what is wrong with a column of a trace that has these; empty when nothing is."""
     if not HEAD.fullmatch(column):
         return "is no column name"
     if column == "time_s" and any(later < earlier for earlier, later in pairwise(numbers)):

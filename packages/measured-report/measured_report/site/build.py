@@ -37,7 +37,6 @@ class Built:
     stale: Sequence[str]
     left_out: Sequence[State]
     notes: Sequence[str] = ()
-    """Said of what no comparison with it will see."""
 
 
 def build(project: Project, address: str = "") -> dict[str, Built]:

@@ -23,7 +23,7 @@ from measured_report.values.format import (
     whole,
 )
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
-from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
+from measured_report.values.quantities import LEAST, MOST, VALUES_FILE
 from measured_report.values.scatter import Apart, apart
 
 SCRIPT = "page.js"
@@ -42,8 +42,6 @@ class Drawn:
 
     text: str
     sources: list[str]
-    is_drawn: bool = True
-    """Set where there may be little room."""
     is_tick: bool = False
     """Set at an axis, where numbers are places and not measurements."""
 
@@ -98,7 +96,7 @@ class PageReader(HTMLParser):
             self.drawn.append(Drawn("", sources, is_tick=any(self._ticks)))
         said = attributes.get("aria-label") or attributes.get("alt")
         if tag in PICTURES and said:
-            self.drawn.append(Drawn(said, sources, is_drawn=False))
+            self.drawn.append(Drawn(said, sources))
         if tag == "data":
             self.numbers.append({**attributes, "text": "", "in": "code" if "code" in self._open else ""})
         if "data-claim" in attributes:
@@ -192,7 +190,8 @@ def _check_written(page: PageReader, data: Data) -> list[str]:
         source = number.get("data-src", "")
         try:
             kept, noise = data.number(source)
-            text = _text(number, kept, noise, data)
+            is_code, how = number["in"] == "code", number.get("data-as", "")
+            text = format_code(kept) if is_code else WRITES[how](kept, noise=noise)
         except (OSError, ValueError, LookupError, TypeError):
             problems.append(f"{number.get('data-src')} resolves to nothing")
             continue
@@ -204,30 +203,14 @@ def _check_written(page: PageReader, data: Data) -> list[str]:
     return problems
 
 
-def _text(number: Mapping[str, str], kept: float | int | None, noise: float | None, data: Data) -> str:
-    text, how = format_number(kept, noise=noise), number.get("data-as", "")
-    if number["in"] == "code":
-        return format_code(kept)
-    if how in WRITES:
-        return WRITES[how](kept, noise=noise)
-    other, its_noise = data.number(how) if how else (None, None)
-    is_same = how and format_number(other, noise=its_noise) == text and number["text"] == SAME
-    return number["text"] if is_same else text
-
-
 def _check_drawn(page: PageReader, data: Data) -> list[str]:
-    """Check that every number of a drawing and of its words is as its source says, or a name or a tick."""
     problems = []
     for drawn in page.drawn:
         rest = drawn.text
         for source in drawn.sources:
             try:
                 value, noise = data.number(source)
-                texts = (
-                    spellings(value, noise)
-                    if drawn.is_drawn
-                    else [write(value, noise=noise) for write in WRITES.values()]
-                )
+                texts = [*(write(value, noise=noise) for write in WRITES.values()), *spellings(value, noise)]
             except (OSError, ValueError, LookupError, TypeError):
                 problems.append(f"{source} resolves to nothing")
                 continue
@@ -242,7 +225,6 @@ def _check_drawn(page: PageReader, data: Data) -> list[str]:
 
 
 def _check_cells(page: PageReader, data: Data) -> list[str]:
-    """Check that words in tables have no numbers but those of names, and of words that a record has."""
     left = ((cell, _unnamed(cell, data)) for cell in page.cells if re.search(r"\d", cell))
     return [
         f"the number {number[0]} leads nowhere in the cell: {cell.strip()}"

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from measured_report.changes.rate import rate_of, rate_values
+from measured_report.changes.alarm import rate_of, rate_values
 from measured_report.files.config import config
 from measured_report.files.root import ROOT
 from measured_report.pages.cache import DerivedCache
@@ -208,7 +208,6 @@ class Site:
         (self.folder / name).write_bytes(data.encode() if isinstance(data, str) else data)
 
     def _write_once(self) -> None:
-        """Write what the site has once, at its root: the picture for links, and what its data are."""
         self._write("404.html", self.templates.layout("404.html.j2", {"address": self.address}))
         if (ROOT / "LICENSE").is_file():
             self._write("license.txt", ROOT / "LICENSE")

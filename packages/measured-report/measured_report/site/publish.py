@@ -48,12 +48,11 @@ def _checked_copy(site: Path, copy: Path) -> Path:
     if not (site / "index.html").is_file():
         raise UsageError(f"{site.name}/ holds no report; make report builds it")
     with locked(site.parent, alone=False):  # not while it is being put in place
-        shutil.copytree(site, copy, symlinks=True)
-    there = digests_below(copy)
-    there.pop(SUMS, None)
-    if not (copy / SUMS).is_file() or (copy / SUMS).read_text(encoding="utf-8") != sums(there):
-        raise ReportError(f"not published: {site.name}/ is not as it was built; make report builds it again")
-    if QUICK in (copy / "index.html").read_text(encoding="utf-8"):
+        there = digests_below(site)
+        if not there.pop(SUMS, "") or (site / SUMS).read_text(encoding="utf-8", errors="replace") != sums(there):
+            raise ReportError(f"not published: {site.name}/ is not as it was built; make report builds it again")
+        shutil.copytree(site, copy)
+    if QUICK.encode() in (copy / "index.html").read_bytes():
         raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
     if problems := check_site(copy):
         raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
@@ -83,10 +82,7 @@ def _to_folder(copy: Path, place: str, site: Path) -> str:
 
 
 def _to_branch(copy: Path, place: str, site: Path) -> str:
-    """Publish to a branch of a remote of the project's git repository, as its one commit.
-
-    The commit is made in a repository of its own and pushed by address: nothing of the project's is touched.
-    """
+    """Publish to a branch of a remote, as its one commit, made in a repository of its own and pushed by address."""
     remote, _, branch = place.partition("#")
     branch = branch or BRANCH
     ref, git, aside = f"refs/heads/{branch}", ["git", "-C", str(site.parent)], copy.with_name("git")
@@ -119,9 +115,9 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
 
 
 def _run(command: Sequence[str], **settings: str) -> str:
-    """Return what a program prints; UsageError, with the line that says why, when it fails or is not there."""
     name = "ghp-import" if "ghp_import" in command else command[0]
-    own = {**os.environ, "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C", **settings}
+    quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
+    own = {**os.environ, **quiet, **settings}
     try:
         done = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=own, check=False)
     except FileNotFoundError:

@@ -144,7 +144,6 @@ def number_of(text: str) -> str:
 
 
 def _format_noise(noise: float, value: float) -> str:
-    """Write noise rounded up, in as few digits as keep it below what ``value``, which is less, could be."""
     texts = [_format_rounded(Decimal(repr(noise)), digits, ROUND_CEILING) for digits in range(1, DIGITS_KNOWN + 1)]
     most = Decimal(repr(noise + abs(value)))
     return next((text for text in texts if (read_number(text) or most) <= most), texts[-1])

@@ -36,8 +36,7 @@ def tolerance(values: Sequence[float]) -> float:
 
     A difference of two runs scatters normally by √2 σ, and σ is at most s √(ν / χ²), by the confidence interval of a
     standard deviation (NIST/SEMATECH e-Handbook of Statistical Methods, 7.2.3.1), with χ² at ν degrees of freedom by
-    Wilson and Hilferty (1931). It is never less than the largest difference between the values themselves, in whose
-    unit it is.
+    Wilson and Hilferty (1931). It is never less than the largest difference between the values themselves.
     """
     seen = max(values) - min(values)
     if len(values) < LEAST_RUNS or not seen:

@@ -13,8 +13,8 @@ from measured_report.records.record import Origin
 from measured_report.values.format import format_code, format_least, format_most, format_number, unit_label
 
 VALUES_FILE = "values.json"
-MOST, LEAST, SAME = "most", "least", "the same"
-"""Said on the page of a number that is a bound from above or below, or that is written like another one."""
+MOST, LEAST = "most", "least"
+"""Said on the page of a number that is a bound from above or below."""
 
 
 def local(text: str, release: str) -> str:
@@ -92,11 +92,6 @@ class Quantity:
     def least(self) -> Markup:
         """Write the number with its unit, rounded down: where the words say *at least* or *more than*."""
         return self._with_unit(self._written(format_least(self.value, noise=self.noise), LEAST))
-
-    def beside(self, other: "Quantity") -> Markup:
-        """Write the number with its unit, or *the same* where it is written like ``other``, which stands before it."""
-        is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
-        return self._written(SAME, other.source) if is_same and other.source else self.__html__()
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         if not self.source:

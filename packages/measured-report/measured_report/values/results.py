@@ -44,16 +44,16 @@ class Series:
 
 
 class Row:
-    """Reads one row of a record: ``row.drag_n`` is a Quantity; text and yes or no stay as they are.
+    """Reads one row: ``row.drag_n`` is a Quantity, an absent one where there is none; text, yes and no stay so.
 
-    What other rows have and this one lacks is an absent Quantity, or no text; so is all of a row that is not there.
+    ``plain`` has its cells as the record has them, ``source`` its pointer below the site's ``data/``.
     """
 
     def __init__(self, results: "Results", index: int | None, case: str = ""):
         self._results, self._record = results, results.record
-        self._cells: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
+        self.plain: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
-        self._source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
+        self.source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
         self._read: dict[str, Any] = {}  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
@@ -62,22 +62,22 @@ class Row:
         return self._read[column]
 
     def _cell(self, column: str) -> Any:
-        units, case = self._record.units, self._cells["case"]
-        if column not in self._cells:
+        units, case = self._record.units, self.plain["case"]
+        if column not in self.plain:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
             if not self._lack and not any(column in row for row in self._record.rows):
                 raise ResultsError(f"{self._record.section}: {case} has no column {column}")
             return ""
-        value = self._cells[column]
+        value = self.plain[column]
         if column not in units or isinstance(value, bool | str):
             return value
-        said = (self.label, self._cells.get(f"{column}_reason")) if value is None else ()
+        said = (self.label, self.plain.get(f"{column}_reason")) if value is None else ()
         reason = ": ".join(filter(None, said))
         apart = self._results.apart
-        known = cell_noise(column, self._cells, self._results.floors), apart.noise(column, self._cells)
+        known = cell_noise(column, self.plain, self._results.floors), apart.noise(column, self.plain)
         noise = max((each for each in known if each is not None), default=None)
-        place, interval = f"{self._source}/{column}", apart.interval(column, self._cells)
+        place, interval = f"{self.source}/{column}", apart.interval(column, self.plain)
         return Quantity(value, units[column], place, reason, self._origins, noise, interval)
 
     def __getattr__(self, column: str) -> Any:
@@ -86,7 +86,7 @@ class Row:
         return self[column]
 
     def __contains__(self, column: str) -> bool:
-        return column in self._cells
+        return column in self.plain
 
     def __bool__(self) -> bool:
         """Tell whether the record has it."""
@@ -95,21 +95,11 @@ class Row:
     @property
     def label(self) -> str:
         """Return what people call its case."""
-        return label_of(self._cells["case"], self._results.labels)
-
-    @property
-    def plain(self) -> Mapping[str, Any]:
-        """Return its cells as the record has them."""
-        return self._cells
+        return label_of(self.plain["case"], self._results.labels)
 
     @property
     def columns(self) -> list[str]:
-        return list(self._cells)
-
-    @property
-    def source(self) -> str:
-        """Return its pointer below the site's ``data/``, which those of its numbers begin with."""
-        return self._source
+        return list(self.plain)
 
 
 class Rows(dict):
@@ -255,7 +245,6 @@ def _of_all(function: Callable[..., float]) -> Callable[..., float]:
 
 
 def _noise(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> float | None:
-    """Return the noise of what was computed; None where that of a source is not known, as of a series."""
     values: list[Any] = [source.value for source in sources]
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     try:

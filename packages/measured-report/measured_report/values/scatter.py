@@ -65,10 +65,7 @@ def chance_of(times: float, freedom: int) -> float:
 
 
 def discoveries(chances: Sequence[float]) -> float:
-    """Return the largest chance that counts as none among so many comparisons, by Benjamini and Hochberg (1995).
-
-    Of what is told no more than 1 − ``CONFIDENCE`` is by chance: J. R. Statist. Soc. B 57, 289-300.
-    """
+    """Return the largest chance that counts as none, by Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289."""
     ranked = enumerate(sorted(chances), 1)
     return max((each for rank, each in ranked if each <= (1 - CONFIDENCE) * rank / len(chances)), default=0.0)
 
@@ -121,27 +118,25 @@ def apart(records: Sequence[Record]) -> Apart:
 
 
 def _by_key(rows: Sequence[Row]) -> dict[Key, Row]:
-    """Return the rows by what tells them apart; those that nothing does are left out."""
     count = Counter(map(key_of, rows))
     return {key_of(row): row for row in rows if count[key_of(row)] == 1}
 
 
 def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
-    """Return the scatter of a column; None where nothing in it differs, or there is too little to tell."""
     read = {key: [scattered(column, row) for row in rows] for key, rows in cells.items()}
     found = {key: [*filter(is_number, numbers)] for key, numbers in read.items() if None not in numbers}
     if not any(len(set(numbers)) > 1 for numbers in found.values()):
         return None
     own = {key: (variance(numbers), min(numbers), max(numbers)) for key, numbers in found.items()}
+    magnitudes = [abs(fmean(numbers)) for numbers in found.values()]
 
     def typical(size: float) -> tuple[float, float]:
         """Return how unlike the variances are, in proportion to numbers of that size or not, and the typical one."""
-        sizes = (abs(fmean(numbers)) / size if size else 1.0 for numbers in found.values())
+        sizes = (each / size if size else 1.0 for each in magnitudes)
         scaled = sorted(one[0] / max(1.0, each) ** 2 for one, each in zip(own.values(), sizes, strict=True))
         middle, most = (scaled[math.ceil(share * len(scaled)) - 1] for share in (0.5, TYPICAL))
         return most / middle if middle else math.inf, most
 
-    magnitudes = [abs(fmean(numbers)) for numbers in found.values()]
     (_, most), size = min((typical(size), size) for size in (0.0, median(magnitudes), min(filter(None, magnitudes))))
     freedom = len(next(iter(found.values()))) - 1
     part = 2 / (9 * freedom)  # chi-squared by Wilson and Hilferty, as in ``tolerance``
