@@ -34,7 +34,7 @@ def read(model: mujoco.MjModel) -> np.ndarray:
     """Return the geoms that can collide; of many that are alike the first ones."""
     geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
     weld = model.body_weldid[model.geom_bodyid]
-    columns = [column for name in SAID for column in getattr(model, f"geom_{name}").reshape(model.ngeom, -1).T]
+    columns = [column for name in SAID for column in np.atleast_2d(getattr(model, f"geom_{name}").T)]
     for most in ALIKE:
         own = np.bincount(weld[geoms]).astype(float)
         if 0.5 * (own.sum() ** 2 - (own**2).sum()) <= MOST_PAIRS:
