@@ -4,12 +4,11 @@ from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, a
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, noise_floor, share, table_of
+from report.shared.arithmetic import Column, share, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, compared, resolution
 
 order = 188
 page = "scenes"
-reads = ("noise",)
 label = "Newton's solvers"
 
 NAMES = {
@@ -41,8 +40,8 @@ def derive(results: Results) -> Section:
     claims = [
         offered,
         _steel_stays(results),
-        _slips_less(results, rows),
-        _anchors_help(results, rows),
+        _slips_less(rows),
+        _anchors_help(rows),
         _contacts_strain(results, rows),
         _rows_overflow(rows),
         _fails_sooner(rows),
@@ -104,18 +103,18 @@ def _shake_table(rows: RowsBy) -> Table:
     return table_of("solver", map(_label, names), columns, [rows[name, "3cm"] for name in names])
 
 
-def _slips_less(results: Results, rows: RowsBy) -> Claim:
+def _slips_less(rows: RowsBy) -> Claim:
     """Tell whether the cube slips less far in Steel than in MuJoCo Warp, in the same scene without weight."""
     warp, steel = rows["warp", "3cm"], rows["steel", "3cm"]
-    outcome = greater(warp.slip_mm, steel.slip_mm, noise=noise_floor(results, "slip_floor"))
+    outcome = greater(warp.slip_mm, steel.slip_mm)
     depths = {"deep": warp.penetration_mm, "shallow": steel.penetration_mm}
     return Claim("slips_less", outcome, {"warp": warp.slip_mm, "steel": steel.slip_mm, **depths})
 
 
-def _anchors_help(results: Results, rows: RowsBy) -> Claim:
+def _anchors_help(rows: RowsBy) -> Claim:
     """Tell whether friction that remembers where a contact began lets the cube slip less far, shaken wide."""
     anchors, points = rows["steel", "10cm"].slip_mm, rows["steel-points", "10cm"].slip_mm
-    outcome = greater(points, anchors, noise=noise_floor(results, "slip_floor"))
+    outcome = greater(points, anchors)
     return Claim("anchors_help", outcome, {"anchors": anchors, "points": points})
 
 

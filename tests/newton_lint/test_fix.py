@@ -113,7 +113,13 @@ def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
     assert main([str(scenes / "one.xml")]) == 2 and len(capsys.readouterr().err.splitlines()) == 1
 
 
-def test_a_body_of_many_geoms_has_few_pairs():
+def test_of_many_geoms_that_are_alike_the_first_are_read(tmp_path, capsys):
     geoms = "".join(f'<geom size="0.01" pos="{index} 0 1"/>' for index in range(3000))
-    text = f'<mujoco><worldbody><geom type="plane" size="1 1 1"/><body><freejoint/>{geoms}</body></worldbody></mujoco>'
-    assert len(pairs_of(mujoco.MjModel.from_xml_string(text))[0]) == 3000
+    text = (
+        f'<mujoco><worldbody><geom type="plane" size="1 1 1"/>{{}}<body><freejoint/>{geoms}</body></worldbody></mujoco>'
+    )
+    for scene, count in ((text.format(""), 3000), ("<mujoco/>", 0)):
+        assert len(pairs_of(mujoco.MjModel.from_xml_string(scene))[0]) == count
+    (tmp_path / "many.xml").write_text(text.format(geoms))
+    assert main([str(tmp_path / "many.xml"), "--no-step"]) == 0
+    assert "10100 pairs" in (out := capsys.readouterr().out) and "geoms 5800 are not read" in out

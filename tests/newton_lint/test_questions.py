@@ -111,6 +111,8 @@ def test_the_change_that_is_named_cures_it(question, tmp_path, capsys):
 SIDES = {
     "depth": ('solref="0.2 1" solimp="0.5 0.5 0.001" priority="1"', "", "depth 49.05 mm", "0.0286 1"),
     "friction": ("", 'friction="0.05"', "friction 0.05 counts nowhere", 'priority="1"'),
+    "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
+    "unused": ('condim="1"', 'friction="2" condim="1"', "friction[0] 2 against sliding", 'condim="3"'),
     "gap": ('margin="0.01" gap="0.01"', "", "presses from margin", 'margin="0"'),
 }
 """Floor and what lies on it, what is said of them, and the advice."""
@@ -127,6 +129,7 @@ def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
     main([str(path)])
     out = capsys.readouterr().out
     assert f" {rule}: " in out and said in out and advice in out
+    assert ("counts nowhere" in out) == (rule == "friction")
     assert main(["pair", str(path), "mat", "part"]) == 0 and main(["pair", str(path), "mat", "mat"]) == 1
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)

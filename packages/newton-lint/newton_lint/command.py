@@ -166,11 +166,7 @@ def add_work(made: argparse.ArgumentParser) -> None:
     add("--dt", type=positive, metavar="S", help=f"the solver's step; {own}")
     add("--cone", choices=("pyramidal", "elliptic"), help=own)
     add("--impratio", type=positive, metavar="X", help=own)
-    add(
-        "--hold",
-        metavar="BODY",
-        help="predict how this body creeps, which the first keyframe or the start has in its grip",
-    )
+    add("--hold", metavar="BODY", help="predict how this body creeps, gripped in the first keyframe or at the start")
     add("--settle", type=positive, metavar="S", help="time that its grip gets to settle; default: 0.5")
     add("--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical")
     add("--lift", type=positive, default=0.0, metavar="M/S²", help="what holds it accelerates upward")

@@ -12,12 +12,14 @@ from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Finding
 from newton_lint.scene import Scene
 from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, pair_indices, predicted_hold, touches_of
-from newton_lint.stepped import Run, changed, free_joints
+from newton_lint.stepped import Run, changed, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
 """Creep under its own weight from which a body is said to slip."""
 AGREES = 0.3
-"""Least share of the predicted creep that a body moves by, and of a weight that friction bears."""
+"""Least share of the predicted creep that a body moves by, and of a weight that friction bears in a grip."""
+LEAST = 0.015
+"""The same on a slope."""
 OPPOSE = -0.5
 """Cosine between two normals up to which a body is held from two sides."""
 MOST_BODIES = 20
@@ -46,20 +48,17 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
     """Return bodies that move freely and alone, and of whose weight friction bears a share."""
     model, data = scene.model, run.data
     friction = np.zeros((model.nbody, 3))
-    force = np.zeros(6)
-    for index in range(data.ncon):
-        contact = data.contact[index]
-        if contact.efc_address < 0 or min(contact.geom) < 0 or contact.dim < 3:
-            continue
-        mujoco.mj_contactForce(model, data, index, force)
-        acts = force[1:3] @ contact.frame.reshape(3, 3)[1:]
-        for geom, sign in zip(contact.geom, (-1.0, 1.0), strict=True):
-            friction[model.body_weldid[model.geom_bodyid[geom]]] += sign * acts
+    there = np.flatnonzero((data.contact.geom.min(axis=1, initial=0) >= 0) & (data.contact.dim >= 3))
+    axes = data.contact.frame[there].reshape(-1, 3, 3)[:, 1:]
+    acts = np.einsum("ni,nij->nj", contact_forces(model, data, there)[:, 1:3], axes)
+    for geoms, sign in zip(data.contact.geom[there].T, (-1.0, 1.0), strict=True):
+        np.add.at(friction, model.body_weldid[model.geom_bodyid[geoms]], sign * acts)
     alone = model.jnt_bodyid[free_joints(model)]
     alone = alone[np.isclose(model.body_subtreemass[alone], model.body_mass[alone])]
     weight = model.body_mass * float(np.linalg.norm(model.opt.gravity))
     share = np.linalg.norm(friction, axis=1)[alone] / np.maximum(weight[alone], 1e-12)
-    return [int(each) for each in alone[np.argsort(-share)][:MOST_BODIES] if weight[each] and share.max() > 0.0]
+    first = np.argsort(-share)[:MOST_BODIES]
+    return [int(body) for body in alone[first[share[first] > LEAST]] if weight[body]]
 
 
 def _found(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: str) -> Iterator[Finding]:
@@ -69,7 +68,7 @@ def _found(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, s
     if between:
         yield from _turns(scene, hold, start)
     weight_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
-    if hold.slides or not hold.rests or hold.load_n < AGREES * weight_n * (1.0 if between else 0.05):
+    if hold.slides or not hold.rests or hold.load_n < (AGREES if between else LEAST) * weight_n:
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
         yield _slips(scene, hold, "between fingers" if between else "down a slope", start)

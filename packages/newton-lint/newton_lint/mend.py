@@ -2,7 +2,7 @@
 
 import difflib
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from xml.parsers import expat
@@ -24,14 +24,14 @@ MEASURED_S = 1.0
 """Time that a scene is stepped before and after a change, by each of its starts."""
 DEEPER, DEEPER_M = 1.1, 5e-5
 FASTER, FASTER_M_S = 1.05, 2e-3
-SLOWER = 1.8
-"""How much deeper contacts may get, what rests may move faster, and the time of the processor that may be more."""
+SLOWER, SLOWEST = 1.8, 3.0
+"""How much deeper contacts may get, what rests may move faster, and how much more effort or time it may take."""
 SHALLOW_M = 2e-3
 """Depth that a body may have which no longer falls through."""
 FREES = ("lost", "stiff", "thrown", "unstable")
 """Rules of what costs little, and has no contacts, only because it falls or flies."""
-MOST_TRIES, PASSES = 60, 4
-"""Changes that are tried, and times that scenes which share files are gone over."""
+MOST_TRIES, PASSES = 40, 4
+"""Changes that are tried in one pass, and times that scenes which share files are gone over."""
 
 
 @dataclass(frozen=True)
@@ -40,29 +40,28 @@ class Measured:
 
     runs: Sequence[Run]
 
-    def harm(self, after: "Measured", rule: str) -> str:
-        """Say in what a change made it worse; empty where it did in nothing."""
+    def harm(self, after: "Measured", rules: Collection[str]) -> str:
+        """Say in what changes of these rules' findings made it worse; empty where they did in nothing."""
         for old, new in zip(self.runs, after.runs, strict=True):
-            thrown = [float(each.thrown_m_s.max(initial=0.0)) for each in (old, new)]
-            if not new.bad and (
-                old.bad or (thrown[0] > THROWN_M_S > 2.0 * thrown[1] and new.deepest_m <= old.deepest_m)
-            ):
-                continue
             if new.bad:
                 return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
-            falls = rule == "lost" and new.deepest_m < SHALLOW_M
-            for name, depth, other in (
-                ("deepest contact", old.deepest_m, new.deepest_m),
-                ("deepest contact at the end", old.late_m, new.late_m),
-            ):
-                if other > DEEPER * depth + DEEPER_M and not falls:
+            if old.bad:
+                continue
+            thrown = [float(each.thrown_m_s.max(initial=0.0)) for each in (old, new)]
+            lies = thrown[0] > THROWN_M_S > 2.0 * thrown[1] and new.deepest_m <= old.deepest_m
+            lies |= "lost" in rules and new.deepest_m < SHALLOW_M
+            for name, at in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
+                depth, other = (getattr(each, at) for each in (old, new))
+                if other > DEEPER * depth + DEEPER_M and not lies:
                     return f"{name} {M * depth:.3g} → {M * other:.3g} mm from {new.start}"
             speed, other = (float(np.abs(each.data.qvel).max(initial=0.0)) for each in (old, new))
             if other > FASTER * speed + FASTER_M_S:
                 return f"what moves fastest after {new.time_s:.3g} s: {speed:.3g} → {other:.3g} m/s or rad/s"
-        cost, other = (sum(each.cost_s for each in one.runs) for one in (self, after))
-        slower = other > SLOWER * cost and rule not in FREES
-        return f"a simulated second takes {other / cost:.2g} times as long" if slower else ""
+        for name, most in () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST)):
+            cost, other = (sum(getattr(each, name) for each in one.runs) for one in (self, after))
+            if other > most * cost:
+                return f"a simulated second costs {other / max(cost, 1e-9):.2g} times as much"
+        return ""
 
     def __str__(self) -> str:
         depth = max((each.deepest_m for each in self.runs), default=0.0)
@@ -83,44 +82,45 @@ class Mending:
         self.measured = self.begun = measured(target)
         self.texts: dict[Path, bytes] = dict(target.texts)
         self.said: dict[str, str] = {}
-        self._left = MOST_TRIES
-        while self._left and self._step():
+        self.rules: set[str] = set()
+        while self._pass():
             pass
+        if why := self.begun.harm(self.measured, self.rules):
+            self.texts, self.report, self.measured = dict(target.texts), self.first, self.begun
+            self.said = {line: end or f"with the others {why}" for line, end in self.said.items()}
 
-    def _step(self) -> bool:
-        """Make the first change that does good and no harm; tell whether there was one."""
-        self.said = {line: end for line, end in self.said.items() if end == ""}
-        for findings, changes in self._candidates():
-            line = ", ".join(map(str, changes))
-            if line in self.said or not self._left:
-                continue
-            self._left -= 1
+    def _pass(self) -> bool:
+        """Try each change once, and tell whether one did good and no harm: the last pass finds nothing to write."""
+        written = {line: end for line, end in self.said.items() if end == ""}
+        self.said, left = dict(written), MOST_TRIES
+        while left and (found := next((each for each in self._candidates() if each[0] not in self.said), None)):
+            line, findings, changes = found
+            left -= 1
             self.said[line] = self._tried(findings, changes)
-            if not self.said[line]:
-                return True
-        return False
+        return list(self.said.values()).count("") > len(written)
 
-    def _candidates(self) -> Iterator[tuple[list[Finding], tuple[Change, ...]]]:
+    def _candidates(self) -> Iterator[tuple[str, list[Finding], Sequence[Change]]]:
         """Yield findings with changes that may mend them: all of a rule at once, then each by each of its ways."""
         counted = [each for each in self.report.findings if each.severity != "note" and ways_of(each.advice)]
         for rule in dict.fromkeys(each.rule for each in counted):
             findings = [each for each in counted if each.rule == rule]
             first = {(one.element, one.subject): one for each in findings for one in ways_of(each.advice)[0].changes}
-            if len(first) > 1:
-                yield findings, tuple(first.values())
-            for finding in findings:
-                yield from (([finding], way.changes) for way in ways_of(finding.advice))
+            ways = [(findings, tuple(first.values()))] if len(first) > 1 else []
+            ways += [([finding], way.changes) for finding in findings for way in ways_of(finding.advice)]
+            yield from ((", ".join(map(str, changes)), meant, changes) for meant, changes in ways)
 
     def _tried(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:
         """Take changes over, or say why not."""
         try:
-            texts = self.texts | edited(changes, self.report.source, self.texts)
-            target = tried(self.target, texts)
-            elsewhere = self._elsewhere(texts, findings[0].rule)
+            return self._does(findings, self.texts | edited(changes, self.report.source, self.texts))
         except Unwritable as error:
             return str(error)
         except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
+
+    def _does(self, findings: Sequence[Finding], texts: dict[Path, bytes]) -> str:
+        """Take texts over that mend findings of one rule, or say why not."""
+        rules, target = [findings[0].rule], tried(self.target, texts)
         report = report_of(target, self.asked)
         before, after, known = _counted(self.report), _counted(report), {_key(each) for each in self.report.findings}
         if any(after[_key(finding)] >= before[_key(finding)] for finding in findings):
@@ -128,21 +128,20 @@ class Mending:
         if more := [key for key, count in after.items() if key not in known or 0 < before[key] < count]:
             return f"another is found then: {' '.join(filter(None, more[0]))}"
         after_it = measured(target)
-        why = self.measured.harm(after_it, findings[0].rule)
-        if "times as long" in why:  # as a busy machine is
-            why = self.measured.harm(measured(target), findings[0].rule)
-        if why := why or self.begun.harm(after_it, findings[0].rule) or elsewhere:
+        why = self.measured.harm(after_it, rules)
+        if why := why or self._elsewhere(texts, rules):
             return why
         self.texts, self.report, self.measured = texts, report, after_it
+        self.rules |= {*rules}
         return ""
 
-    def _elsewhere(self, texts: Texts, rule: str) -> str:
+    def _elsewhere(self, texts: Texts, rules: Collection[str]) -> str:
         """Say what harm a change of an included file does to the other scenes that are mended."""
         included = {file for file in texts if file != self.target.path}
         for path in self.others if included else ():
             if path != self.target.path and included & {each.file for each in parse(path).walk()}:
                 other = Target(path.name, compiled(path), path=path)
-                if why := measured(other).harm(measured(tried(other, texts)), rule):
+                if why := measured(other).harm(measured(tried(other, texts)), rules):
                     return f"{path.name}: {why}"
         return ""
 
@@ -168,11 +167,7 @@ def _counted(report: Report) -> Counter[tuple[str, str, str]]:
 
 
 def fixed(target: Target, asked: Asked, others: Sequence[Path], dry: bool) -> tuple[Report, list[str], str]:
-    """Mend a scene's files.
-
-    Returns:
-        The report of it as it was, lines that say what was done, and why its files can't be written.
-    """
+    """Mend a scene's files; return its report as it was, lines of what was done, and why files can't be written."""
     mending = Mending(target, asked, others)
     told, why = [], ""
     if mending.texts and not dry:

@@ -29,13 +29,11 @@ def main(arguments: Sequence[str]) -> int:
     one, other = (_geom(scene, target.name, name) for name in given.geoms)
     contacts = scene.contacts
     found = np.flatnonzero(np.isin(contacts.first, (one, other)) & np.isin(contacts.second, (one, other)))
-    lines = (
-        _table(scene, contacts, int(found[0]), one, other)
-        if len(found)
-        else [f"{' and '.join(given.geoms)} make no contact: {_apart(scene, [one, other])}"]
-    )
-    print("\n".join(map(shown, lines)))
-    return CLEAN if len(found) else FOUND
+    if not len(found):
+        print(shown(f"{' and '.join(given.geoms)} make no contact: {_apart(scene, [one, other])}"))
+        return FOUND
+    print("\n".join(map(shown, _table(scene, contacts, int(found[0]), one, other))))
+    return CLEAN
 
 
 def _geom(scene: Scene, target: str, name: str) -> int:

@@ -3,11 +3,15 @@
 import mujoco
 import numpy as np
 
+from newton_lint.grouping import alike
+
 PLANE, HFIELD = int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD)
 OFF = int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
-CHUNK = 512
-"""Geoms whose pairs are looked for at once."""
 UNFILTERED = int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
+MOST_PAIRS = 1_000_000
+ALIKE = (100, 10, 1)
+"""Geoms that are read of those alike where all make more pairs, until they make no more."""
+SAID = ("type", "contype", "conaffinity", "condim", "priority", "solmix", "solref", "solimp", "friction")
 
 
 def pairs_of(model: mujoco.MjModel) -> tuple[np.ndarray, np.ndarray]:
@@ -26,23 +30,37 @@ def collidable(model: mujoco.MjModel, pairs: np.ndarray) -> np.ndarray:
     return ~np.isin(model.geom_type[pairs], (PLANE, HFIELD)).all(axis=1)
 
 
+def read(model: mujoco.MjModel) -> np.ndarray:
+    """Return the geoms that can collide; of many that are alike the first ones."""
+    geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
+    weld = model.body_weldid[model.geom_bodyid]
+    columns = [column for name in SAID for column in np.atleast_2d(getattr(model, f"geom_{name}").T)]
+    for most in ALIKE:
+        own = np.bincount(weld[geoms]).astype(float)
+        if 0.5 * (own.sum() ** 2 - (own**2).sum()) <= MOST_PAIRS:
+            return geoms
+        _, kind = alike(*(column[geoms] for column in columns), weld[geoms] == 0)
+        order = np.argsort(kind, kind="stable")
+        begins = np.cumsum(np.bincount(kind)) - np.bincount(kind)
+        geoms = np.sort(geoms[order[np.arange(len(geoms)) - begins[kind[order]] < most]])
+    return geoms[: round((2 * MOST_PAIRS) ** 0.5)]
+
+
 def _unnamed(model: mujoco.MjModel) -> np.ndarray:
     """Return pairs that their bits, bodies and excludes leave, in the order of the model."""
-    geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
+    geoms = read(model)
     contype, conaffinity = model.geom_contype[geoms], model.geom_conaffinity[geoms]
     own = model.body_weldid[model.geom_bodyid[geoms]]
-    rows = []
-    for begin in range(0, len(geoms), CHUNK):  # one body of many geoms is a large matrix and few pairs
-        part = slice(begin, begin + CHUNK)
-        there = ((contype[part, None] & conaffinity) | (contype & conaffinity[part, None])) != 0
-        there &= own[part, None] != own
-        there &= np.arange(begin, min(begin + CHUNK, len(geoms)))[:, None] < np.arange(len(geoms))
+    rows = [np.zeros((0, 2), dtype=int)]
+    for weld in np.unique(own):  # what is fixed together makes no pairs, however many geoms it has
+        mine, others = np.flatnonzero(own == weld), np.flatnonzero(own > weld)
+        there = (contype[mine, None] & conaffinity[others] | conaffinity[mine, None] & contype[others]) != 0
         first, second = np.nonzero(there)
-        rows.append(np.stack([geoms[first + begin], geoms[second]], axis=1))
-    pairs = np.concatenate(rows) if rows else np.zeros((0, 2), dtype=int)
+        rows.append(np.stack([geoms[mine[first]], geoms[others[second]]], axis=1))
+    pairs = np.sort(np.concatenate(rows), axis=1)
     body = model.geom_bodyid[pairs]
     weld = model.body_weldid[body]
-    there = (weld[:, 0] != weld[:, 1]) & (model.body_dofnum[weld] > 0).any(axis=1) & collidable(model, pairs)
+    there = (model.body_dofnum[weld] > 0).any(axis=1) & collidable(model, pairs)
     if not model.opt.disableflags & UNFILTERED:
         parent = model.body_weldid[model.body_parentid[weld]]
         related = (weld[:, 0] == parent[:, 1]) | (weld[:, 1] == parent[:, 0])

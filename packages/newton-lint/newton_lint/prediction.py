@@ -10,8 +10,6 @@ from newton_lint.grouping import alike
 from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of, settled_depth_m
 from newton_lint.scene import Scene
 
-MOST_PAIRS = 1_000_000
-
 
 @dataclass(frozen=True)
 class Load:
@@ -44,10 +42,10 @@ class Prediction:
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
-    """Return predictions of pairs with friction and damping, alike together, free bodies first; none of a million."""
+    """Return predictions of pairs with friction and damping, alike together, free bodies first."""
     contacts = scene.contacts
     rows = np.flatnonzero(contacts.condim > 1)
-    if not 0 < len(rows) < MOST_PAIRS:
+    if not len(rows):
         return []
     first, which = alike(_kinds(scene)[rows])
     order = np.argsort(which, kind="stable")
@@ -69,8 +67,7 @@ def _kinds(scene: Scene) -> np.ndarray:
     contacts, model = scene.contacts, scene.model
     columns = (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
     single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
-    weight = model.body_invweight0[model.geom_bodyid, 0]
-    _, kind = alike(*np.concatenate(columns), *single, weight)
+    _, kind = alike(*np.concatenate(columns), *single, model.body_invweight0[model.geom_bodyid, 0])
     one, other = kind[contacts.first], kind[contacts.second]
     together = np.minimum(one, other) * model.ngeom + np.maximum(one, other)
     return np.where(contacts.named < 0, together, -1 - contacts.named)

@@ -21,7 +21,7 @@ from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, findings_of, hits
 from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import engine, gap, lost, override, pyramid
+from newton_lint.scene_rules import engine, gap, lost, override, pyramid, unread
 
 SAME = 1e-5
 """Relative difference up to which two parameters are the same."""
@@ -31,8 +31,8 @@ DEEP_M = 1e-3
 """Depth from which what lies is said to sink in."""
 SPHERE, CAPSULE = int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE)
 DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
-SPINNING, ROLLING = 4, 6
-"""Least condim with which a contact resists to spinning, and to rolling."""
+SLIDING, SPINNING, ROLLING = 3, 4, 6
+"""Least condim with which a contact resists to each."""
 
 
 def lint(scene: Scene) -> list[Finding]:
@@ -40,7 +40,7 @@ def lint(scene: Scene) -> list[Finding]:
     rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, depth, unused)
     names = scene.names
     found = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, names)]
-    of_the_whole = (lost, pyramid, gap, override, engine)
+    of_the_whole = (lost, pyramid, gap, unread, override, engine)
     return found + [finding for rule in of_the_whole for finding in rule(scene)]
 
 
@@ -115,9 +115,7 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     far = -second / dmax * step - 0.5 * first / dmax**2 * step**2
     there = np.flatnonzero((first <= 0.0) & (second <= 0.0) & (far >= STIFF) & (not scene.option.discrete))
     shape, other = _stiffer_first(scene, there)
-    message = (
-        f"is too stiff for the time step, and refsafe leaves it alone: b·h + k·h²/2 from {STIFF} on throws bodies off"
-    )
+    message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe leaves it alone"
     yield hits(
         *("stiff", "solref[1]", shape, other, second[there], np.nan, message),
         severity="error",
@@ -177,7 +175,7 @@ def friction(scene: Scene) -> Iterator[Hits]:
     least = np.full(len(own), np.inf)
     for side in (contacts.first, contacts.second):
         np.minimum.at(least, side[plain], contacts.friction[plain, 0])
-    shape = np.flatnonzero((own * FAR <= least) & np.isfinite(least))
+    shape = np.flatnonzero((own * FAR <= least) & np.isfinite(least) & (own != DEFAULT_FRICTION[0]))
     rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
     yield hits(
         *("friction", "friction", shape, None, own[shape], least[shape]),
@@ -228,7 +226,7 @@ def unused(scene: Scene) -> Iterator[Hits]:
     np.maximum.at(largest, contacts.first[plain], contacts.condim[plain])
     both = plain & ~contacts.outranked
     np.maximum.at(largest, contacts.second[both], contacts.condim[both])
-    for column, least, kind in ((1, SPINNING, "spinning"), (2, ROLLING, "rolling")):
+    for column, least, kind in ((0, SLIDING, "sliding"), (1, SPINNING, "spinning"), (2, ROLLING, "rolling")):
         values = model.geom_friction[:, column]
         authored = ~np.isclose(values, DEFAULT_FRICTION[column], rtol=SAME) & (values != 0.0)
         shape = np.flatnonzero((largest > 0) & (largest < least) & authored)

@@ -8,7 +8,7 @@ import numpy as np
 from newton_lint.advice import elliptic, for_geom, for_option
 from newton_lint.combined import OVERRIDE
 from newton_lint.findings import Advice, Finding
-from newton_lint.pairs import OFF
+from newton_lint.pairs import MOST_PAIRS, OFF, read
 from newton_lint.scene import Scene
 from newton_lint.warp_engine import refusal
 
@@ -23,7 +23,7 @@ def lost(scene: Scene) -> Iterator[Finding]:
     """Yield bodies that move freely, and that gravity takes through all that there is to stop them."""
     model, contacts = scene.model, scene.contacts
     weld = model.body_weldid[model.geom_bodyid]
-    collides = (model.geom_contype | model.geom_conaffinity) != 0
+    collides = np.isin(np.arange(model.ngeom), read(model))
     met, loose = np.zeros(model.nbody, dtype=bool), np.zeros(model.nbody, dtype=bool)
     met[weld[contacts.first]] = met[weld[contacts.second]] = True
     loose[weld[collides & scene.free[model.geom_bodyid]]] = True
@@ -73,6 +73,14 @@ def gap(scene: Scene) -> Iterator[Finding]:
         yield Finding(*told, scene.source.authored(int(geom), "gap"), Advice((), said))
 
 
+def unread(scene: Scene) -> Iterator[Finding]:
+    """Yield how many geoms are left out where all of them make too many pairs."""
+    left = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
+    if left:
+        message = f"are not read: all make over {MOST_PAIRS:,} pairs, and the first of those alike stand for them"
+        yield _whole(scene, "unread", "geoms", float(left), message, severity="note")
+
+
 def override(scene: Scene) -> Iterator[Finding]:
     """Yield the override flag, which leaves all that geoms say of contacts unread."""
     opt = scene.model.opt
@@ -83,17 +91,14 @@ def override(scene: Scene) -> Iterator[Finding]:
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
-    """Yield what MuJoCo Warp says of a scene, in its words; where it is not installed what no early release takes."""
+    """Yield what MuJoCo Warp says of a scene, in its words."""
     if scene.engine.name != "warp":
         return
-    opt = scene.model.opt
     if refused := refusal(scene.model):
         yield _whole(scene, "engine", "put_model", 1.0, f"of MuJoCo Warp refuses it: {refused}", severity="error")
-    if refused is not None:
-        return
-    for name, value in (("noslip_iterations", opt.noslip_iterations), ("override", opt.enableflags & OVERRIDE)):
-        if value:
-            yield _whole(scene, "engine", name, float(value), "is not in all releases of MuJoCo Warp")
+    elif refused is None:
+        message = "of MuJoCo Warp is not installed, and cannot be asked: pip install mujoco-warp"
+        yield _whole(scene, "engine", "put_model", 0.0, message)
 
 
 def _whole(scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"):

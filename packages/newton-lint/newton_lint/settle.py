@@ -2,15 +2,14 @@
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import mujoco
 import numpy as np
 
-from newton_lint.advice import for_option
-from newton_lint.findings import Finding
+from newton_lint.findings import Advice, Finding
 from newton_lint.law import M, Response, response_of, settled_impedance, shared_slide_m_s
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
@@ -94,22 +93,20 @@ class Hold:
         """Tell whether it moves no faster than it creeps, and not because its grip still closes or opens."""
         return self.moves_mm_s <= UNSETTLED * self.mm_s + UNSETTLED_MM_S
 
-    def findings(self, scene: Scene, below_mm_s: float | None) -> list[Finding]:
+    def findings(self, scene: Scene, below_mm_s: float) -> Iterator[Finding]:
         """Say that it slides, has not settled, or creeps faster than it may."""
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
             message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
             told = ("unsettled", self.name, touching, "speed", self.moves_mm_s, self.mm_s, "mm/s", message, "note")
-            return [Finding(*told)]
-        if not self.slides and (below_mm_s is None or self.mm_s <= below_mm_s):
-            return []
-        if self.slides:
+            yield Finding(*told)
+        elif self.slides:
             message = "slides: what it has to bear is beyond the cone of friction"
-            return [Finding("slides", self.name, touching, "load", self.load_n, None, "N", message, "error")]
-        message = "creeps faster than it may"
-        prescription = f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"
-        advice = for_option(scene, {}, prescription)
-        return [Finding("creep", self.name, touching, "creep", self.mm_s, below_mm_s, "mm/s", message, advice=advice)]
+            yield Finding("slides", self.name, touching, "load", self.load_n, None, "N", message, "error")
+        elif self.mm_s > below_mm_s:
+            told = ("creep", self.name, touching, "creep", self.mm_s, below_mm_s, "mm/s", "creeps faster than it may")
+            prescription = f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"
+            yield Finding(*told, advice=Advice((), prescription))
 
     def as_json(self) -> dict[str, Any]:
         told = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
@@ -164,11 +161,12 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
     for _ in range(step_count):
         mujoco.mj_step(model, data)
         seen: Counter[tuple[int, int]] = Counter()
-        for index in range(data.ncon):
-            one, other = (int(geom) for geom in data.contact[index].geom)
-            mine = [geom >= 0 and own[model.geom_bodyid[geom]] for geom in (one, other)]
-            if mine[0] != mine[1] and (told := _told(scene, data, index)) is not None:
-                told[1:4] *= 1.0 if mine[1] else -1.0
+        geoms = data.contact.geom
+        mine = (geoms >= 0) & own[model.geom_bodyid[geoms]]
+        for index in np.flatnonzero(mine[:, 0] != mine[:, 1]).tolist():
+            if (told := _told(scene, data, index)) is not None:
+                told[1:4] *= 1.0 if mine[index, 1] else -1.0
+                one, other = geoms[index].tolist()
                 pair = (min(one, other), max(one, other))
                 count, total = sums.get((pair, seen[pair]), (0, np.zeros(len(told))))
                 sums[pair, seen[pair]] = count + 1, total + told
@@ -229,7 +227,9 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
         points.append((response, touch.normal_n))
         arm = touch.position - data.xpos[model.body_rootid[touch.support]]
         outward = work.turn_rad_s**2 * (arm - (arm @ down) * down)
-        turning = turning + response.acceleration_s * (outward - (outward @ touch.normal) * touch.normal) / len(touches)
+        if work.turn_rad_s:
+            across = outward - (outward @ touch.normal) * touch.normal
+            turning = turning + response.acceleration_s * across / len(touches)
     arm = data.subtree_com[body] - data.xpos[model.body_rootid[touches[0].support]]
     more = flat @ (mass * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down)))
     load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))  # what friction has to hold

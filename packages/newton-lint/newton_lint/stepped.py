@@ -2,7 +2,7 @@
 
 import copy
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import mujoco
@@ -15,13 +15,12 @@ STEPPED_S = 0.2
 """Time that a scene is stepped by each call."""
 BUDGET_S = 5.0
 """Time of the processor after which a run stops where it is."""
+SELDOM = 4
+"""Steps after which what lasts is looked at: energy, and whether it blew up."""
 MOST_STARTS = 4
 MOST_DOFS = 3000
 """What moves in more ways is not stepped: a step takes seconds."""
-BAD = {
-    int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")): f"BAD{name}" for name in ("QPOS", "QVEL", "QACC")
-}  # fmt: skip
-CONTACT_ROWS = int(mujoco.mjtConstraint.mjCNSTR_CONTACT_FRICTIONLESS)
+BAD = {int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")): f"BAD{name}" for name in ("QPOS", "QVEL", "QACC")}
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 
 
@@ -46,8 +45,10 @@ class Run:
     """Of each free body at the end."""
     at_limit: float
     """Share of the steps in which the solver used up its iterations."""
+    effort: float
+    """Steps and half the solver's iterations in a simulated second, which no clock of a busy machine blurs."""
     cost_s: float
-    """Time of the processor that a simulated second takes."""
+    """Time of the processor that it takes."""
     data: mujoco.MjData = field(compare=False, repr=False)
 
     @property
@@ -90,28 +91,30 @@ def run(model: mujoco.MjModel, data: mujoco.MjData, name: str, time_s: float) ->
     def energy() -> np.ndarray:
         return 0.5 * (data.qvel[speeds] ** 2).sum(axis=1) - data.qpos[places] @ gravity
 
-    begin, rise, deepest, late, limited, bad = energy(), np.zeros(len(free)), deepest_of(data), 0.0, 0, ""
-    count, done, since = max(1, round(time_s / model.opt.timestep)), 0, time.process_time()
+    begin, rise, deepest, late, limited, solved = energy(), np.zeros(len(free)), deepest_of(data), 0.0, 0, 0
+    count, most, since = max(1, round(time_s / model.opt.timestep)), model.opt.iterations, time.process_time()
     for done in range(1, count + 1):
         mujoco.mj_step(model, data)
-        if bad := next((said for number, said in BAD.items() if data.warning[number].number), ""):
-            break
         now_m = deepest_of(data)
         deepest, late = max(deepest, now_m), max(late, now_m) if 3 * done > count else late
+        iterations = data.solver_niter
+        limited, solved = limited + (iterations.max() >= most), solved + iterations.sum()
+        if done % SELDOM and done < count:
+            continue
+        if bad := next((said for number, said in BAD.items() if data.warning[number].number), ""):
+            break
         rise = np.maximum(rise, energy() - begin)
-        limited += data.solver_niter.max() >= model.opt.iterations
-        if done % 16 == 0 and time.process_time() - since > BUDGET_S:
+        if time.process_time() - since > BUDGET_S:
             break
     reached = done * model.opt.timestep
-    cost = (time.process_time() - since) / reached
+    effort, cost = (done + 0.5 * solved) / reached, (time.process_time() - since) / reached
     now = np.linalg.norm(data.qvel[speeds], axis=1)
-    return Run(name, reached, bad, first, deepest, late, rise, now, limited / done, cost, data)
+    return Run(name, reached, bad, first, deepest, late, rise, now, limited / done, effort, cost, data)
 
 
 def deepest_of(data: mujoco.MjData) -> float:
     """Return how deep the deepest contact is [m]; 0 where none is pressed in."""
-    rows = data.efc_pos[data.efc_type >= CONTACT_ROWS] if data.ncon and data.nefc else ()
-    return float(-min(np.min(rows), 0.0)) if len(rows) else 0.0
+    return float(-data.contact.dist.min(initial=0.0)) if data.ncon else 0.0
 
 
 def overlaps(data: mujoco.MjData) -> dict[tuple[int, int], float]:
@@ -123,16 +126,11 @@ def overlaps(data: mujoco.MjData) -> dict[tuple[int, int], float]:
     return found
 
 
-def forces_of(model: mujoco.MjModel, data: mujoco.MjData) -> dict[tuple[int, int], float]:
-    """Return the normal force of each pair of geoms that touch [N]."""
-    found: dict[tuple[int, int], float] = {}
-    force = np.zeros(6)
-    for index in range(data.ncon):
-        contact = data.contact[index]
-        if contact.efc_address >= 0:
-            mujoco.mj_contactForce(model, data, index, force)
-            pair = (int(contact.geom[0]), int(contact.geom[1]))
-            found[pair] = found.get(pair, 0.0) + float(force[0])
+def contact_forces(model: mujoco.MjModel, data: mujoco.MjData, contacts: Sequence[int]) -> np.ndarray:
+    """Return what contacts bear along their axes, force and torque; zeros of those that bear nothing."""
+    found = np.zeros((len(contacts), 6))
+    for index, force in zip(contacts, found, strict=True):
+        mujoco.mj_contactForce(model, data, index, force)
     return found
 
 

@@ -46,7 +46,7 @@ class TargetError(Exception):
 
 
 def found_in(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[str]:
-    """Yield the targets, with folders replaced by the scenes within them.
+    """Yield the targets, with folders replaced by the scenes within them that are not hidden.
 
     Args:
         exclude: Patterns of paths, or of their names, that are left out of folders.
@@ -58,7 +58,8 @@ def found_in(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[str]
         if not Path(name).is_dir() or Path(name).suffix.lower() in ENDINGS:
             yield name
             continue
-        files = [path for path in sorted(Path(name).rglob("*")) if path.suffix.lower() in ENDINGS and path.is_file()]
+        seen = (path for path in sorted(Path(name).rglob("*")) if "/." not in f"/{path.relative_to(name).as_posix()}")
+        files = [path for path in seen if path.suffix.lower() in ENDINGS and path.is_file()]
         left = [path for path in files if not any(fnmatch(str(path), each) or path.match(each) for each in exclude)]
         scenes = [path for path in left if _is_scene(path)]
         if not scenes:
