@@ -56,8 +56,7 @@ def row_of(body: str, step_s: float, left: np.ndarray) -> dict[str, object]:
     """
     row = {"case": f"tumble-{body}-{1e3 * step_s:g}ms", "tumbling": body, "step_ms": 1e3 * step_s}
     row |= {"contact_bias": True, "world_count": left.shape[1]}
-    left = np.nan_to_num(left, nan=np.inf).clip(max=1e9)  # what breaks down gains
-    for name, ratios in zip(VARIANTS, left, strict=True):
+    for name, ratios in zip(VARIANTS, np.nan_to_num(left, nan=np.inf).clip(max=1e9), strict=True):
         row |= {f"{name}_gain_count": int((ratios > GAIN).sum()), f"{name}_left_mean": float(ratios.mean())}
         row |= {f"{name}_left_p99": float(np.quantile(ratios, 0.99)), f"{name}_left_most": float(ratios.max())}
     gains = dict(zip(VARIANTS, left > GAIN, strict=True))

@@ -50,7 +50,7 @@ def test_the_document_has_the_numbers_that_were_measured():
         f"slides {slips[f'{shake}-plain-rounded']:.1f} mm",
         f"{slips[f'{shake}-term-rounded']:.2f} mm with the term",
         f"{CHECKED['own_before']['passed']} pass and {CHECKED['own_before']['skipped']} are skipped",
-        f"all {new[0]} and {new[1]} pass",
+        "all {}, {} and {} pass".format(*new),
         f"walks by {walks['false']:.2f} mm in a second without the term and by {walks['true']:.2f} mm with it",
     ]
     words = " ".join(DOCUMENT.split())

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
-from measured_report.parts.claim import Claim, all_of, at_most, greater
+from measured_report.parts.claim import Claim, all_of, at_most
 from measured_report.parts.section import Table
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import table_of
+from report.shared.arithmetic import share, table_of
 
 GRASP_MM = 80.0
 """Distance from where it was beyond which a cube is out of the grasp."""
@@ -64,7 +64,7 @@ def what_to_use(results: Results) -> Claim:
     outcome = all_of(
         at_most(lost, 0, why="none of them is lost"),
         at_most(far, 0.05, why="hardly more, shaken three times as wide"),
-        greater(shipped, slip),
+        at_most(share(results, "held_share", "of the slip as shipped, that", slip, shipped), 50.0, why="less by half"),
     )
     numbers = {"slip": slip, "shipped": shipped, "far": far, "amplitude": wide, "lost": lost, "kept": kept}
     return Claim("what_to_use", outcome, numbers)
