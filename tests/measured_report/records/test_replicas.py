@@ -18,7 +18,7 @@ from measured_report.records.record import load_record, write_record
 from measured_report.records.replicas import FOLDER, packed, read_replica
 
 LABEL = "1.4.0"
-SECTIONS = ("gap", "friction")
+SECTIONS = ("gap", "frames")
 
 
 @pytest.fixture
@@ -68,16 +68,16 @@ def test_a_replica_is_read_as_it_was_packed(project):
 
 def test_sections_of_other_code_are_left_out_and_named(project, capsys):
     other = again(project, "gap", code=sha256(b"other").hexdigest())
-    (found,) = kept(project, other, again(project, "friction")).values()
-    assert list(found) == ["friction"]
+    (found,) = kept(project, other, again(project, "frames")).values()
+    assert list(found) == ["frames"]
     assert "left out: other code (gap)" in capsys.readouterr().out
 
 
 def test_a_later_change_of_a_section_costs_that_section_alone(project):
     kept(project, *(again(project, section) for section in SECTIONS))
     changed = again(project, "gap", code=sha256(b"later").hexdigest())
-    (found,) = replicas_of(project, {"gap": changed, "friction": load_record(project.record_path("friction"))}).values()
-    assert list(found) == ["friction"]
+    (found,) = replicas_of(project, {"gap": changed, "frames": load_record(project.record_path("frames"))}).values()
+    assert list(found) == ["frames"]
 
 
 @pytest.mark.parametrize("kind", ["code", "packages"])
@@ -144,5 +144,5 @@ def test_a_damaged_one_is_named_without_what_turns_text_round(project):
 def test_what_could_not_be_measured_there_is_left_out(project):
     sent = again(project, "gap")
     lost = [{name: cell for name, cell in row.items() if not isinstance(cell, float)} for row in sent.rows]
-    found = refused(project, {"gap": replace(sent, rows=lost), "friction": again(project, "friction")})
+    found = refused(project, {"gap": replace(sent, rows=lost), "frames": again(project, "frames")})
     assert found == {"gap": "not all of it could be measured there"}

@@ -1,0 +1,64 @@
+"""What moves against what: the displacement as shipped, taken apart into relative poses."""
+
+from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
+from measured_report.parts.section import Section
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import Column, noise_floor, share, table_of
+
+order = 60
+reads = ("noise",)
+label = "what moves"
+
+FINGERS = ("cube-in-left-finger", "cube-in-right-finger")
+ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
+"""Pairs in which both bodies belong to the robot."""
+
+
+def derive(results: Results) -> Section:
+    claims = [_cube_moves_in_fingers(results), _robot_is_still(results)]
+    columns: dict[str, Column] = {
+        "displacement": "displacement_mm",
+        "of the cube's way": lambda row: _part(results, row),
+    }
+    pairs = table_of("what in what", [row.pair for row in results.rows], columns, results.rows)
+    return Section(tables={"pairs": pairs}, claims=claims)
+
+
+def _part(results: Results, row: Row) -> str:
+    """Say in words what part of the cube's displacement against the TCP a displacement is."""
+    cells = row.displacement_mm.value, results.row["cube-in-TCP"].displacement_mm.value
+    little = 0.01 * results.derived["robot_share_bound"].number
+    if None in cells or not cells[1]:
+        return ""
+    return (
+        "next to nothing"
+        if cells[0] <= little * cells[1]
+        else "a part"
+        if cells[0] < (1 - little) * cells[1]
+        else "all"
+    )
+
+
+def _cube_moves_in_fingers(results: Results) -> Claim:
+    whole = results.row["cube-in-TCP"].displacement_mm
+    left, right = cells = [results.row[case].displacement_mm for case in FINGERS]
+    formula = "{} of the cube's displacements against the two fingers, of that against the TCP"
+    least, most = (
+        results.value(name, formula.format(which), lambda a, b, c, f=f: 100 * f(a, b) / c, *cells, whole, unit="%")
+        for name, which, f in (("finger_share", "smaller", min), ("finger_share_most", "larger", max))
+    )
+    all_of_it = at_least(least, 95.0, why="as good as all of it"), at_most(most, 105.0, why="no more than all of it")
+    moves = greater(whole, 0.0, noise=noise_floor(results, "slip_floor"), why="no motion at all")
+    return Claim("cube_moves_in_fingers", all_of(*all_of_it, moves), {"whole": whole, "left": left, "right": right})
+
+
+def _robot_is_still(results: Results) -> Claim:
+    """Judge by the larger of drift and displacement: what creeps and what only comes to rest elsewhere."""
+    rows = [results.row[case] for case in ROBOT]
+    formula = "largest drift or displacement between two bodies of the robot"
+    cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))
+    largest = results.value("robot_drift", formula, max, *cells, unit="mm")
+    whole = results.row["cube-in-TCP"].displacement_mm
+    of_cube = share(results, "robot_share", f"{formula}, of the cube's displacement against the TCP", largest, whole)
+    bound = results.chosen("robot_share_bound", "too little to matter", 5.0, unit="%")
+    return Claim("robot_is_still", at_most(of_cube, bound), {"largest": largest, "share": of_cube})
