@@ -17,6 +17,7 @@ from pathlib import Path
 
 import jinja2
 import pytest
+import warp as wp
 from hypothesis import settings
 from jinja2.bccache import Bucket
 from markupsafe import Markup
@@ -34,19 +35,21 @@ from measured_report.pages.prose import Prose, Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import identity_of, package_versions
 from measured_report.records.record import Record, units_of, write_record
-from measured_report.records.traces import packed
+from measured_report.records.traces import load_trace, packed
 from measured_report.site.build import build
 from measured_report.site.pages import Content, contents_of, links_of
 
 gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
 atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
+wp.config.enable_backward = False  # before kernels are imported, of which gradients are half of what is compiled
 INSTALLED = package_versions()
-CACHES = tempfile.TemporaryDirectory(prefix="caches-")
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 KERNELS = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "warp-of-tests"
 os.environ.setdefault("WARP_CACHE_PATH", str(KERNELS))  # to compile them takes minutes, and Warp tells what has changed
-os.environ["XDG_CACHE_HOME"] = CACHES.name
+if "PYTEST_XDIST_WORKER" not in os.environ:  # the processes of one run share what they derive of the tracked results
+    CACHES = tempfile.TemporaryDirectory(prefix="caches-")
+    os.environ["XDG_CACHE_HOME"] = CACHES.name
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")
 
@@ -123,8 +126,6 @@ def slip():
     """How far it slips."""
     return 1.0 if ROBOT else 0.0
 '''
-SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
-"""Slip of the calibration runs and how close a run must come."""
 needs_boxes_in_c = pytest.mark.skipif(
     INSTALLED["mujoco"].startswith("3.11."),
     reason="MuJoCo 3.11 in C finds contacts 75 mm deep between boxes that are 30 mm apart",
@@ -273,9 +274,14 @@ SIMULATING = ("tests/experiments", "tests/newton_lint/newton_models")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with the files whose tests are the slowest, so that no process ends long after the others."""
+    """Begin with the files whose tests are the slowest, so that no process ends long after the others.
+
+    Of those that simulate one is the first: the others wait until it has compiled the kernels.
+    """
     slow = Counter(item.path for item in items for _ in item.iter_markers("slow"))
-    items.sort(key=lambda item: -slow[item.path])
+    simulating = {path for path in slow if any(path.is_relative_to(ROOT / each) for each in SIMULATING)}
+    first = max(sorted(simulating), key=slow.get, default=None)
+    items.sort(key=lambda item: (item.path != first, not slow[item.path], item.path in simulating, -slow[item.path]))
     for item in items:
         if any(item.path.is_relative_to(ROOT / path) for path in SIMULATING):
             item.fixturenames.insert(0, "kernels")
@@ -284,10 +290,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 @pytest.fixture(scope="session")
 def kernels(tmp_path_factory) -> None:
     """Those of the scene, compiled once for all processes of this run of the tests."""
-    import warp as wp  # most tests need none of it
-
-    # As where sections are measured, or those that the engine makes of a scene are compiled once more.
-    wp.config.enable_backward = False
 
     def make(_: Path) -> None:
         from experiments.simulation.host import compile_first
@@ -317,6 +319,13 @@ def editions(site) -> Mapping[str, Edition]:
         return editions_of(project, Templates(project.templates), DerivedCache(project.root))
 
 
+@pytest.fixture(scope="module")
+def unchanged() -> Iterator[None]:
+    """Look at each source once for all tests of a module, of which none changes any."""
+    with unchanged_files():
+        yield
+
+
 @pytest.fixture(scope="session")
 def poses_path(tmp_path_factory) -> Path:
     """A copy of the tracked record of section poses, with its traces."""
@@ -331,6 +340,14 @@ def program(*arguments: str | Path, cwd: Path = ROOT, **environment: str) -> sub
     """What a program in Python says, and how it ends."""
     command, environment = [sys.executable, *arguments], {**os.environ, **environment}
     return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True, check=False)
+
+
+def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
+    """How far a tracked run had slipped after so many frames."""
+    from experiments.simulation.measurement import SETUP_FRAME_COUNT  # most tests need no simulator
+
+    moved = load_trace(folder / f"reproduction.{case}.csv.gz")[["x_mm", "y_mm", "z_mm"]]
+    return float((moved.loc[frame_count - SETUP_FRAME_COUNT - 1] ** 2).sum() ** 0.5)
 
 
 def link(root: Path, *names: str) -> None:

@@ -5,16 +5,17 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from conftest import SOURCES, compared, link
+from conftest import SOURCES, derived, link
 
 from measured_report.changes.alarm import largest, rate_of, settings_text
-from measured_report.changes.compare import Comparison
+from measured_report.changes.compare import Comparison, compare
 from measured_report.editions.project import Project, own_release
-from measured_report.files.root import ROOT
+from measured_report.pages.editions import Edition
 from measured_report.pages.replicas import replica_files
 from measured_report.records.record import Record, write_record
 from measured_report.records.replicas import read_replica
 
+pytestmark = pytest.mark.usefixtures("unchanged")
 LABEL = "1.4.0"
 SECTIONS = ("contact_source", "friction", "gap", "noise", "priority", "stiffness", "upgrade")
 SHAKEN = ("slip_mm", "drift_mm_s", "wander_mm", "increment_mean_mm", "increment_last_mm", "friction_velocity_mm_s")
@@ -26,25 +27,34 @@ def again() -> dict[str, Record]:
     return max(map(read_replica, replica_files(Project(LABEL))), key=len)
 
 
+@pytest.fixture(scope="module")
+def edition(tmp_path_factory, again) -> Edition:
+    """1.4.0 as far as it is compared, with its other replicas alone."""
+    root = tmp_path_factory.mktemp("project")
+    link(root, *SOURCES)
+    folder, tracked = root / f"results/newton-{LABEL}", Project(LABEL)
+    (folder / "replicas").mkdir(parents=True)
+    for path in (path for section in SECTIONS for path in tracked.results.glob(f"{section}.*")):
+        shutil.copy(path, folder)
+    for path in replica_files(tracked):
+        if read_replica(path).keys() != again.keys():
+            shutil.copy(path, folder / "replicas")
+    return derived(Project(LABEL, root=root, own_release=own_release()))
+
+
 @pytest.fixture
-def measured_as(tmp_path, again) -> Callable[[Callable[[dict], dict]], Comparison]:
-    """Compares the edition and its other replica with that measurement as if it were another release's, changed."""
-    link(tmp_path, *SOURCES)
-    folder = tmp_path / f"results/newton-{LABEL}"
-    shutil.copytree(ROOT / f"results/newton-{LABEL}", folder)
-    for path in replica_files(Project(LABEL, root=tmp_path)):
-        if read_replica(path).keys() == again.keys():
-            path.unlink()
+def measured_as(edition, again) -> Callable[[Callable[[dict], dict]], Comparison]:
+    """Compares the edition with that measurement as if it were another release's, changed."""
 
     def measure(change: Callable[[dict], dict] = dict) -> Comparison:
-        after = Project("1.9.0", root=tmp_path, own_release=own_release())
+        after = edition.project.of("1.9.0")
         for section in SECTIONS:
             record = again[section]
             packages = {**record.identity.packages, "newton": "1.9.0"}
             identity = replace(record.identity, packages=packages)
             rows = [change(row) for row in record.rows]
             write_record(after.record_path(section), replace(record, identity=identity, rows=rows))
-        return compared(after.of(LABEL), after)
+        return compare(edition, derived(after))
 
     return measure
 

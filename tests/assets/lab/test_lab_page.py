@@ -119,7 +119,7 @@ def test_the_slider_tells_what_the_law_makes_of_it(tab, address):
     assert "by the law 0.332 mm" in tab.inner_text("#try")
 
 
-@pytest.mark.parametrize("tab", [{"viewport": {"width": 320, "height": 640}}, {}], indirect=True)
+@pytest.mark.parametrize("tab", [{"viewport": {"width": 320, "height": 640}}], indirect=True)
 def test_a_search_finds_what_stands_on_another_page(tab, address):
     tab.goto(f"{address}lab.html")
     tab.fill(".search input", "noslip creep")

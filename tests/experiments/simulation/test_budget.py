@@ -12,8 +12,8 @@ from experiments.simulation.budget import Motion, measure_motion, predicted_mm, 
 from experiments.simulation.limits import solref
 from experiments.simulation.simulation import simulate
 
-SHORT = replace(AS_SHIPPED, cube_in_hand=True, frame_count=210)
-"""The lift's time in the hand and 2 s of shake."""
+SHORT = replace(AS_SHIPPED, cube_in_hand=True, frame_count=150)
+"""The lift's time in the hand and 1 s of shake."""
 H = 1.0 / 960.0
 MOTION = Motion(
     bias_m_s=np.array([1.0, 0.5, -0.5]),

@@ -13,8 +13,8 @@ from stepping import take_steps
 
 from experiments.simulation import contact_bias_c, contact_place, contact_place_c
 
-STATES_OF_A_KIND = 3
-"""For each cone and dimension, so that there are 24 of each pair."""
+STATES_OF_A_KIND = 1
+"""For each cone and dimension, so that there are 8 of each pair."""
 DEPTH_M = 1e-4
 GEOMS = {
     "plane": 'type="plane" size="5 5 1"',
@@ -158,7 +158,6 @@ def test_bodies_that_turn_by_a_radian_while_their_contact_settles_get_nothing():
     assert data.efc_aref == pytest.approx(before, abs=1e-6)
 
 
-@pytest.mark.slow
 def test_the_kernel_adds_what_the_twin_adds():
     with wp.ScopedDevice("cpu"):
         for first, second in [("plane", "cylinder"), ("sphere", "box"), ("capsule", "ellipsoid"), ("box", "box")]:
@@ -166,17 +165,12 @@ def test_the_kernel_adds_what_the_twin_adds():
             model.geom_margin[:] = 0.0
             m = mjw.put_model(model)
             for data in islice(states(model, 0), 5):
-                d = mjw.put_data(model, data, nconmax=20, njmax=100)
-                mjw.fwd_position(m, d)
-                mjw.fwd_velocity(m, d)
-                d.efc.aref.zero_()
-                contact_place.apply(m, d, wp.array([True], dtype=bool), centred=False, normal=True)
-                data.contact.dist[:1], data.contact.pos[:1] = d.contact.dist.numpy()[0], d.contact.pos.numpy()[0]
-                data.contact.frame[:1] = d.contact.frame.numpy()[0].ravel()
                 data.efc_aref[:] = 0.0
+                d = mjw.put_data(model, data, nconmax=20, njmax=100)
+                contact_place.apply(m, d, wp.array([True], dtype=bool), centred=False, normal=True)
                 contact_place_c.subtract_place(model, data, normal=True)
                 wanted = data.efc_aref[rows_of(model, data.contact[0])]
-                found = d.efc.aref.numpy()[0][d.contact.efc_address.numpy()[0][: len(wanted)]]
+                found = d.efc.aref.numpy()[0][rows_of(model, data.contact[0])]
                 assert np.linalg.norm(found - wanted) <= 1e-3 * np.linalg.norm(wanted)
 
 

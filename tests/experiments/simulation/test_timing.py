@@ -8,16 +8,19 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, RUN_TIME_FIELDS, CaseError
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.timing import in_the_shake, put_in_state_of, run_frames
+from experiments.simulation.timing import put_in_state_of, run_frames
 
-FRAME_COUNT = 10
+FRAME_COUNT = 6
+SHAKING = 100
+"""Frames after which a cube that starts in the hand is shaken."""
 VARIED = {"ik_iterations": 24, "ik_beside": False, "state_sync": True, "sensors": False, "limits": False}
 
 
 def test_a_varied_simulation_runs_as_one_that_was_built_so():
     assert VARIED.keys() == set(RUN_TIME_FIELDS)
-    shake = in_the_shake([AS_SHIPPED], wp.get_device("cpu"))
     base = replace(AS_SHIPPED, frame_count=FRAME_COUNT)
+    shake = Simulation([replace(base, cube_in_hand=True)], wp.get_device("cpu"))
+    run_frames(shake, SHAKING)
 
     def poses_from(simulation: Simulation) -> np.ndarray:
         put_in_state_of(simulation, shake)
@@ -27,10 +30,9 @@ def test_a_varied_simulation_runs_as_one_that_was_built_so():
 
     varied = Simulation([base] * 2, shake.device)
     first = poses_from(varied)
-    for name, value in VARIED.items():
-        case = replace(base, name=name, **{name: value})
-        varied.vary(case)
-        assert np.array_equal(poses_from(varied), poses_from(Simulation([case] * 2, shake.device))), name
+    case = replace(base, name="varied", **VARIED)
+    varied.vary(case)
+    assert np.array_equal(poses_from(varied), poses_from(Simulation([case] * 2, shake.device)))
     varied.vary(base)
     assert np.array_equal(poses_from(varied), first)
     with pytest.raises(CaseError, match="gap takes a simulation of its own"):

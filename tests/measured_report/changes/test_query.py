@@ -26,19 +26,10 @@ RULES = Config(
             {"columns": [Declared(names=["slap_mm"])]},
             "columns names slap_mm, which is no column here; near it: slip_mm",
         ),
-        ({"repeating": {"engine": ["c"]}}, "repeating names engine, which is no column"),
         ({"deciding": ["noise"]}, "changes.deciding names noise, which is no section"),
-        (
-            {"thresholds": {"toy.soft.slap_mm": 1.0}},
-            "changes.thresholds names toy.soft.slap_mm, which is no value here",
-        ),
         (
             {"thresholds": {"toy.saft.slip_mm": 1.0}},
             "toy.saft.slip_mm, which is no value here; near it: toy.soft.slip_mm",
-        ),
-        (
-            {"headlines": {"gain": "toy.gein"}},
-            "changes.headlines names toy.gein, which is no value here; near it: toy.gain",
         ),
         ({"cause": "toy.help"}, "changes.cause names toy.help, which is no value here; near it: toy.helps"),
     ],

@@ -40,18 +40,17 @@ def test_the_makefile_itself_names_what_can_be_asked_for():
     assert named >= {"bisect", "history", "diff"}
 
 
-@pytest.mark.parametrize("word", ["friction", *WORDS])
-@pytest.mark.parametrize(("name", "near"), [("SECTON", "near it: SECTION"), ("section", "near it: SECTION")])
-def test_a_misspelt_variable_is_refused_and_not_executed(name, near, word, tmp_path):
+@pytest.mark.parametrize(("name", "word"), [("SECTON", "friction"), ("section", WORDS[0]), ("SECTON", WORDS[3])])
+def test_a_misspelt_variable_is_refused_and_not_executed(name, word, tmp_path):
     canary = tmp_path / "canary"
     done = make("rerun", f"PYTHON={sys.executable}", f"{name}={word.format(canary)}")
     [line] = [line for line in done.stderr.splitlines() if not line.startswith("make: ")]
     assert (done.returncode, done.stdout) == (2, "")
-    assert line.startswith(f"{name}= is no variable of make here") and near in line
+    assert line.startswith(f"{name}= is no variable of make here") and "near it: SECTION" in line
     assert not canary.exists()
 
 
-@pytest.mark.parametrize("word", WORDS)
+@pytest.mark.parametrize("word", [WORDS[0], WORDS[3]])
 def test_no_value_and_no_goal_is_executed(word, python, tmp_path):
     word = word.format(canary := tmp_path / "canary")
     for name in [*OF_THE_MAKEFILES, *NAMES]:
@@ -60,7 +59,7 @@ def test_no_value_and_no_goal_is_executed(word, python, tmp_path):
     assert not canary.exists()
 
 
-@pytest.mark.parametrize("goal", ["rerun", "test", "lint", "site"])
+@pytest.mark.parametrize("goal", ["rerun", "lint"])
 def test_every_variable_arrives_as_it_was_typed(goal, python):
     given = {name: f"a '$(b)' ${name} \\" for name in NAMES}
     done = make(goal, python, *(f"{name}={value}" for name, value in given.items()))

@@ -29,20 +29,6 @@ def test_what_changes_is_built_again(toy):
     server.server_close()
 
 
-def test_a_change_is_one_of_any_file_but_compiled_ones(toy):
-    before = stamp(toy.project.inputs)
-    toy.write("report/__pycache__/x.pyc", "")
-    assert {path for path in stamp(toy.project.inputs) if path.is_file()} == {p for p in before if p.is_file()}
-    for change in (
-        lambda: toy.write("templates/new.md.j2", ""),
-        lambda: (toy.project.root / "assets/robot.urdf").unlink(),
-        lambda: toy.measure(),
-    ):
-        before = stamp(toy.project.inputs)
-        change()
-        assert stamp(toy.project.inputs) != before
-
-
 def test_a_folder_that_vanishes_while_it_is_looked_at_ends_nothing(toy, monkeypatch):
     scan = os.scandir
 

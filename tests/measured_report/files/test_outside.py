@@ -37,18 +37,6 @@ def test_a_site_that_is_a_link_costs_nothing_where_it_leads(toy, tmp_path):
     assert check_site(tmp_path / "mine") == []
 
 
-TIMES = {"started": "soon", "ended": "2026-01-02T03:04:05", "date": "0001-01-01T00:00:00+00:00"}
-
-
-@pytest.mark.parametrize("name", TIMES)
-def test_a_time_that_is_none_is_named_before_records_are_compared_by_it(toy, name):
-    data = json.loads(toy.record_path.read_text())
-    data["measured"][name] = TIMES[name]
-    toy.record_path.write_text(json.dumps(data))
-    with pytest.raises(RecordError, match="is no whole record"):
-        load_record(toy.record_path)
-
-
 @pytest.mark.parametrize("text", [b"\xff", b"x = " + b"[" * 5_000, b"sections = 3\n"], ids=["byte", "deep", "kind"])
 def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     manifest = toy.record_path.with_name("edition.toml")
@@ -60,21 +48,17 @@ def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     assert 'id="toy"' in toy.page
 
 
-@pytest.mark.parametrize(
-    ("content", "said"),
-    [(b"a,b\n" + b"1,2\n" * 6_000_000, "cells"), (b"a\n" + b"1\n" * (33 << 20), "holds more than 64 MiB")],
-    ids=["cells", "bytes"],
-)
-def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy, content, said):
+@pytest.mark.parametrize(("count", "said"), [(12_000_000, "cells"), (33 << 20, "holds more than 64 MiB")])
+def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy, count, said):
     trace = trace_path(toy.record_path, "stiff")
-    trace.write_bytes(gzip.compress(content, compresslevel=1))
+    trace.write_bytes(gzip.compress(b"a\n" + b"1\n" * count, compresslevel=1))
     before_kb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     with pytest.raises(RecordError, match=said):
         load_trace(trace)
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before_kb < 400 << 10
 
 
-@pytest.mark.parametrize("text", ["\u202e", "\u200f", "\x1b[2J", "\n", "\u2028"])
+@pytest.mark.parametrize("text", ["\u202e", "\x1b[2J", "\u2028"])
 def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_terminal(toy, text, capsys):
     rows = [{**ROWS[0], "case": f"so{text}ft"}, ROWS[1]]
     with pytest.raises(RecordError, match=r"^newton-1\.4\.0/toy\.json is no whole record: "):

@@ -71,12 +71,6 @@ def test_formulas_tables_sources_and_what_lies_in_static_are_on_the_page_and_dra
     assert (toy.project.site / "style.css").read_text().endswith("main { color: red }")
 
 
-def test_a_sentence_stands_where_it_is_written(toy):
-    toy.build()
-    assert "Because it is stiff.\nStiff is <data" in toy.page
-    assert toy.page.index("It helps") < toy.page.index('<figure id="toy-way"') < toy.page.index("All cases")
-
-
 FAILING = re.compile(
     r"\{% claim (\w+) %\}(?:(?!\{% endclaim).)*?\{% fails %\}(.*?)\{% (?!el|if|endif|for|endfor|set)", re.DOTALL
 )

@@ -156,9 +156,7 @@ def test_no_record_is_stale_when_the_simulation_moves(copied):
 @pytest.mark.parametrize(
     ("old", "new"),
     [
-        ("wall_s = time.perf_counter() - start", "wall_s = time.perf_counter() + start"),
         ("(frame + 1) % PROGRESS_FRAMES", "(frame + 2) % PROGRESS_FRAMES"),
-        ("PROGRESS_FRAMES = ", "PROGRESS_FRAMES = 1 + "),
         ("simulation.recorder.keep_contact_rows(frame)", "simulation.recorder.keep_contact_rows(frame_count)"),
     ],
 )

@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.measuring.section import believable
 from measured_report.records.columns import column_of, number_problem, units_of
@@ -60,12 +59,6 @@ def test_numbers_have_units_signs_and_reasons():
     assert "from 0 to" in number_problem("cycles_per_s", -1.0)
     row = {"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}
     assert believable(row) == row | {"growth_mm": None, "growth_mm_reason": "the measurement gave nan"}
-
-
-def test_quick_results_lie_apart(tmp_path):
-    full, quick = (Project("1.4.0", profile, tmp_path).record_path("toy") for profile in ("full", "quick"))
-    assert full == tmp_path / "results/newton-1.4.0/toy.json"
-    assert quick == tmp_path / "results/quick/newton-1.4.0/toy.json"
 
 
 def test_traces_are_the_same_bytes_for_the_same_numbers_and_go_with_their_cases(toy):

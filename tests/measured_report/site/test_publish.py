@@ -131,7 +131,7 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remo
     assert (there / "cause.html").read_text() == toy.page and check_site(there) == []
 
 
-@pytest.fixture(params=["clone", "worktree", "submodule", "shallow"])
+@pytest.fixture(params=["worktree", "shallow"])
 def clone(request, toy, remote, tmp_path) -> Path:
     """A copy of the project, with its site, as git makes copies."""
     root, there = toy.project.root, tmp_path / "copy"
@@ -139,15 +139,8 @@ def clone(request, toy, remote, tmp_path) -> Path:
     git(remote, "symbolic-ref", "HEAD", "refs/heads/main")
     if request.param == "worktree":
         git(root, "worktree", "add", "--quiet", str(there))
-    elif request.param == "submodule":
-        outer = tmp_path / "outer"
-        outer.mkdir()
-        git(outer, "init", "--quiet")
-        git(outer, "-c", "protocol.file.allow=always", "submodule", "--quiet", "add", str(remote), "copy")
-        there = outer / "copy"
     else:
-        depth = ["--depth", "1"] if request.param == "shallow" else []
-        git(tmp_path, "clone", "--quiet", *depth, remote.as_uri(), str(there))
+        git(tmp_path, "clone", "--quiet", "--depth", "1", remote.as_uri(), str(there))
     shutil.copytree(toy.project.site, there / "site", dirs_exist_ok=True)
     return there
 

@@ -9,14 +9,14 @@ from experiments.simulation.simulation import simulate
 from experiments.upgrade import REFSAFE_TIMECONST_S, row_columns
 from newton_lint.newton_models.compat import kf_is_read
 
-GRASPED = 150
-"""Frame in which the cube is in the grasp."""
+GRASPED = 20
+"""Frame in which the cube has settled in the grasp."""
 
 
 @pytest.fixture(scope="module")
 def rows() -> dict[str, dict[str, object]]:
     """Live contact rows of the grasp, as the release makes them and with the timeconst of the friction rows set."""
-    short = replace(AS_SHIPPED, frame_count=GRASPED + 1)
+    short = replace(AS_SHIPPED, cube_in_hand=True, frame_count=GRASPED + 1)
     cases = [short, replace(short, name="kf-10", pad_kf=10.0), replace(short, name="kf-negative", pad_kf=-1.0)]
     cases += [replace(short, name=name, friction_timeconst_override_s=s) for name, s in (("off", 0.0), ("on", 0.01))]
     traces = simulate(cases, device="cpu", contact_frames=(GRASPED,))

@@ -20,6 +20,7 @@ from measured_report.values.results import Results
 from report.media.packed import packed_runs
 from report.media.replay import SHAKES, replay_page, script
 
+pytestmark = pytest.mark.usefixtures("unchanged")
 SOURCES = ROOT / "assets/replay"
 MOST_BYTES = 900_000
 
