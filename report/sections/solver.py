@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from measured_report.parts.claim import Claim, at_most, within
+from measured_report.parts.claim import Claim, all_of, at_most, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
@@ -48,7 +48,7 @@ def _converged(results: Results, variants: Variants) -> Claim:
     differences = [variants.difference[row.case] for row in (more, tighter)]
     largest = largest_size(results, "convergence_difference", formula, differences, unit="mm")
     numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
-    outcome = within(largest, variants.floor)
+    outcome = all_of(within(largest, variants.floor), variants.seen)
     return Claim("solver_has_converged", outcome, variants.numbers | numbers, effect=variants.slips)
 
 
@@ -56,7 +56,8 @@ def _does_not_help(results: Results, variants: Variants, claim: str, case: str, 
     row, formula = results.row[case], f"slip of the baseline less that of {case}"
     reduction = results.value(f"{case}_reduction", formula, lambda a: -a, variants.difference[case], unit="mm")
     numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
-    return Claim(claim, within(reduction, variants.floor), variants.numbers | numbers, effect=variants.slips)
+    outcome = all_of(within(reduction, variants.floor), variants.seen)
+    return Claim(claim, outcome, variants.numbers | numbers, effect=variants.slips)
 
 
 def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:

@@ -199,6 +199,7 @@ def _coarser_moves(found: Found) -> Claim:
     shipped, *coarse = (found.cell(*place) for place in (("lab", "as-shipped", "slip_mm", "mm"), *COARSER))
     bound = found.value("friction", "cause_bound", "%")
     there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
-    moved = there and all(abs(slip.value - shipped.value) >= 0.01 * bound.value * shipped.value for slip in coarse)
+    least = max(0.01 * bound.value * shipped.value, shipped.noise or 0.0) if there else 0.0
+    moved = there and all(abs(slip.value - shipped.value) >= least for slip in coarse)
     numbers = dict(zip(("shipped", "impratio", "steps"), (shipped, *coarse), strict=True))
     return Claim("coarser_moves", decided(moved, shipped, *coarse, bound), numbers)
