@@ -11,7 +11,10 @@ from measured_report.files.atomic import digests_below
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.parts import macros
+from measured_report.files.atomic import digests_below
+from measured_report.files.config import config
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.records.record import write_record
 from measured_report.site import pages
 from measured_report.site.check import check_site
@@ -42,8 +45,7 @@ def test_text_from_results_is_no_markup(toy):
 
 def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
     told = replace(config(), repository="https://git.example/shake")
-    for module in (macros, pages):
-        monkeypatch.setattr(module, "config", lambda: told)
+    monkeypatch.setattr(pages, "config", lambda: told)
     toy.build()
     line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(True)
     assert f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">' in toy.page
