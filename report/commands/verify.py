@@ -8,13 +8,9 @@ from measured_report.measuring.machine import gpus, measuring_device
 from measured_report.measuring.measure import measure_headline
 from measured_report.pages.editions import derive_edition
 from measured_report.pages.prose import Templates
-from report.lab_check import verify_lab
 from report.verify import PROGRAM, verify
 
-OPTIONS = {
-    **shared("edition", "device"),
-    "lab": {"action": "store_true", "help": "1: also with the engine that the page runs, in Node"},
-}
+OPTIONS = shared("edition", "device")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
@@ -22,7 +18,6 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     device = measuring_device(arguments.device or ("cuda" if gpus() else "cpu"), project.profile)
     found = measure_headline(project, arguments.release, device, PROGRAM)
-    edition = derive_edition(project, Templates(project.templates))
-    checks = [verify(edition, found)] + ([verify_lab(edition)] if arguments.lab else [])
-    print("\n\n".join(text for text, _ in checks))
-    return int(not all(agrees for _, agrees in checks))
+    text, agrees = verify(derive_edition(project, Templates(project.templates)), found)
+    print(text)
+    return int(not agrees)

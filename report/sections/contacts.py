@@ -79,11 +79,10 @@ def _slide_accounts(results: Results, run: Row) -> Claim:
 
 def _missing_term(results: Results, rows: list[Row]) -> Claim:
     formula = "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter"
-    departures = [
-        departure(results, f"missing_term_departure_{row.case}", formula, row.predicted_slide_mm, row.slide_mm)
-        for row in rows
-    ]
-    largest = results.value("missing_term_departure", "larger of both departures", max, *departures, unit="%")
+    name = "missing_term_departure"
+    cells = ((f"{name}_{row.case}", row.predicted_slide_mm, row.slide_mm) for row in rows)
+    departures = [departure(results, each, formula, *pair) for each, *pair in cells]
+    largest = results.value(name, "larger of both departures", max, *departures, unit="%")
     bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
     numbers = {"predicted": rows[0].predicted_slide_mm, "slide": rows[0].slide_mm, "departure": largest}
     return Claim("missing_term", at_most(largest, bound), numbers)

@@ -34,11 +34,11 @@ def derive(results: Results) -> Section:
         for count in TIMED_WORLDS:
             row = rows[case, count]
             formula = f"time of a frame with {case} over that as shipped, timed in turn, less one"
-            extra[case, count] = results.value(
-                f"{case}_extra_{count}", formula, lambda taken: 100 * (taken - 1), row.frame_ratio, unit="%"
-            )
+            name = f"{case}_extra_{count}"
+            more = results.value(name, formula, lambda taken: 100 * (taken - 1), row.frame_ratio, unit="%")
+            extra[case, count] = more
             if case in TESTED:
-                seen[case, count] = _seen(results, f"{case}_seen_{count}", row, extra[case, count])
+                seen[case, count] = _seen(results, f"{case}_seen_{count}", row, more)
     worst = resolution(results, "resolution", compared(results.rows))
     costs = [_costs_nothing(results, extra, seen, case, worst) for case in TESTED]
     columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}

@@ -7,10 +7,10 @@ import numpy as np
 import pandas as pd
 
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
-from measured_report.parts.section import Figure, Section
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
-from report.shared.arithmetic import noise_floor, resolved
+from report.shared.arithmetic import Column, noise_floor, resolved, table_of
 from report.shared.maps import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
 
 order = 120
@@ -30,9 +30,32 @@ def derive(results: Results) -> Section:
     about = {"shipped": lost["as-shipped"], "stiff": lost["stiff"], "seconds": seconds}
     about |= {"keeps": stiff.outcome == HOLDS, "is_crossed": any(count.value for count in lost.values())}
     return Section(
+        tables={"shakes": _shakes(results, trace)},
         figures={"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)},
         claims=[shipped, stiff, _map_gain(results, trace)],
     )
+
+
+def _shakes(results: Results, trace: Series) -> Table:
+    """Tell how some shakes of the map end, one in five of its amplitudes at the frequency next to that of the scene."""
+    scene, frame = results.row["as-shipped-3cm-1hz"], trace.value
+    apart = (frame["shake_frequency_hz"] - scene.shake_frequency_hz.value).abs()
+    near = frame[apart == apart.min()]
+
+    def cells(side: str, column: str, unit: str) -> list[Value]:
+        def cell(at: int) -> Value:
+            formula = f"{column} in line {at} of the map"
+            return results.value(f"{column}_{at}", formula, lambda frame: frame[column][at], trace, unit=unit)
+
+        return [cell(at) for at in near.index[near["side"] == side][1::5]]
+
+    columns: dict[str, Column] = {}
+    for side, label in SIDES.items():
+        columns[f"slip, {label}"] = cells(side, "slip_mm", "mm")
+        columns[f"cube ends at, {label}"] = cells(side, "cube_height_m", "m")
+    frequency = cells("stiff", "shake_frequency_hz", "Hz")[0]
+    names = cells("stiff", "shake_amplitude_m", "m")
+    return table_of("amplitude", names, columns, seconds=scene.shake_duration_s, frequency=frequency)
 
 
 def _drops(results: Results, trace: Series, lost: Mapping[str, Value], held: Value) -> tuple[Claim, Claim]:

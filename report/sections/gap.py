@@ -17,9 +17,8 @@ CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
 def derive(results: Results) -> Section:
     rows = [results.row[case] for case in CASES]
     columns = {"slip": "slip_mm", "contacts": "mean_row_count", "that carry force": "mean_loaded_row_count"}
-    return Section(
-        tables={"gaps": by_case(rows, columns)}, claims=[_not_the_cause(results, rows), _same_contacts_carry(rows)]
-    )
+    claims = [_not_the_cause(results, rows), _same_contacts_carry(rows)]
+    return Section(tables={"gaps": by_case(rows, columns)}, claims=claims)
 
 
 def _not_the_cause(results: Results, rows: list[Row]) -> Claim:

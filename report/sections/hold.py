@@ -55,7 +55,8 @@ def _drift_needs_cycle(results: Results, held: Quantity, shaken: Quantity) -> Cl
     """
     formula = "drift with the arm held still, of the drift as shipped, in size"
     part = size_share(results, "hold_share", formula, held, shaken)
-    is_opposed = None not in (held.value, shaken.value) and held.value * shaken.value < 0
+    there = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)
+    is_opposed = there and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
     bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
     return Claim("drift_needs_cycle", at_most(part, bound), numbers)

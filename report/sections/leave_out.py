@@ -49,23 +49,13 @@ def derive(results: Results) -> Section:
     timed: Timed = RowsBy(results, rows, "device", "case", "worlds")
     # Of runs to the end, which are the same in the rows of all numbers of worlds.
     ran = {case: row for (device, case, _), row in reversed([*timed.items()]) if device == "cuda"}
-    formula = f"slip of {{}} less that of {REFERENCE}, on the same device"
-    differences = {
-        case: difference(
-            results,
-            f"cuda_{case}_difference".replace("-", "_"),
-            formula.format(case),
-            row.slip_mm,
-            ran.get(REFERENCE, results.row[REFERENCE]).slip_mm,
-        )
-        for case, row in ran.items()
-    }
-    known = {
-        device: resolution(
-            results, f"{device}_resolution", compared(row for (of, *_), row in timed.items() if of == device)
-        )
-        for device in DEVICES
-    }
+    base, differences, known = ran.get(REFERENCE, results.row[REFERENCE]).slip_mm, {}, {}
+    for case, row in ran.items():
+        name, formula = f"cuda_{case}_difference".replace("-", "_"), f"slip of {case} less that of {REFERENCE}"
+        differences[case] = difference(results, name, f"{formula}, on the same device", row.slip_mm, base)
+    for device in DEVICES:
+        own = compared(row for (of, *_), row in timed.items() if of == device)
+        known[device] = resolution(results, f"{device}_resolution", own)
     return Section(
         tables={"audit": audit_table(results), "cost": cost_table(timed, differences, known)},
         figures={"cost": cost_figure(results, timed)},
@@ -83,11 +73,14 @@ def _device(timed: Timed) -> str:
     return max((device for device, *_ in timed), default="cuda")
 
 
+def _saved(results: Results, name: str, row: Row) -> Value:
+    formula = "what a frame takes less than exactly as shipped, timed in turn"
+    return results.value(name, formula, lambda taken: 100 * (1 - taken), row.frame_ratio, unit="%")
+
+
 def _is_faster(results: Results, row: Row, name: str) -> Outcome:
-    formula = "what a frame takes less than exactly as shipped"
-    saved = results.value(f"{name}_saved", formula, lambda taken: 100 * (1 - taken), row.frame_ratio, unit="%")
     noise = resolution(results, f"{name}_resolution", [row])
-    return greater(saved, 1.0, noise=noise, why="a gain worth naming")
+    return greater(_saved(results, f"{name}_saved", row), 1.0, noise=noise, why="a gain worth naming")
 
 
 def _faster_on_gpu(results: Results, timed: Timed, known: Value) -> Claim:
@@ -104,14 +97,11 @@ def _faster_on_gpu(results: Results, timed: Timed, known: Value) -> Claim:
 def _faster_on_cpu(results: Results, timed: Timed, known: Value) -> Claim:
     """Tell how many times as fast it is at least: cores are shared, so that the ratio there is known badly."""
     row = timed["cpu", ALL, 1]
-    formula = (
-        "time of a frame on the CPU exactly as shipped over that without all that is unneeded, less its resolution"
-    )
+    formula = "time of a frame on the CPU exactly as shipped over that without all of it, less its resolution"
     sources = row.frame_ratio, row.ratio_resolution
     gain = results.value("cpu_gain_least", formula, lambda taken, seen: 1 / taken / (1 + seen), *sources, is_noise=True)
-    return Claim(
-        "faster_on_cpu", _is_faster(results, row, "cpu_without_all_1").having_read(gain, known), {"gain": gain}
-    )
+    outcome = _is_faster(results, row, "cpu_without_all_1").having_read(gain, known)
+    return Claim("faster_on_cpu", outcome, {"gain": gain})
 
 
 def _less_memory(results: Results, timed: Timed) -> Claim:
@@ -177,24 +167,14 @@ class Fall:
 
 def _fall(results: Results, timed: Timed, device: str, worlds: int) -> Fall:
     def saved(case: str) -> Value:
-        name = f"{device}_{case}_{worlds}_less".replace("-", "_")
-        formula = f"what a frame {case} takes less than exactly as shipped, timed in turn"
-        return results.value(
-            name, formula, lambda taken: 100 * (1 - taken), timed[device, case, worlds].frame_ratio, unit="%"
-        )
+        return _saved(results, f"{device}_{case}_{worlds}_less".replace("-", "_"), timed[device, case, worlds])
 
     alone = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)
     steps = {case: (saved(case), timed[device, case, worlds]) for case in alone}
     formula = "what a frame without all of it takes less, less what it takes less for each thing that was timed alone"
-    there = [step for step, _ in steps.values() if step.value is not None]
-    rest = results.value(
-        f"{device}_together_{worlds}_less",
-        formula,
-        lambda all_of_it, *each: all_of_it - sum(each),
-        saved(ALL),
-        *there,
-        unit="%",
-    )
+    cells = saved(ALL), *(step for step, _ in steps.values() if step.value is not None)
+    name = f"{device}_together_{worlds}_less"
+    rest = results.value(name, formula, lambda whole, *each: whole - sum(each), *cells, unit="%")
     return Fall(worlds, steps, rest, (timed[device, REFERENCE, worlds], timed[device, ALL, worlds]))
 
 

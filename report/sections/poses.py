@@ -25,6 +25,7 @@ COLUMNS = {
     "time": "shake_duration_s",
     "slip at the end": "slip_mm",
     "out of the grasp after": "left_grasp_s",
+    "cube ends at": "cube_height_m",
 }
 
 

@@ -5,6 +5,7 @@ from itertools import takewhile
 
 from measured_report.parts.claim import Claim, all_of, at_least
 from measured_report.parts.section import Section, Table
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, table_of
 from report.shared.timing import TIMED_WORLDS, compared, fine_enough, resolution, worlds_name
@@ -32,19 +33,11 @@ def derive(results: Results) -> Section:
         **{"all substeps": "world_substeps_per_s", "memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"},
     }
     tables = {"worlds": table_of("worlds", [str(row.worlds) for row in rows], columns, rows, resolution=worst)}
-    claims = [_rate(results), _first_worlds_are_cheap(results, rows)]
+    cheap = _first_worlds_are_cheap(results, rows)
     if len(rows) == len(results.rows):  # on a CPU, and in releases that were measured before
-        return Section(tables=tables, claims=claims, unmeasured=("faster", "ways"))
+        return Section(tables=tables, claims=[cheap], unmeasured=("faster", "ways"))
     tables["ways"], faster = _beside_benchmark(results)
-    return Section(tables=tables, claims=[*claims, faster])
-
-
-def _rate(results: Results) -> Claim:
-    bound = results.chosen("rate_bound", "what this GPU should reach", 6.0, unit="million world-substeps/s")
-    row = results.row[f"worlds-{TIMED_WORLDS[-1]}"]
-    formula = "world-substeps per second with the most worlds aimed for, in millions"
-    rate = results.value("rate", formula, lambda number: 1e-6 * number, row.world_substeps_per_s, unit=bound.unit)
-    return Claim("rate", at_least(rate, bound), {"worlds": row.worlds, "rate": rate, "bound": bound})
+    return Section(tables=tables, claims=[cheap, faster])
 
 
 def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
@@ -55,33 +48,27 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
         return max(worlds for worlds, _ in takewhile(lambda pair: pair[1] <= limit * cells[1], pairs))
 
     bound = results.chosen("cheap_bound", "a frame no longer than this many times that of one world", 2.0)
-    formula = (
-        "most worlds with which, as with all fewer, a frame takes no longer than the bound times that of one world"
-    )
+    formula = "most worlds with which, as with all fewer, a frame takes no longer than so many times that of one"
     cheap = results.value("cheap_worlds", formula, cheap_count, bound, *times)
     return Claim("first_worlds_are_cheap", at_least(cheap, rows[1].worlds), {"cheap": cheap, "bound": bound})
 
 
 def _beside_benchmark(results: Results) -> tuple[Table, Claim]:
     """Say what a frame takes in each of the ways, of a whole one; the benchmark's follows from its speed."""
-    gains, columns = [], {}
+    gains: list[Value] = []
+    columns: dict[str, Column] = {}
     for count in TIMED_WORLDS:
         rows = {way: results.row[f"{way}-{count}"] for way in WAYS}
         benchmark, loop = rows["testspeed"], rows["each-step-waited-for"]
         rates = loop.world_substeps_per_s, benchmark.world_substeps_per_s
         formula = "time of that loop over that of our frames, timed in turn, times its speed over the benchmark's"
         gains.append(results.value(f"gain_{count}", formula, lambda a, b, c: a * b / c, loop.frame_ratio, *rates))
-        formula, taken = "time of a frame over that of a whole one, timed in turn", {"testspeed": gains[-1]}
-        columns[worlds_name(count)] = [
-            results.value(
-                f"length_{way}_{count}".replace("-", "_"),
-                formula,
-                lambda share: 100 * share,
-                taken.get(way, row.frame_ratio),
-                unit="%",
-            )
-            for way, row in rows.items()
-        ]
+        formula = "time of a frame over that of a whole one, timed in turn"
+        columns[worlds_name(count)] = lengths = []
+        for way, row in rows.items():
+            name = f"length_{way}_{count}".replace("-", "_")
+            taken = gains[-1] if way == "testspeed" else row.frame_ratio
+            lengths.append(results.value(name, formula, lambda share: 100 * share, taken, unit="%"))
     columns |= {"contacts": [row.contact_count for row in rows.values()]}
     columns |= {"rows": [row.row_count for row in rows.values()]}
     timed = [row for row in results.rows if "way" in row and row.way != "testspeed"]

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from measured_report.parts.claim import Claim, at_most, within
+from measured_report.parts.claim import Claim, all_of, at_most, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
@@ -48,16 +48,16 @@ def _converged(results: Results, variants: Variants) -> Claim:
     differences = [variants.difference[row.case] for row in (more, tighter)]
     largest = largest_size(results, "convergence_difference", formula, differences, unit="mm")
     numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
-    return Claim(
-        "solver_has_converged", within(largest, variants.floor), variants.numbers | numbers, effect=variants.slips
-    )
+    outcome = all_of(within(largest, variants.floor), variants.seen)
+    return Claim("solver_has_converged", outcome, variants.numbers | numbers, effect=variants.slips)
 
 
 def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
     row, formula = results.row[case], f"slip of the baseline less that of {case}"
     reduction = results.value(f"{case}_reduction", formula, lambda a: -a, variants.difference[case], unit="mm")
     numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
-    return Claim(claim, within(reduction, variants.floor), variants.numbers | numbers, effect=variants.slips)
+    outcome = all_of(within(reduction, variants.floor), variants.seen)
+    return Claim(claim, outcome, variants.numbers | numbers, effect=variants.slips)
 
 
 def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:
@@ -69,8 +69,6 @@ def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, V
         for pads, end in zip(PADS, ("", "_stiff"), strict=True)
         for name, way in (("without", ""), ("treated", "-noslip"))
     }
-    return Claim(
-        f"noslip_does_not_help_in_{engine.replace('-', '_')}",
-        at_most(largest, 10.0, why="it is the same drift"),
-        {"iterations": results.row[f"{PADS[0]}-{engine}-noslip"].noslip_iterations, **told(largest, drifts)},
-    )
+    iterations = results.row[f"{PADS[0]}-{engine}-noslip"].noslip_iterations
+    name, same = f"noslip_does_not_help_in_{engine.replace('-', '_')}", at_most(largest, 10.0, why="the same drift")
+    return Claim(name, same, {"iterations": iterations, **told(largest, drifts)})

@@ -22,9 +22,8 @@ labels = {
 def derive(results: Results) -> Section:
     columns = {"a frame": "frame_ms", "of shipped pads": "frame_ratio", "of real time": "realtime_factor"}
     worst = resolution(results, "resolution", compared(results.rows))
-    return Section(
-        tables={"frames": by_case(results.rows, columns, resolution=worst)}, claims=[_same_time(results, worst)]
-    )
+    table = by_case(results.rows, columns, resolution=worst)
+    return Section(tables={"frames": table}, claims=[_same_time(results, worst)])
 
 
 def _same_time(results: Results, worst: Value) -> Claim:

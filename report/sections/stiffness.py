@@ -80,9 +80,8 @@ def derive(results: Results) -> Section:
     least = results.value("least_timeconst", "two substeps", lambda step: 2 * step, substep, unit="s")
     clamp = results.value("clamp_kd", "kd at which 2 / kd is two substeps", lambda shortest: 2 / shortest, least)
     alone, together = ke_alone_does_not_help(results, runs), together_they_hold(results)
-    numbers: dict[str, Any]
-    numbers = {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm, "clamp": clamp}
-    numbers["is_so"] = all_of(alone.outcome, together.outcome) == HOLDS
+    numbers: dict[str, Any] = {"is_so": all_of(alone.outcome, together.outcome) == HOLDS, "clamp": clamp}
+    numbers |= {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm}
     sweep = Figure(lambda: draw_sweep(runs, clamp.value), [row.slip_mm for row in runs.held], numbers)
     rows = [results.row[case] for case in SHOWN]
     columns = COLUMNS | {"reading": lambda row: _reading(results, row)}

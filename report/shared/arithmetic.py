@@ -132,7 +132,7 @@ def some_html(names: Sequence[Markup]) -> Markup:
 
 def table_of(
     heading: str,
-    names: Iterable[str],
+    names: Iterable[Any],
     columns: Mapping[str, Column],
     rows: Iterable[Row] = (),
     **numbers: Quantity | str | bool,

@@ -7,7 +7,16 @@ from measured_report.parts.claim import Claim, Outcome, at_least, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import by_case, cases_html, difference, largest_size, noise_floor, other_value, share
+from report.shared.arithmetic import (
+    by_case,
+    cases_html,
+    difference,
+    largest_size,
+    noise_floor,
+    other_value,
+    resolved,
+    share,
+)
 
 
 @dataclass(frozen=True)
@@ -25,6 +34,8 @@ class Variants:
     """How far apart runs of one case are [mm]."""
     slips: Outcome
     """Whether the baseline slips at all, so that there is something to explain."""
+    seen: Outcome
+    """Whether a change that matters would be seen beside the noise."""
     numbers: dict[str, Quantity | str]
     """What the wording of a claim can name."""
 
@@ -77,6 +88,8 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
     farthest = sorted(rows, key=lambda row: -abs(found[row.case].value or 0.0))[:1]
     floor = noise_floor(results, "slip_floor")
     slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
+    formula = "noise of the slip, of the baseline's slip"
+    seen = resolved(share(results, "floor_share", formula, floor, reference.slip_mm), 5.0, why="no change to speak of")
     numbers: dict[str, Quantity | str] = {
         "largest": largest,
         "share": of_slip,
@@ -84,7 +97,7 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
         "baseline": reference.slip_mm,
         "floor": floor,
     }
-    return Variants(reference, rows, found, largest, floor, slips, numbers)
+    return Variants(reference, rows, found, largest, floor, slips, seen, numbers)
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:

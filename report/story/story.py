@@ -13,7 +13,7 @@ from report.sections.gap import CASES as CASES_OF_GAP
 from report.sections.priority import CUBE
 from report.sections.upgrade.ends import released
 from report.story import frontier
-from report.story.figures import draw_mechanism, draw_suspects
+from report.story.figures import draw_mechanism, draw_setup, draw_suspects
 from report.story.found import CASES, FIX, Found
 
 SUSPECTS = {
@@ -37,9 +37,12 @@ WAYS = {
         ("cure", "pyramidal-implicitfast-50-stiff-3cm-plain-rounded", "slip_mm", "mm"),
     ],
     MUJOCO: [("upgrade", f"{case}-mujoco-contacts", "slip_mm", "mm") for case in CASES],
-    "both, in MuJoCo C": [("lab", case, "slip_mm", "mm") for case in ("cone-pyramidal", "stiff-pads-pyramidal")],
+    "both, in MuJoCo C": [
+        ("lab", "cone-pyramidal", "slip_mm", "mm"),
+        ("error_runtime", "stiff/c/cone-pyramidal", "grasp_error_mm_per_cycle", "mm/cycle"),
+    ],
 }
-"""Slips with shipped pads and with stiff ones, by who finds the contacts."""
+"""Slips with shipped pads and with stiff ones, or how far these move in a cycle, by who finds the contacts."""
 UNSEEN, FAILED = Markup("not measured"), Markup("run failed")
 
 
@@ -52,7 +55,12 @@ def derive(releases: Releases, shown: str) -> Section:
     bound = found.value("reproduction", "slip_bound", "mm")
     return Section(
         tables={"needed": _needed(every, bound), "setup": _setup(found)},
-        figures={"suspects": _suspects(found), "mechanism": _mechanism(found), "frontier": frontier.figure(found)},
+        figures={
+            "suspects": _suspects(found),
+            "mechanism": _mechanism(found),
+            "experiment": _experiment(found),
+            "frontier": frontier.figure(found),
+        },
         claims=[
             *frontier.advice(found),
             _fine_since(every, bound),
@@ -67,20 +75,16 @@ def derive(releases: Releases, shown: str) -> Section:
 def _suspects(found: Found) -> Figure:
     shares = {label: found.value(*place, "%") for label, place in SUSPECTS.items()}
     fix = found.value("reproduction", "stiff_share", "%")
-    shipped, bound = (
-        found.cell("reproduction", "as-shipped", "slip_mm", "mm"),
-        found.value("friction", "cause_bound", "%"),
-    )
+    shipped, stiff = (found.cell("reproduction", case, "slip_mm", "mm") for case in CASES)
+    bound = found.value("friction", "cause_bound", "%")
     slips = {label: _changed(found, section) for label, (section, _) in SUSPECTS.items()}
-    others = {
-        COARSE: [found.cell(*place) for place in COARSER],
-        FIX: [found.cell("reproduction", "stiff-pads", "slip_mm", "mm")],
-    }
+    others = {COARSE: [found.cell(*place) for place in COARSER], FIX: [stiff]}
     slips |= {label: cells for label, cells in others.items() if any(cell.source for cell in cells)}
     every = {**shares, FIX: fix}
+    less = greater(shipped, stiff, noise=found.value("noise", "slip_floor", "mm"))
     numbers = {
         "shares": Markup(", ").join(Markup("{} {}").format(*pair) for pair in every.items()),
-        "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound)).said,
+        "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound), less).said,
         "moving": ", ".join(name for name, share in every.items() if share.value and at_least(share, bound) == HOLDS),
     }
     cells = [shipped, *(cell for some in slips.values() for cell in some)]
@@ -101,14 +105,26 @@ def _mechanism(found: Found) -> Figure:
     return Figure(draw=draw_mechanism, sources=[slide])
 
 
+def _dimensions(found: Found) -> dict[str, Quantity]:
+    names = {"edge": "cube_edge", "mass": "cube_mass", "amplitude": "amplitude", "frequency": "frequency"}
+    numbers = {key: found.value("reproduction", name) for key, name in names.items()}
+    numbers["grip"] = found.cell("stiffness", "pad-ke-2.5e3", "normal_force_n", "N")
+    return numbers | {"duration": found.cell("reproduction", "as-shipped", "shake_duration_s", "s")}
+
+
+def _experiment(found: Found) -> Figure:
+    numbers = _dimensions(found)
+    return Figure(lambda: draw_setup(numbers), list(numbers.values()), numbers)
+
+
 def _setup(found: Found) -> Table:
     """Tell what stays as it is in every run that does not say otherwise."""
 
     def told(text: str, *names: str) -> Markup:
         return Markup(text).format(*(found.value("reproduction", name) for name in names))
 
-    grip = found.cell("stiffness", "pad-ke-2.5e3", "normal_force_n", "N")
-    duration = found.cell("reproduction", "as-shipped", "shake_duration_s", "s")
+    numbers = _dimensions(found)
+    grip, duration = numbers["grip"], numbers["duration"]
     lines = {
         "robot": Markup("Franka FR3 with its hand, gravity compensated"),
         "cube": told("edge {}, mass {}, friction {}", "cube_edge", "cube_mass", "cube_friction"),
@@ -141,6 +157,8 @@ def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
         return Markup("✓ {}").format(before)
     if after.value is None:
         return Markup("✗ {}").format(before)
+    if after.unit != bound.unit:
+        return Markup("✗ {} → {}").format(before, after)
     return Markup("✗ {} → {} {}").format(before.bare, "✗" if after.value >= bound.value else "✓", after)
 
 
@@ -181,6 +199,7 @@ def _coarser_moves(found: Found) -> Claim:
     shipped, *coarse = (found.cell(*place) for place in (("lab", "as-shipped", "slip_mm", "mm"), *COARSER))
     bound = found.value("friction", "cause_bound", "%")
     there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
-    moved = there and all(abs(slip.value - shipped.value) >= 0.01 * bound.value * shipped.value for slip in coarse)
+    least = max(0.01 * bound.value * shipped.value, shipped.noise or 0.0) if there else 0.0
+    moved = there and all(abs(slip.value - shipped.value) >= least for slip in coarse)
     numbers = dict(zip(("shipped", "impratio", "steps"), (shipped, *coarse), strict=True))
     return Claim("coarser_moves", decided(moved, shipped, *coarse, bound), numbers)

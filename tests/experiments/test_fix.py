@@ -11,13 +11,14 @@ from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from pathlib import Path
 from textwrap import indent
+from types import SimpleNamespace
 
 import mujoco
 import newton
 import numpy as np
 import pytest
 import warp as wp
-from conftest import needs_boxes_in_c, tracked_mm
+from conftest import needs_boxes_in_c, program, tracked_mm
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS
@@ -132,19 +133,26 @@ def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
     assert_as_said(site, done.summary["slip_mm"])
 
 
-PADS = """<mujoco><worldbody><body name="finger"><freejoint/><geom name="pad" type="box" size=".1 .1 .1" {}/></body>
+MJCF = """<mujoco><worldbody><body name="finger"><freejoint/><geom name="pad" type="box" size=".1 .1 .1" {}/></body>
 </worldbody></mujoco>"""
+URDF = """<robot name="hand"><link name="finger">
+<collision><geometry><box size=".1 .1 .1"/></geometry></collision></link></robot>"""
 
 
-@pytest.mark.parametrize("solref", ["", 'solref="0.02 1"', 'solref="-2500 -100"'])
-def test_the_lines_of_the_front_page_reach_pads_from_mjcf(site, solref):
+@pytest.mark.parametrize("solref", ["", 'solref="0.02 1"', 'solref="-2500 -100"', "in URDF"])
+def test_the_lines_of_the_front_page_reach_pads_that_were_imported(site, solref):
     """A solref in MJCF is taken as it is, whatever ke and kd say, unless the lines take it away."""
     builder = newton.ModelBuilder()
     newton.solvers.SolverMuJoCo.register_custom_attributes(builder)
-    builder.add_mjcf(PADS.format(solref))
+    builder.add_urdf(URDF, floating=True) if solref == "in URDF" else builder.add_mjcf(MJCF.format(solref))
     exec(fix_block(site / "index.html"), {"builder": builder})
     solver = newton.solvers.SolverMuJoCo(builder.finalize(device="cpu"), use_mujoco_cpu=True)
     assert solver.mj_model.geom_solref.tolist() == [pytest.approx([0.002, 1.0])]
+
+
+def test_the_smallest_file_runs_as_it_is_shown(site):
+    said = program("-c", fix_block(site / "fix.html"))
+    assert said.returncode == 0 and "[0.002" in said.stdout, said.stderr
 
 
 def assert_as_said(site: Path, slip_mm: float) -> None:
@@ -185,10 +193,10 @@ class Pasted(Simulation):
     block = ""
 
     def _build_solver(self):
-        options = "nconmax=64, njmax=96, use_mujoco_contacts=False, iterations=15, ls_iterations=100, cone='elliptic'"
-        assert self.block.count("model, ...,") == 1
-        names = {"newton": newton, "model": self.model}
-        exec(self.block.replace("...,", f"{options}, update_data_interval=0,"), names)
+        options = "nconmax=64, njmax=96, iterations=15, ls_iterations=100, update_data_interval=0"
+        assert self.block.count(" model, ") == 1
+        names = {"builder": SimpleNamespace(finalize=lambda: self.model)}
+        exec(self.block.replace(" model, ", f" model, {options}, "), names)
         names["solver"].reset(self.state)
         return names["solver"]
 

@@ -1,7 +1,6 @@
 """The tracked results: what is measured is shown, and whatever comes out next time can be said."""
 
 import random
-import re
 import shutil
 from dataclasses import replace
 
@@ -19,9 +18,6 @@ from measured_report.parts.section import Figure
 from measured_report.records.record import write_record
 
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
-NUMBER = re.compile(r"<data[^>]*>([^<]*)</data>&nbsp;([^ .,;:)<]+)")
-"""A number with a unit."""
-TWICE = ROOT / "tests" / "sentences" / "twice.txt"
 OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
 
 
@@ -46,20 +42,6 @@ def test_every_outcome_of_every_claim_can_be_said(editions):
                 said = [replace(claim, outcome=outcome).text for outcome in OUTCOMES]
                 assert all(text.endswith((".", ":")) for text in said), said
                 assert len(set(said)) == 3
-
-
-def test_no_sentence_says_an_equal_number_twice(editions):
-    """It says *the same* instead; the list has those that have to, with a reason each."""
-    found = set()
-    for edition in editions.values():
-        for chapter in edition.chapters.values():
-            for claim in chapter.section.claims:
-                for sentence in re.split(r"(?<=\.) (?=[A-Z])", str(claim.sentence)):
-                    numbers = [number for number in NUMBER.findall(sentence) if number[0] not in ("n/a", "the same")]
-                    if len(numbers) > len(set(numbers)):
-                        found.add(f"{edition.project.release} {chapter.name}.{claim.name}")
-    lines = TWICE.read_text(encoding="utf-8").splitlines()
-    assert found == {line.partition("#")[0].strip() for line in lines}
 
 
 def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:

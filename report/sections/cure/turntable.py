@@ -41,13 +41,8 @@ VARIANTS = {
 
 
 def derive(results: Results) -> Section:
-    resolution = results.chosen(
-        "resolution",
-        "a place 200 mm from the axis is rounded to 15 nm in single precision; half of it in each step of 2 ms is "
-        "0.0019 % of the radius a second, and slower walks are compared by their difference and not as a share",
-        2e-3,
-        unit="%/s",
-    )
+    why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
+    resolution = results.chosen("resolution", why, 2e-3, unit="%/s")
     rows = {case: results.row[case] for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES)}
     measured, law = (
         {case: _percent(results, row, column) for case, row in rows.items()}

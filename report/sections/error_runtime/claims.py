@@ -59,9 +59,9 @@ def _c_is_cheapest(points: Points) -> Claim:
     shipped, in_c = points[SHIPPED], points[SHIPPED_C]
     warp, c = shipped[TIME], in_c[TIME]
     compared = [row[column] for row in points.settings if row.case in points.backend_front for column in (ERROR, TIME)]
-    formula = "resolution of their ratio, of the run time in C"
+    formula, cells = "resolution of their ratio, of the run time in C", (c, in_c.ratio_resolution)
     noise = points.results.value(
-        "engine_time_seen", formula, lambda c, seen: c * seen, c, in_c.ratio_resolution, unit="ms/s", is_noise=True
+        "engine_time_seen", formula, lambda c, seen: c * seen, *cells, unit="ms/s", is_noise=True
     )
     outcome = all_of(decided(all(row.backend == "mujoco-c" for row in front), *compared), greater(warp, c, noise=noise))
     if not front:
@@ -79,10 +79,8 @@ def _rk4_in_warp(points: Points) -> Claim:
     formula = "run time of RK4 over that as shipped, by what both take of the shipped settings in Warp, timed in turn"
     cost = ratio(results, "rk4_warp_cost", formula, time, time_before)
     formula = "to within what share the ratio of these run times is known, by the resolutions of both together"
-    known = [points[case].ratio_resolution for case in cases]
-    seen = results.value(
-        "rk4_warp_cost_seen", formula, lambda a, b: 100 * math.hypot(a, b), *known, unit="%", is_noise=True
-    )
+    known, both = [points[case].ratio_resolution for case in cases], lambda a, b: 100 * math.hypot(a, b)
+    seen = results.value("rk4_warp_cost_seen", formula, both, *known, unit="%", is_noise=True)
     is_as_long = None not in (cost.value, seen.value) and abs(cost.value - 1) <= 0.01 * seen.value
     outcome = all_of(
         greater(before, doubled, noise=points.floors["as-shipped"], why="worth a change"),
@@ -156,16 +154,11 @@ def crossover_claim(points: Points) -> Claim:
     advantage = ratio(results, "one_core_advantage", formula, one_core, first)
     formula = "speed of Warp with the most worlds over that of C on one core"
     gain = ratio(results, "worlds_gain", formula, last, one_core)
-    formula = "resolution of these ratios, of the speed of C on one core"
-    seen = results.value(
-        "rate_seen", formula, lambda a, b: a * b / 100, worst, one_core, unit=one_core.unit, is_noise=True
-    )
+    formula, cells = "resolution of these ratios, of the speed of C on one core", (worst, one_core)
+    seen = results.value("rate_seen", formula, lambda a, b: a * b / 100, *cells, unit=one_core.unit, is_noise=True)
     is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
-    outcome = all_of(
-        greater(one_core, first, noise=seen),
-        greater(last, one_core, noise=seen),
-        contiguous(is_ahead, *rates, one_core),
-    )
+    ends = greater(one_core, first, noise=seen), greater(last, one_core, noise=seen)
+    outcome = all_of(*ends, contiguous(is_ahead, *rates, one_core))
     numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
     return Claim("crossover", outcome, numbers | {"most": points.worlds[-1].worlds})
 

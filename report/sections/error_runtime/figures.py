@@ -85,18 +85,15 @@ def _mark_worlds(axes: Axes, points: Points) -> None:
     for row in points.worlds[-1:]:
         if one and one[ERROR].value and row[TIME].value:
             place = (_time_per_world(row), one[ERROR].value)
-            axes.scatter(
-                *place, s=130, marker="*", color=COLOURS[one.backend], edgecolors=INK, linewidths=0.7, zorder=5
-            )
-            text = f"{write(row.worlds)} worlds, each"
-            axes.annotate(
-                text, place, xytext=(-4, -16), textcoords="offset points", fontsize=8.5, color=COLOURS[one.backend]
-            )
+            _star(axes, place, one, f"{write(row.worlds)} worlds, each", (-4, -16))
 
 
 def _mark_shipped(axes: Axes, row: Row | None) -> None:
     if row and row[ERROR].value:
-        style: dict[str, Any] = {"s": 130, "marker": "*", "edgecolors": INK, "linewidths": 0.7, "zorder": 5}
-        axes.scatter(*_place(row), color=COLOURS[row.backend], **style)
-        place: dict[str, Any] = {"xytext": (8, 4), "textcoords": "offset points", "fontsize": 8.5, "zorder": 6}
-        axes.annotate(write(row[ERROR]), _place(row), color=COLOURS[row.backend], **place)
+        _star(axes, _place(row), row, write(row[ERROR]), (8, 4))
+
+
+def _star(axes: Axes, place: tuple[float, float], row: Row, text: str, beside: tuple[int, int]) -> None:
+    style: dict[str, Any] = {"color": COLOURS[row.backend], "zorder": 6}
+    axes.scatter(*place, s=130, marker="*", edgecolors=INK, linewidths=0.7, **style)
+    axes.annotate(text, place, xytext=beside, textcoords="offset points", fontsize=8.5, **style)

@@ -53,11 +53,8 @@ def derive(results: Results) -> Section:
     there = [point for point in points if point.factor.value is not None]
     claim = _predicted(results, there)
     numbers = {name: claim.numbers[name] for name in ("count", "scenes", "bound")}
-    figure = Figure(
-        draw=lambda: _draw(there),
-        sources=[point.measured for point in points],
-        numbers=numbers | {"predicted": claim.outcome == HOLDS},
-    )
+    numbers["predicted"] = claim.outcome == HOLDS
+    figure = Figure(lambda: _draw(there), [point.measured for point in points], numbers)
     return Section(figures={"creep": figure}, claims=[claim])
 
 

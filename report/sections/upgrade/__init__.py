@@ -14,7 +14,7 @@ from report.sections import speed
 from report.sections.upgrade import tables
 from report.sections.upgrade.ends import Ends, change, machines_differ, noise_of, released, unchanged, up_to
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
-from report.shared.arithmetic import cell_count
+from report.shared.arithmetic import cell_count, resolved
 
 order = 200
 page = "releases"
@@ -60,7 +60,9 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     moved = change(results, "slip_change", old, new)
     grows = (moved.value or 0) > 0
     numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": grows}
-    return Claim("slip_is_the_same", ends.one or unchanged(old, new, moved, noise), numbers)
+    least = results.value("slip_change_least", "a tenth of the older slip", lambda slip: slip / 10, old, unit="mm")
+    outcome = all_of(unchanged(old, new, moved, noise), resolved(noise, least))
+    return Claim("slip_is_the_same", ends.one or outcome, numbers)
 
 
 def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:

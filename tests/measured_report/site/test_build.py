@@ -7,9 +7,11 @@ from dataclasses import replace
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE, program
 
+from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.records.record import write_record
+from measured_report.site import pages
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
 
@@ -34,6 +36,17 @@ def test_text_from_results_is_no_markup(toy):
     assert "<script>" not in toy.page
     assert toy.page.count("&lt;script&gt;alert(1)&lt;/script&gt; *a* `b`") == 2
     assert check_site(toy.project.site) == []
+
+
+def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
+    told = replace(config(), repository="https://git.example/shake")
+    monkeypatch.setattr(pages, "config", lambda: told)
+    toy.build()
+    line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(True)
+    assert f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">' in toy.page
+    assert (
+        "git clone https://git.example/shake report &amp;&amp; cd report &amp;&amp; make rerun SECTION=toy" in toy.page
+    )
 
 
 def test_a_missing_template_is_named(toy):

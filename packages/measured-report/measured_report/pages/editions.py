@@ -1,7 +1,7 @@
 """Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module
@@ -53,6 +53,16 @@ class Chapter:
     @property
     def name(self) -> str:
         return self.state.section
+
+    @property
+    def code(self) -> Iterator[tuple[str, int]]:
+        """Yield the file and the line of what measures it and of what derives it."""
+        for package, function in (("experiments", "measure"), ("report.sections", "derive")):
+            if file := file_of(package, self.name):
+                lines = file.read_text(encoding="utf-8").splitlines()
+                found = (number for number, line in enumerate(lines, 1) if line.startswith(f"def {function}("))
+                inside = file.parts[-2:] if file.name == "__init__.py" else file.parts[-1:]
+                yield "/".join([*package.split("."), *inside]), next(found, 1)
 
 
 Chapters = Mapping[str, Chapter]
@@ -164,8 +174,7 @@ def _worded(anchor: str, text: Text, section: Section) -> Section:
     """Give what a text tells its words; where what it is about was not measured there is nothing to tell."""
     if not section.claims:
         section = replace(section, unmeasured=[word for _, word in text.words])
-    story = f"{config().story.replace('.', '/')}/"
-    return section.worded(anchor, text.name, text.words, story)
+    return section.worded(anchor, text.name, text.words)
 
 
 class _Names(dict[str, Mapping[str, Any]]):
@@ -250,7 +259,7 @@ def _chapter(
     text = templates.text(f"sections/{name}.md.j2")
     tables = {key: thing.of(releases) if hasattr(thing, "of") else thing for key, thing in entry.section.tables.items()}
     section = edition.measurements.confirmed(name, replace(entry.section, tables=tables))
-    section = section.worded(name, text.name, text.words, outline.source)
+    section = section.worded(name, text.name, text.words)
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
         "release": results.record.origin.release,

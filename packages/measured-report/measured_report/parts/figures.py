@@ -78,9 +78,12 @@ _told: dict[str, list[str]] = {}
 _screen = SimpleNamespace(is_narrow=False)
 
 PIECE = re.compile(
-    r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
+    r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
+    r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
 )
-"""Pieces that tell where a drawn text stands: a tick's group, another group, the end of one, and a text."""
+"""Pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either."""
+AXES = "axes"
+"""Begins the ids of the groups that axes are drawn as."""
 
 IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
@@ -237,7 +240,7 @@ def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
     drawing.draw(renderer)
     renderer.finalize()
-    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue())))
+    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), drawing))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
@@ -264,21 +267,28 @@ def _trimmed(drawing: Drawing) -> Drawing:
     return drawing
 
 
-def _linked(svg: str) -> str:
-    """Return the drawing with each text saying where its numbers are from, and each tick that it is one."""
+def _linked(svg: str, drawing: Drawing) -> str:
+    """Return the drawing with texts saying where their numbers are from, marks their own, and ticks what they are."""
     numbers = {text: whole(escape(text)) for text in _told}
     longest_first = sorted(_told, key=len, reverse=True)
-    groups: list[bool] = []
+    drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
+    axes = drawing.axes[0]
+    groups: list[str] = []
 
     def link(piece: re.Match) -> str:
+        nonlocal axes
         if piece["close"]:
             groups.pop()
         elif piece["tick"] or piece["open"]:
-            groups.append(bool(piece["tick"]))
+            groups.append("tick" if piece["tick"] else piece["id"] or "")
+            axes = next(drawn) if groups[-1] == AXES else axes
             return '<g class="tick">' if piece["tick"] else piece[0]
+        elif piece["mark"]:
+            is_datum = AXES in groups and axes.axison and not {"tick", "legend"} & {*groups}
+            return f"{piece['mark']}><title>{_said(axes, piece)}</title></use>" if is_datum else piece[0]
         else:
             opening, _, text = piece[0].removesuffix("</text>").partition(">")
-            if any(groups) and not LETTER.search(text):
+            if "tick" in groups and not LETTER.search(text):
                 return piece[0]  # a number of an axis
             found, rest = [], text
             for number in longest_first:
@@ -290,6 +300,27 @@ def _linked(svg: str) -> str:
         return piece[0]
 
     return PIECE.sub(link, svg)
+
+
+def _said(axes: Axes, mark: re.Match) -> Markup:
+    """Say what a mark stands for, in the words of its axes; the place is that in the file, in points from the top."""
+    place = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
+    values = zip((axes.xaxis, axes.yaxis), axes.transData.inverted().transform(place), strict=True)
+    said = ", ".join(_coordinate(axis, value, axes.figure) for axis, value in values)
+    return escape(" ".join(said.replace(" ,", ",").split()))
+
+
+def _coordinate(axis: Axis, value: float, drawing: Drawing) -> str:
+    """Say a coordinate by the name at its place, or as a number with what its axis, or one beside it, is called."""
+    labels = (tick.get_text() for tick in axis.get_majorticklabels())
+    names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
+    if names and all(map(LETTER.search, names.values())):
+        return names[min(names, key=lambda place: abs(place - value))]
+    kind = axis.axis_name
+    others = (getattr(axes, f"{kind}axis").get_label_text() for axes in drawing.axes)
+    known = axis.get_label_text(), getattr(drawing, f"get_sup{kind}label")(), *others
+    label, _, unit = next(filter(None, known), "").removesuffix("]").partition("[")
+    return f"{label} {value:.4g} {unit}"
 
 
 def _lean(svg: str) -> str:

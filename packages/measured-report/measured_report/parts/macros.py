@@ -7,8 +7,6 @@ from typing import Any, NamedTuple
 import jinja2
 from markupsafe import Markup
 
-from measured_report.files.config import config
-
 FILE = Path(__file__).parents[1] / "pages" / "layout" / "parts.html.j2"
 
 
@@ -19,7 +17,6 @@ def macros() -> Any:
     environment = jinja2.Environment(
         loader=loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
     )
-    environment.globals["repository"] = lambda: config().repository
     return environment.get_template(FILE.name).module
 
 

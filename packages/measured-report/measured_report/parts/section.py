@@ -127,7 +127,6 @@ class Figure(_Captioned):
     """Named by its caption and its alternative text."""
     wording: Wording | None = None
     anchor: str = ""
-    drawn_by: str = ""
     pictures: Pictures | None = None
     """None where it is not kept, and still to be drawn."""
 
@@ -236,9 +235,7 @@ class Section:
         tables = {name: thing.kept() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
         return replace(self, tables=tables)
 
-    def worded(
-        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], drawn_by: str = ""
-    ) -> "Section":
+    def worded(self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording]) -> "Section":
         """Give it the words of the template ``place``; ReportError unless things and words are those of each other."""
         things = {"claim": {claim.name: claim for claim in self.claims}, "figure": self.figures, "table": self.tables}
         for (kind, name), wording in words.items():
@@ -255,7 +252,7 @@ class Section:
             for part in words[kind, name].blocks:  # those as well that are not said now: with other numbers they are
                 words[kind, name](part, thing.numbers)
             if kind == "figure":
-                thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by)
+                thing = replace(thing, anchor=f"{anchor}-{name}")
             return thing.checked() if kind == "claim" else thing
 
         found = {kind: {name: said(kind, name, thing) for name, thing in some.items()} for kind, some in things.items()}
