@@ -82,8 +82,6 @@ PIECE = re.compile(
     r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
 )
 """Pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either."""
-AXES = "axes"
-"""Begins the ids of the groups that axes are drawn as."""
 
 IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
@@ -281,10 +279,10 @@ def _linked(svg: str, drawing: Drawing) -> str:
             groups.pop()
         elif piece["tick"] or piece["open"]:
             groups.append("tick" if piece["tick"] else piece["id"] or "")
-            axes = next(drawn) if groups[-1] == AXES else axes
+            axes = next(drawn) if groups[-1] == "axes" else axes
             return '<g class="tick">' if piece["tick"] else piece[0]
         elif piece["mark"]:
-            is_datum = AXES in groups and axes.axison and not {"tick", "legend"} & {*groups}
+            is_datum = "axes" in groups and axes.axison and not {"tick", "legend"} & {*groups}
             return f"{piece['mark']}><title>{_said(axes, piece)}</title></use>" if is_datum else piece[0]
         else:
             opening, _, text = piece[0].removesuffix("</text>").partition(">")
@@ -303,24 +301,19 @@ def _linked(svg: str, drawing: Drawing) -> str:
 
 
 def _said(axes: Axes, mark: re.Match) -> Markup:
-    """Say what a mark stands for, in the words of its axes; the place is that in the file, in points from the top."""
-    place = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
-    values = zip((axes.xaxis, axes.yaxis), axes.transData.inverted().transform(place), strict=True)
-    said = ", ".join(_coordinate(axis, value, axes.figure) for axis, value in values)
-    return escape(" ".join(said.replace(" ,", ",").split()))
-
-
-def _coordinate(axis: Axis, value: float, drawing: Drawing) -> str:
-    """Say a coordinate by the name at its place, or as a number with what its axis, or one beside it, is called."""
-    labels = (tick.get_text() for tick in axis.get_majorticklabels())
-    names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
-    if names and all(map(LETTER.search, names.values())):
-        return names[min(names, key=lambda place: abs(place - value))]
-    kind = axis.axis_name
-    others = (getattr(axes, f"{kind}axis").get_label_text() for axes in drawing.axes)
-    known = axis.get_label_text(), getattr(drawing, f"get_sup{kind}label")(), *others
-    label, _, unit = next(filter(None, known), "").removesuffix("]").partition("[")
-    return f"{label} {value:.4g} {unit}"
+    """Say what a mark stands for: names at its place, or numbers with what its axes, or those beside, are called."""
+    place, said = (float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])), []
+    for axis, value in zip((axes.xaxis, axes.yaxis), axes.transData.inverted().transform(place), strict=True):
+        labels = (tick.get_text() for tick in axis.get_majorticklabels())
+        names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
+        if names and all(any(map(str.isalpha, name)) for name in names.values()):
+            said.append(names[min(names, key=lambda place: abs(place - value))])
+            continue
+        known = (getattr(each, f"{axis.axis_name}axis").get_label_text() for each in (axes, *axes.figure.axes))
+        above = getattr(axes.figure, f"get_sup{axis.axis_name}label")()
+        label, _, unit = next(filter(None, known), above).removesuffix("]").partition("[")
+        said.append(f"{label} {value:.4g} {unit}".strip())
+    return escape(" ".join(", ".join(said).split()))
 
 
 def _lean(svg: str) -> str:
