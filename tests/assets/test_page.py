@@ -51,6 +51,8 @@ PUT_IN = """drawings => {
       const drawing = new DOMParser().parseFromString(drawings[name], "image/svg+xml").documentElement;
       drawing.querySelector("style").remove();
       drawing.classList.add(kind);
+      drawing.setAttribute("role", "img");
+      drawing.setAttribute("aria-label", picture.querySelector("img").alt);
       return drawing;
     });
     picture.replaceWith(...parts);

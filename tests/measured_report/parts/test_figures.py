@@ -21,7 +21,7 @@ def test_names_of_a_legend_stand_one_below_the_other_where_it_is_narrow():
         drawing.legend(loc="outside upper center", ncols=4)
         return drawing
 
-    broad, narrow = (picture.html("", ()) for picture in draw_svgs(draw, name="toy"))
+    broad, narrow = (picture.content for picture in draw_svgs(draw, name="toy"))
     assert found == [False, True] and not is_narrow()
     assert [float(WIDTH.search(svg)[1]) for svg in (broad, narrow)] == [7.2 * 72, pytest.approx(NARROW_WIDTH * 72)]
     places = [re.findall(r'x="([\d.]+)" y="([\d.]+)"[^>]*>a(?:nother one| label)', svg) for svg in (broad, narrow)]
