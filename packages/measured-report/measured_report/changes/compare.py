@@ -249,7 +249,9 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
             yield Fault(after.project.release, state.section, "missing", reason)
     for section in (name for name in before.chapters if name in after.chapters):
         records = [side.chapters[section].results.record for side in (before, after)]
-        broken = [list(filter(None, map(_breakdown, record.rows))) for record in records]
+        common = set.intersection(*({row["case"] for row in record.rows} for record in records))
+        rows = [[row for row in record.rows if row["case"] in common] for record in records]
+        broken = [list(filter(None, map(_breakdown, side))) for side in rows]
         for edition, reasons in zip((before, after), broken, strict=True):
             if reasons and not all(broken):
                 others = f", and {len(reasons) - 1} more" if reasons[1:] else ""
