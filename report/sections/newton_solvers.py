@@ -33,14 +33,18 @@ def derive(results: Results) -> Section:
     """Derive the section; of a release without Steel there is no shake."""
     rows = RowsBy(results, results.rows, "variant", "shake")
     results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, unit="mm")
-    tables = {"boxes": _box_table(results)}
+    seen = {
+        "%/s": results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, unit="%/s"),
+        "mm/s": results.chosen("creep_seen", "a millimetre in a quarter of an hour", 1e-3, unit="mm/s"),
+    }
+    tables = {"boxes": _box_table(results, seen)}
     offered = Claim("offered", (HOLDS if rows else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
     if not rows:
         return Section(tables=tables, claims=[offered], unmeasured=OF_STEEL)
     times = RowsBy(results, results.rows, "variant", "worlds")
     claims = [
         offered,
-        _steel_stays(results),
+        _steel_stays(results, seen["%/s"]),
         _slips_less(rows),
         _anchors_help(rows),
         _contacts_strain(results, rows),
@@ -56,35 +60,35 @@ def _label(name: str) -> str:
     return NAMES.get(name, name.capitalize())
 
 
-def _box_table(results: Results) -> Table:
+def _box_table(results: Results, seen: dict[str, Quantity]) -> Table:
     """Make a line for each of Newton's solvers; one that is excused has the reason."""
     names = list(dict.fromkeys(row["solver"] for row in results.rows if "solver" in row))
     excused = [row for row in results.rows if "of" in row and "solver" not in row]
     columns: dict[str, Column] = {
-        above: [_of_box(results, name, end) for name in names]
+        above: [_of_box(results, name, end, seen) for name in names]
         + [row.plain["growth_per_s_reason"] if end == LONG else "" for row in excused]
         for above, end in SCENES.items()
     }
-    return table_of("solver", [*map(_label, names), *(row["of"] for row in excused)], columns)
+    said = {"walk": seen["%/s"], "creep": seen["mm/s"]}
+    return table_of("solver", [*map(_label, names), *(row["of"] for row in excused)], columns, **said)
 
 
-def _of_box(results: Results, solver: str, end: str) -> Quantity | str:
-    """Say how fast the box walks outward, or creeps where the table stands still."""
+def _of_box(results: Results, solver: str, end: str, seen: dict[str, Quantity]) -> Quantity | str:
+    """Say how fast the box walks outward, or creeps where the table stands still, if it is seen to."""
     row = results.row[f"{solver}-{end}"]
     is_turning = end.endswith("ms")
     cell = row["growth_per_s" if is_turning else "creep_mm_s"]
     if cell.value is not None and not row.stays:
         return "sinks in or lost"
-    if not is_turning:
-        return cell
-    formula = "growth of the distance from the axis, in percent of it"
-    return results.value(f"{solver}_{end}", formula, lambda rate: 100 * rate, cell, unit="%/s")
+    if is_turning:
+        formula = "growth of the distance from the axis, in percent of it"
+        cell = results.value(f"{solver}_{end}", formula, lambda rate: 100 * rate, cell, unit="%/s")
+    return cell if cell.value is None or abs(cell.value) >= seen[cell.unit].number else "not seen"
 
 
-def _steel_stays(results: Results) -> Claim:
+def _steel_stays(results: Results, seen: Quantity) -> Claim:
     """Tell whether the box stays where it is on the turning table by the anchors of Steel's friction."""
     anchors, points, warp = (results.derived[f"{name}_2ms"] for name in ("steel", "steel-points", "mujoco"))
-    seen = results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, unit="%/s")
     size = results.value("anchors_size", "size of Steel's walk", abs, anchors, unit="%/s")
     outcome = all_of(at_most(size, seen), at_least(points, seen)).having_read(warp)
     return Claim("steel_stays", outcome, {"anchors": anchors, "points": points, "warp": warp})

@@ -17,6 +17,7 @@ IN_C = "v"
 """Marker of what runs on a core of the processor, and in as many worlds as it has cores."""
 STEEL = "newton_solvers/steel"
 RATIOS = ("frame_ratio", "time_ratio")
+FLAGS = ("is_argument", "is_steel", "has_many")
 NOTHING, ARGUMENT, PATCH = range(3)
 """What it takes to have a way, in the order in which they are advised; an argument is one of a constructor."""
 
@@ -58,8 +59,8 @@ def _cure(model: str, parts: str = "plain-rounded") -> str:
 
 
 WAYS = (
-    Way("as shipped", NOTHING, _cure("implicitfast-50-shipped"), "cure_cost/as-shipped", SHIPPED),
-    Way("stiff pads", ARGUMENT, _cure("implicitfast-50-stiff"), "speed/stiff-pads-only", STIFF),
+    Way("as shipped", NOTHING, "reproduction/as-shipped", "cure_cost/as-shipped", SHIPPED),
+    Way("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads-only", STIFF),
     Way("RK4", ARGUMENT, _cure("rk4-50-shipped"), "error_runtime/as-shipped/newton-rk4/substeps-16", SHIPPED, "s"),
     Way("RK4, stiff pads", ARGUMENT, _cure("rk4-50-stiff"), "error_runtime/stiff/newton-rk4/substeps-16", STIFF, "s"),
     Way("Steel", ARGUMENT, f"{STEEL}-3cm", STEEL, SERIES[4], "P"),
@@ -75,9 +76,9 @@ WAYS = (
 
 def figure(found: Found) -> Figure:
     """Draw the creep of each way against the time of a world's frame, alone and among many."""
-    ways = {way: way.ratios(found) for way in WAYS if way.creep_mm(found) is not None}
     rows = found.chapters["cure_cost"].results.rows if "cure_cost" in found.chapters else []
     shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped"}
+    ways = {way: way.ratios(found) for way in WAYS if shipped and way.creep_mm(found) is not None}
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(found), *ratios.values())]
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
@@ -108,11 +109,11 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     none = absent("1", bound.reason or "what holds the cube was not timed")
     numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "bound": bound}
     if not kept:
-        return Claim(name, Outcome("unknown", none.reason), numbers | {"is_argument": False, "is_steel": False})
+        return Claim(name, Outcome("unknown", none.reason), numbers | dict.fromkeys(FLAGS, False))
     way = min(kept, key=lambda way: (way.effort, way.ratios(found)[ALONE].number))
     ratios = way.ratios(found)
     numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, none)}
-    flags = {"is_argument": way.effort == ARGUMENT, "is_steel": way.run.startswith("newton_solvers")}
+    flags = dict(zip(FLAGS, (way.effort == ARGUMENT, way.run.startswith(STEEL), MANY in ratios), strict=True))
     read = [cell for each in timed for cell in (each.slip(found), each.ratios(found)[ALONE])]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
