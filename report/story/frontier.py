@@ -83,13 +83,13 @@ def figure(found: Found) -> Figure:
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
     def draw() -> Drawing:
-        drawing, axes = new_figure(7.2, 4.0)
+        drawing, axes = new_figure(7.2, 5.0)
         for way, ratios in ways.items():
             x = [ratio.number * shipped[count].frame_ms.number / count for count, ratio in ratios.items()]
             style = {"marker": way.marker, "markevery": 1, "linestyle": ":", "linewidth": 0.8}
             axes.plot(x, [way.creep_mm(found)] * len(x), label=way.name, color=way.colour, **style)
         axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="creep [mm/cycle]")
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
         return drawing
 
     return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many})
