@@ -8,6 +8,7 @@ import warp as wp
 from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
+from experiments.simulation import forward_only  # noqa: F401
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
@@ -68,10 +69,9 @@ def compile_first(device: wp.Device) -> str:
 
 
 def be_quiet() -> None:
-    """Let Warp say errors only, and leave out gradients, a third of compiling; before it meets a kernel."""
+    """Let Warp say errors only."""
     if hasattr(wp, "LOG_ERROR"):  # Warp of old releases has none, and they are told what else they lack
         wp.config.log_level = wp.LOG_ERROR
-    wp.config.enable_backward = False
 
 
 def explained(error: Exception) -> str:
