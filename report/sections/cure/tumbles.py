@@ -43,14 +43,14 @@ def _by_chance(*counts: float) -> float:
     """Bound how many gain where the term does nothing, from the counts of two sets in turn."""
     plain, aside = counts[::2], counts[1::2]
     differ = sum(abs(one - other) for one, other in zip(plain, aside, strict=True))
-    return max(sum(plain), sum(aside)) + 3.0 * math.sqrt(1.0 + differ)
+    return min(sum(plain), sum(aside)) + 3.0 * math.sqrt(1.0 + differ)
 
 
 def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str, Value]], gain: Value) -> Claim:
     """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
     formula = "worlds whose energy ends over 1 % above its start"
     gains = {name: total(results, f"{name}_gains", formula, counts[name].values()) for name in VARIANTS}
-    formula = "the larger count of both sets without it, and three times the root of one more than they differ by"
+    formula = "the smaller count of both sets without it, and three times the root of one more than they differ by"
     cells = [row[f"{name}_gain_count"] for row in rows for name in ("plain", "aside")]
     chance = results.value("tumble_chance", formula, _by_chance, *cells)
     worlds = total(results, "tumble_count", "worlds with the exact term", [row.world_count for row in rows])

@@ -23,7 +23,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
 from measured_report.measuring import machine, measure
-from measured_report.records import provenance
+from measured_report.records import identity
 from measured_report.records.identity import package_versions
 from measured_report.records.record import write_record
 
@@ -52,10 +52,10 @@ def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
     assert str(clean) == f"1.9.0.dev0+g{commit}" and clean.date
     (checkout / "newton/__init__.py").write_text("x = 2\n")
     release_of.cache_clear()
-    edited, source = release_of(str(checkout)), provenance.checkout_source(checkout)
+    edited, source = release_of(str(checkout)), identity.checkout_source(checkout)
     assert str(edited) == f"1.9.0.dev0+g{commit}.edited"
     (checkout / "newton/__init__.py").write_text("x = 3\n")
-    assert provenance.checkout_source(checkout) != source and environment_of(edited) == environment_of(clean)
+    assert identity.checkout_source(checkout) != source and environment_of(edited) == environment_of(clean)
 
 
 def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
@@ -159,7 +159,7 @@ def test_one_machine_never_takes_the_place_of_another(toy, capsys):
 
 
 def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages(monkeypatch):
-    missing = dict.fromkeys(package_versions(), provenance.MISSING)
+    missing = dict.fromkeys(package_versions(), identity.MISSING)
     found = environment.requirements(ROOT, missing | {"newton": "1.8.0", "warp-lang": "1.19.0"})
     assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
     assert any(name.startswith("pandas") for name in found)

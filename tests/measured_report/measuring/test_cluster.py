@@ -93,8 +93,8 @@ def test_what_cannot_travel_fails_by_itself_and_nothing_waits_for_it(toy, schedu
     with cluster_pools(scheduler, "cpu", None, 1) as pools:
         assert Loop([there, back], *pools).run()
     said = capsys.readouterr().err
-    assert "there: measuring failed; what was there is kept: there: Can't pickle" in said
-    assert "back: measuring failed; what was there is kept: back: cannot pickle" in said
+    assert "there: measuring failed; what was there is kept: there: AttributeError: Can't pickle" in said
+    assert "back: measuring failed; what was there is kept: back: TypeError: cannot pickle" in said
 
 
 @pytest.mark.parametrize(
