@@ -33,7 +33,7 @@ def derive(results: Results) -> Section:
     """Derive the section; of a release without Steel there is no shake."""
     rows = RowsBy(results, results.rows, "variant", "shake")
     results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, unit="mm")
-    seen = {
+    seen: dict[str, Quantity] = {
         "%/s": results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, unit="%/s"),
         "mm/s": results.chosen("creep_seen", "a millimetre in a quarter of an hour", 1e-3, unit="mm/s"),
     }
@@ -69,8 +69,8 @@ def _box_table(results: Results, seen: dict[str, Quantity]) -> Table:
         + [row.plain["growth_per_s_reason"] if end == LONG else "" for row in excused]
         for above, end in SCENES.items()
     }
-    said = {"walk": seen["%/s"], "creep": seen["mm/s"]}
-    return table_of("solver", [*map(_label, names), *(row["of"] for row in excused)], columns, **said)
+    solvers = [*map(_label, names), *(row["of"] for row in excused)]
+    return table_of("solver", solvers, columns, walk=seen["%/s"], creep=seen["mm/s"])
 
 
 def _of_box(results: Results, solver: str, end: str, seen: dict[str, Quantity]) -> Quantity | str:
