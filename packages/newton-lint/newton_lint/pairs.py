@@ -52,7 +52,7 @@ def _unnamed(model: mujoco.MjModel) -> np.ndarray:
     contype, conaffinity = model.geom_contype[geoms], model.geom_conaffinity[geoms]
     own = model.body_weldid[model.geom_bodyid[geoms]]
     rows = [np.zeros((0, 2), dtype=int)]
-    for weld in np.unique(own):  # what is fixed together makes no pairs, however many geoms it has
+    for weld in np.flatnonzero(np.bincount(own)):  # what is fixed together makes no pairs, however many geoms it has
         mine, others = np.flatnonzero(own == weld), np.flatnonzero(own > weld)
         there = (contype[mine, None] & conaffinity[others] | conaffinity[mine, None] & contype[others]) != 0
         first, second = np.nonzero(there)

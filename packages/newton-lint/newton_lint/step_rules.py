@@ -163,8 +163,8 @@ def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
     """Yield meshes that collide with more vertices than it takes, and what a step costs with fewer."""
     model = scene.model
     touch = (model.geom_contype | model.geom_conaffinity) != 0
-    meshes = np.unique(model.geom_dataid[touch & (model.geom_type == MESH)])
-    places = {mesh: model.mesh_graphadr[mesh] for mesh in meshes.tolist()}
+    meshes = sorted({*model.geom_dataid[touch & (model.geom_type == MESH)].tolist()})
+    places = {mesh: model.mesh_graphadr[mesh] for mesh in meshes}
     counts = {mesh: int(model.mesh_graph[start]) for mesh, start in places.items() if start >= 0}
     worst = max(counts, key=counts.get, default=-1)
     if counts.get(worst, 0) < MANY or target.path is None:
