@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-import mujoco
+import numpy as np
 import pytest
 
 from measured_report.commands.new import new
@@ -18,12 +18,12 @@ MISTAKES = [
     (X, "return Measurement(rows, traces)", "return Measurement([], {})", "it returned no rows, or one without a case"),
     (X, '{"case": case,', '{"cas": case,', "it returned no rows, or one without a case"),
     (X, "return Measurement(rows, traces)", "pass", "it returned no Measurement of rows"),
-    (X, "    seconds =", "    1 / 0\n    seconds =", "experiments/pendulum.py:39: ZeroDivisionError"),
-    (X, "    seconds =", "    raise SystemExit(3)\n    seconds =", "experiments/pendulum.py:39: SystemExit: 3"),
+    (X, "    seconds =", "    1 / 0\n    seconds =", "experiments/pendulum.py:54: ZeroDivisionError"),
+    (X, "    seconds =", "    raise SystemExit(3)\n    seconds =", "experiments/pendulum.py:54: SystemExit: 3"),
     (X, "1e3 * error}", 'float("nan")}', "or never: .* euler: the measurement gave nan"),
     (X, "1e3 * error}", "None}", "or never: pendulum.euler.energy_error_mj never, euler: the measurement gave None"),
     (X, "1e3 * error}", "str(error)}", "energy_error_mj is not all numbers"),
-    (S, '(errors["euler"], errors["rk4"])', '(errors["euler"], results.row["rk4"].duration_s)', " mJ with 20 s"),
+    (S, '(errors["euler"], errors["rk4"])', '(errors["euler"], results.row["rk4"].duration_s)', " mJ with 10 s"),
     (S, ".energy_error_mj", ".energy_eror_mj", "pendulum.py:16: pendulum: euler has no column energy_eror_mj"),
     (S, "        drawing, axes", "        1 / 0\n        drawing, axes", "can't be drawn: .*.py:21: ZeroDivision"),
     (S, "        return drawing\n", "", "the figure pendulum-energy can't be drawn: it draws a builtins.NoneType"),
@@ -31,8 +31,8 @@ MISTAKES = [
     (T, "{% fails %}", "{# #}", r"pendulum.md.j2:3: claim rk4_keeps_more has no {% fails %}"),
     (T, "With RK4 its", "With RK4, 4.5 GB, its", r"pendulum.md.j2:5: 4.5 GB is typed"),
     (T, "{{ rk4 }}", "{{ rk44 }}", "names rk44, which it is not given; it is given: euler, rk4"),
-    ("report.toml", 'packages = ["numpy"]', 'packages = "numpy"', r"report.toml: Expected `array`, got `str`"),
-    ("report.toml", 'edition = "mujoco"', "", 'report.toml has no edition = "NAME"'),
+    ("report.toml", 'formulas = ["RK4"]', 'formulas = "RK4"', r"report.toml: Expected `array`, got `str`"),
+    ("report.toml", 'edition = "numpy"', "", 'report.toml has no edition = "NAME"'),
     ("results/*/pendulum.json", '"rows"', '"row"', "pendulum: 10 rows in"),
     ("*", "\n", "\r\n", "built"),
 ]  # fmt: skip
@@ -49,7 +49,7 @@ def report(folder: Path) -> str:
 def measured(tmp_path_factory) -> Path:
     new(folder := tmp_path_factory.mktemp("a folder") / "mine")
     text = (folder / "pyproject.toml").read_text()
-    (folder / "pyproject.toml").write_text(text.replace("mujoco==4.0.0", f"mujoco=={mujoco.__version__}"))
+    (folder / "pyproject.toml").write_text(text.replace("numpy==2.4.6", f"numpy=={np.__version__}"))
     assert "built" in report(folder)
     return folder
 

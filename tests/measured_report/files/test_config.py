@@ -9,7 +9,7 @@ from measured_report.commands.new import SKELETON
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 
-TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
+TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

@@ -18,11 +18,9 @@ from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError
 from measured_report.records.identity import git
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
-OTHER = SKELETON / "other"
-"""What a report on any package has in the place of the pendulum."""
-TOLD = SKELETON / "told.json"
-"""What the pendulum has in the place of marks."""
-OTHERS = "    # @OTHERS@\n"
+KINDS = {"pendulum": "Does a pendulum keep its energy?", "importing": "How long does {} take to import?"}
+"""The folders below that a report has one of, and what it is then called."""
+PACKAGE = "numpy==2.4.6"
 GENERATOR = "measured-report"
 
 
@@ -50,24 +48,20 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     if any(mark in title for mark in '"\\\n{}') or UNPRINTABLE.search(title):
         said = UNPRINTABLE.sub("?", title)
         raise UsageError(f"--title={said} has a quote, a brace, a break or what can't be printed, which no title takes")
-    told = json.loads(TOLD.read_text(encoding="utf-8"))
-    if package:
-        name, _, version = package.partition("==")
-        if is_name := re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
-            version = version or next((str(release) for release in releases_of(name)[-1:]), "")
-        if not (is_name and VERSION.fullmatch(version)):
-            raise UsageError(f"--package={package} is no package of the index; numpy==2.3.0 names one with its release")
-        told = {"@PACKAGE@": name, "@VERSION@": version, "@OPTION@": Config(edition=name).option, OTHERS: ""}
-        told["@TITLE@"] = f"How long does {name} take to import?"
-    if title:
-        told["@TITLE@"] = title
+    name, _, version = (package or PACKAGE).partition("==")
+    if is_name := re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
+        version = version or next((str(release) for release in releases_of(name)[-1:]), "")
+    if not (is_name and VERSION.fullmatch(version)):
+        raise UsageError(f"--package={package} is no package of the index; numpy==2.3.0 names one with its release")
+    kind = "importing" if package else "pendulum"
+    told = {"@PACKAGE@": name, "@VERSION@": version, "@OPTION@": Config(edition=name).option}
     folder.mkdir(parents=True, exist_ok=True)
-    _write(folder, told)
+    _write(folder, kind, {**told, "@TITLE@": title or KINDS[kind].format(name)})
     (folder / FILE).write_text(reference(), encoding="utf-8")
     print(f"wrote {folder}; cd {shlex.quote(folder.name)} && make report measures, and builds site/index.html")
 
 
-def _write(folder: Path, told: Mapping[str, str]) -> None:
+def _write(folder: Path, kind: str, told: Mapping[str, str]) -> None:
     source = _source(folder)
     said = {
         **told,
@@ -76,20 +70,15 @@ def _write(folder: Path, told: Mapping[str, str]) -> None:
         f'"{GENERATOR}"': f'"{GENERATOR}"' if source else f'"{GENERATOR}=={metadata.version(GENERATOR)}"',
         "# @SOURCE@\n": f"\n[tool.uv.sources]\n{source}\n" if source else "",
     }
-    files = {path.relative_to(SKELETON): path for path in SKELETON.rglob("*") if path != TOLD}
-    files = {name: path for name, path in files.items() if not path.is_relative_to(OTHER)}
-    if told.get(OTHERS) == "":
-        files = {name: path for name, path in files.items() if "pendulum" not in name.stem}
-        files |= {path.relative_to(OTHER): path for path in OTHER.rglob("*")}
-    for relative, template in sorted(files.items()):
-        if not template.is_file() or template.suffix == ".pyc":
-            continue
-        text = template.read_text(encoding="utf-8")
-        for mark, word in said.items():
-            text = text.replace(mark, word)
-        name = relative.as_posix().replace("dot.", ".")
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text, encoding="utf-8")
+    for template in sorted(path for path in SKELETON.rglob("*") if path.is_file() and path.suffix != ".pyc"):
+        first, *below = template.relative_to(SKELETON).parts
+        if first not in KINDS or first == kind:
+            name = "/".join(below if first == kind else [first, *below]).replace("dot.", ".")
+            text = template.read_text(encoding="utf-8")
+            for mark, word in said.items():
+                text = text.replace(mark, word)
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(text, encoding="utf-8")
 
 
 def _source(folder: Path) -> str:

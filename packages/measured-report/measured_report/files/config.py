@@ -113,7 +113,7 @@ class Config:
     name: str = "report"
     """What it is called where it is cited."""
     repository: str = ""
-    """The page of its sources on the web; where nothing is said, that of git's origin."""
+    """The page of its sources on the web; where nothing is said, pages lead to none."""
     pages: Sequence[Mapping[str, Any]] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})
     """The pages in their order, the front page first: ``name``, ``label`` of links to it, ``texts`` (templates)."""
     story: str = ""
