@@ -36,12 +36,12 @@ def test_each_better_or_worse_compares_like_with_like_and_exceeds_noise_and_reso
                 continue
             rows = [
                 editions[release].chapters[move.section].results.record.rows[quantity_row(move, side)]
-                for release, side in zip(found.releases, (move.before, move.after), strict=True)
+                for release, side in zip(found.releases, move.sides, strict=True)
             ]
             assert column_of(move.column).unit.endswith("/s") or all(
                 rows[0].get(name) == rows[1].get(name) for name in AMOUNTS
             ), move.name
-            apart = abs(move.values[0] - move.values[1])
+            apart = abs(move.before - move.after)
             assert apart > column_of(move.column).resolution, move.name
             assert apart > move.noise if move.chance is None else move.chance < 0.001, move.name
     assert count > 300
@@ -53,8 +53,8 @@ def quantity_row(move, side) -> int:
 
 def test_options_that_are_small_beside_others_are_listed(pairs, editions):
     [found] = (each for each in pairs if [*each.releases] == ["1.4.0", "1.8.0"])
-    settings = [move for move in found.settings if move.section == "upgrade" and None not in move.values]
-    assert {move.name: move.values for move in settings} == {
+    settings = [move for move in found.settings if move.section == "upgrade" and None not in (move.before, move.after)]
+    assert {move.name: (move.before, move.after) for move in settings} == {
         "upgrade.option-sleep_tolerance.value": (pytest.approx(1e-4), pytest.approx(1e-3)),
         "upgrade.sum-dof_damping.value": (0.0, pytest.approx(0.621)),
     }

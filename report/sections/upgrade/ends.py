@@ -62,7 +62,7 @@ class Ends:
 
 def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
     """Tell whether a change is no more than noise and rounding; clearly more is the opposite."""
-    is_same = None not in (moved.value, noise.value) and not Move("", before, after, noise.value).is_real
+    is_same = None not in (moved.value, noise.value) and not Move("", before.value, after.value, noise.value).is_real
     return (HOLDS if is_same else beyond(moved, noise)).having_read(before, after, moved, noise)
 
 

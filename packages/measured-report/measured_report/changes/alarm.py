@@ -4,7 +4,6 @@ import json
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
 from typing import Any
 
 from measured_report.changes.compare import Comparison, compare, faults_of
@@ -12,6 +11,7 @@ from measured_report.changes.moves import NAMED, Move, few
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.files.config import config
+from measured_report.files.processes import forked
 from measured_report.pages.editions import Chapter, Edition
 from measured_report.pages.replicas import compared, derive_bare, kept, replicas_of
 from measured_report.pages.sections import outline_of
@@ -125,14 +125,14 @@ def _claim_data(claim: Claim) -> dict[str, str]:
 
 
 def _move_data(move: Move) -> dict[str, Any]:
-    before, after = move.values
+    before = move.sides[0]
     return {
         "section": move.section,
         **move.place,
         "column": move.column,
-        "before": before,
-        "after": after,
-        "unit": move.before.unit if isinstance(move.before, Quantity) else None,
+        "before": move.before,
+        "after": move.after,
+        "unit": before.unit if isinstance(before, Quantity) else None,
         "noise": move.noise,
         "noise_is_chosen": move.is_chosen,
         "is_near": move.is_inconclusive,
@@ -158,26 +158,26 @@ def largest(found: Comparison) -> list[str]:
 def _is_told(move: Move) -> bool:
     """Tell whether it may lead: a number that changed or is gone, or an alarm; settings are told by themselves."""
     is_setting = move.is_setting or column_of(move.column).is_setting
-    is_lost = move.is_gone and move.values[1] is None
+    is_lost = move.is_gone and move.after is None
     return not (is_setting or move.is_inconclusive) and bool(move.share or is_lost or move.exceeds_threshold)
 
 
 def _rank(move: Move) -> tuple[bool, bool, bool, float]:
     """Put alarms first, of these what was given, then what decides, and then what is farthest beyond its noise."""
-    (before, after), sure = move.values, 1.0
+    sure = 1.0
     if move.share:
-        sure = (abs(after - before) - move.least) / max(abs(before), abs(after))
+        sure = (abs(move.after - move.before) - move.least) / max(abs(move.before), abs(move.after))
     is_cause = move.exceeds_threshold and "given" in column_of(move.column).kinds
     return move.exceeds_threshold, is_cause, move.section in config().changes.deciding, sure
 
 
 def settings_text(settings: Sequence[Move]) -> str:
     """Name the settings that changed, alarms first, and those that only one edition has."""
-    changed = [move for move in settings if None not in move.values]
+    changed = [move for move in settings if None not in (move.before, move.after)]
     changed.sort(key=lambda move: not move.exceeds_threshold)
     told = [few([f"{move.place['case']} {move.ends}" for move in changed], 2 * NAMED)] if changed else []
-    for word, index in (("new", 0), ("gone", 1)):
-        if lone := [move.place["case"] for move in settings if move.values[index] is None]:
+    for word, side in (("new", "before"), ("gone", "after")):
+        if lone := [move.place["case"] for move in settings if getattr(move, side) is None]:
             told.append(f"{word}: {', '.join(lone)}")
     return "; ".join(told) or "all as they were"
 
@@ -186,9 +186,9 @@ def power(found: Comparison) -> str:
     """Say the least change of each named number that would have shown, and which were not measured in both."""
     least: dict[str, float] = {}
     for cell in found.cells:
-        if cell.name in config().changes.thresholds and cell.share is not None and cell.values[0]:
+        if cell.name in config().changes.thresholds and cell.share is not None and cell.before:
             words = column_of(cell.column).words
-            least[words] = max(least.get(words, ROUNDING_SHARE), NEAR_NOISE * cell.least / abs(cell.values[0]))
+            least[words] = max(least.get(words, ROUNDING_SHARE), NEAR_NOISE * cell.least / abs(cell.before))
     told = ", ".join(f"{words} from {100 * share:.2g} %" for words, share in least.items()) or "nothing that is named"
     return told + (f"; not measured in both: {', '.join(found.missing)}" if found.missing else "")
 
@@ -227,20 +227,20 @@ def rate_of(edition: Edition) -> Rate:
 
     def find() -> Rate:
         replicas = [*replicas_of(edition.project, tracked).values()]
-        outs = (_rates(edition.project, [tracked, *replicas], out, several) for out in range(len(replicas) + 1))
-        return sum(chain.from_iterable(outs), Rate())
+        measured = [tracked, *replicas]
+        return sum(forked(lambda out: _rate(edition.project, measured, out, several), len(measured)), Rate())
 
     return kept(edition.project, tracked, edition.cache, "rate", find) if several else Rate()
 
 
-def _rates(project: Project, measured: Sequence[Records], out: int, several: Sequence[str]) -> Iterator[Rate]:
+def _rate(project: Project, measured: Sequence[Records], out: int, several: Sequence[str]) -> Rate:
     shown, single = measured[0], {**measured[0], **measured[out]}
     rest = [each for place, each in enumerate(measured) if place != out]
     first = {name: record for each in reversed(rest) for name, record in each.items()}
     left = ({name: record for name, record in each.items() if first[name] is not record} for each in rest)
     before, after = _edition(project, {**shown, **first}, [*filter(None, left)]), _edition(project, single, [])
     found = compare(before, after)
-    return _counted(found, [name for name in several if name in measured[out]], before)
+    return sum(_counted(found, [name for name in several if name in measured[out]], before), Rate())
 
 
 def _edition(project: Project, records: Records, replicas: Sequence[Records]) -> Edition:

@@ -104,7 +104,7 @@ def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
     of_rows: dict[str, list[Move]] = {}
     for move in compared:
         for row in move.rows:
-            of_rows.setdefault(row, []).append(move)
+            of_rows.setdefault(row.source, []).append(move)
     found = []
     for flip in flips:
         read = {pointer for _, claim in flip.said for pointer in claim.outcome.reads if Pointer(pointer).cell}

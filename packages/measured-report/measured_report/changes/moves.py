@@ -30,7 +30,7 @@ class Move:
     column: str
     before: Any
     after: Any
-    """A number, a Quantity, a text, or yes and no, as the other; None where an edition lacks a setting."""
+    """A number, a text, or yes and no, as the other; None where an edition lacks it."""
     noise: float | None = None
     """None for what is no number."""
     is_chosen: bool = False
@@ -38,13 +38,14 @@ class Move:
     place: Mapping[str, Any] = field(default_factory=dict)
     chance: float | None = None
     """How often measurements of one edition come out as far apart; None where there are no replicas."""
-    rows: tuple[str, str] = ("", "")
-    """Pointers to its row in both."""
+    rows: tuple[Row, ...] = ()
+    """Its row in both."""
     limit: float = 1 - PAIRS
 
     @property
-    def values(self) -> tuple[Any, Any]:
-        return _plain(self.before), _plain(self.after)
+    def sides(self) -> list[Any]:
+        """Return before and after as their rows have them, numbers with units."""
+        return [row[self.column] for row in self.rows] or [self.before, self.after]
 
     @property
     def name(self) -> str:
@@ -63,7 +64,7 @@ class Move:
 
     def is_beyond(self, times: float) -> bool:
         """Tell whether the values differ; numbers by more than so many times the noise, and than rounding."""
-        before, after = self.values
+        before, after = self.before, self.after
         if self.chance is not None and self.chance > self.limit:
             return False
         if self.is_setting or None in (self.noise, before, after):
@@ -82,7 +83,7 @@ class Move:
     @property
     def share(self) -> float | None:
         """Return the change as a share of the older value; None for what is no number."""
-        before, after = self.values
+        before, after = self.before, self.after
         if None in (self.noise, before, after):
             return None
         return (after - before) / abs(before) if before else math.copysign(math.inf, after) if after else 0.0
@@ -101,16 +102,16 @@ class Move:
     @property
     def is_gone(self) -> bool:
         """Tell whether it is a number that was asked for in both editions and is there in one."""
-        sides = self.before, self.after
-        return all(isinstance(side, Quantity) for side in sides) and self.values.count(None) == 1
+        is_one = (self.before is None) != (self.after is None)
+        return is_one and all(isinstance(side, Quantity) for side in self.sides)
 
     @property
     def direction(self) -> str:
         """Say ``better`` or ``worse``, where one can."""
-        (before, after), better = self.values, column_of(self.column).better
-        if None in (before, after) or not better:
+        better = column_of(self.column).better
+        if None in (self.before, self.after) or not better:
             return ""
-        return "better" if (abs(after) > abs(before)) == (better == "more") else "worse"
+        return "better" if (abs(self.after) > abs(self.before)) == (better == "more") else "worse"
 
     @property
     def mark(self) -> str:
@@ -121,8 +122,8 @@ class Move:
     def ends(self) -> str:
         """Write before and after; of a setting as many digits as tell them apart."""
         if self.is_setting:
-            return " → ".join("none" if value is None else f"{value:.7g}" for value in self.values)
-        return f"{_said(self.before)} → {_said(self.after)}"
+            return " → ".join("none" if value is None else f"{value:.7g}" for value in (self.before, self.after))
+        return " → ".join(map(_said, self.sides))
 
 
 def cells_between(before: Chapter, after: Chapter) -> Iterator[Move]:
@@ -136,16 +137,17 @@ def cells_between(before: Chapter, after: Chapter) -> Iterator[Move]:
         place, a, b = dict(key), old.get(key), new.get(key)
         if a is None or b is None:
             if place.get("kind") in rules.settings:
-                yield Move("value", a and a["value"], b and b["value"], section=before.name, place=place)
+                values = a and a.plain["value"], b and b.plain["value"]
+                yield Move("value", *values, section=before.name, place=place)
         # Where repeats of a run end in different classes it is chance which one the row is about.
         elif key_of(a.plain) not in edge and not any(
-            len(set(row[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row
+            len(set(row.plain[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row
         ):
             cells = a.plain, b.plain
             for column in _comparable(cells, records):
                 noise, is_chosen, seen = _doubt(column, cells, floors, measured)
-                sides, rows = (a[column], b[column]), (a.source, b.source)
-                yield Move(column, *sides, noise, is_chosen, before.name, place, seen, rows)
+                values = a.plain[column], b.plain[column]
+                yield Move(column, *values, noise, is_chosen, before.name, place, seen, (a, b))
 
 
 def _doubt(
@@ -215,14 +217,9 @@ def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     """Return rows by what tells them apart; those that nothing does are left out, and repeats, which are the noise."""
     names = config().changes.keys
     rows = [row for row in chapter.results.rows if not (chapter.name == NOISE and "of" in row)]
-    plain = [[(name, _plain(row[name])) for name in names if name in row] for row in rows]
-    keys = [tuple((name, part) for name, part in parts if part is not None) for parts in plain]
+    keys = [tuple((name, row.plain[name]) for name in names if row.plain.get(name) is not None) for row in rows]
     counts = Counter(keys)
     return {key: row for key, row in zip(keys, rows, strict=True) if counts[key] == 1}
-
-
-def _plain(cell: Any) -> Any:
-    return cell.value if isinstance(cell, Quantity) else cell
 
 
 def _said(cell: Any) -> str:

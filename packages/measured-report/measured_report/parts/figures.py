@@ -6,8 +6,9 @@ import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
+from functools import cache
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import matplotlib
 from cycler import cycler
@@ -270,7 +271,7 @@ def _linked(svg: str, drawing: Drawing) -> str:
     numbers = {text: whole(escape(text)) for text in _told}
     longest_first = sorted(_told, key=len, reverse=True)
     drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
-    axes = drawing.axes[0]
+    axes, scales = drawing.axes[0], cache(_scales)
     groups: list[str] = []
 
     def link(piece: re.Match) -> str:
@@ -283,7 +284,7 @@ def _linked(svg: str, drawing: Drawing) -> str:
             return '<g class="tick">' if piece["tick"] else piece[0]
         elif piece["mark"]:
             is_datum = "axes" in groups and axes.axison and not {"tick", "legend"} & {*groups}
-            return f"{piece['mark']}><title>{_said(axes, piece)}</title></use>" if is_datum else piece[0]
+            return f"{piece['mark']}><title>{_said(axes, scales(axes), piece)}</title></use>" if is_datum else piece[0]
         else:
             opening, _, text = piece[0].removesuffix("</text>").partition(">")
             if "tick" in groups and not LETTER.search(text):
@@ -300,20 +301,37 @@ def _linked(svg: str, drawing: Drawing) -> str:
     return PIECE.sub(link, svg)
 
 
-def _said(axes: Axes, mark: re.Match) -> Markup:
-    """Say what a mark stands for: names at its place, or numbers with what its axes, or those beside, are called."""
-    place, said = (float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])), []
-    for axis, value in zip((axes.xaxis, axes.yaxis), axes.transData.inverted().transform(place), strict=True):
+class _Scale(NamedTuple):
+    """Say what an axis tells of a place on it: a name of its ticks, or else a number with what it is called."""
+
+    names: Mapping[float, str]
+    label: str
+    unit: str
+
+    def said(self, value: float) -> str:
+        if self.names:
+            return self.names[min(self.names, key=lambda place: abs(place - value))]
+        return f"{self.label} {value:.4g} {self.unit}".strip()
+
+
+def _scales(axes: Axes) -> list[_Scale]:
+    """Return its two; what has no label of its own is called as those beside it."""
+    found = []
+    for axis in (axes.xaxis, axes.yaxis):
         labels = (tick.get_text() for tick in axis.get_majorticklabels())
         names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
-        if names and all(any(map(str.isalpha, name)) for name in names.values()):
-            said.append(names[min(names, key=lambda place: abs(place - value))])
-            continue
         known = (getattr(each, f"{axis.axis_name}axis").get_label_text() for each in (axes, *axes.figure.axes))
         above = getattr(axes.figure, f"get_sup{axis.axis_name}label")()
         label, _, unit = next(filter(None, known), above).removesuffix("]").partition("[")
-        said.append(f"{label} {value:.4g} {unit}".strip())
-    return escape(" ".join(", ".join(said).split()))
+        found.append(_Scale(names if all(any(map(str.isalpha, name)) for name in names.values()) else {}, label, unit))
+    return found
+
+
+def _said(axes: Axes, scales: Sequence[_Scale], mark: re.Match) -> Markup:
+    """Say what a mark stands for."""
+    place = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
+    values = axes.transData.inverted().transform(place)
+    return escape(" ".join(", ".join(map(_Scale.said, scales, values)).split()))
 
 
 def _lean(svg: str) -> str:

@@ -1,9 +1,6 @@
 """A section as its module derives it from results: claims, figures, tables; their words are in its template."""
 
-import gc
-import os
 import re
-import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -11,7 +8,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from markupsafe import Markup
 
 from measured_report.files.errors import ReportError, bug_of
-from measured_report.files.processes import workers
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.words import Wording
@@ -257,22 +253,3 @@ class Section:
 
         found = {kind: {name: said(kind, name, thing) for name, thing in some.items()} for kind, some in things.items()}
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
-
-
-_figures: list[Figure] = []
-"""Those that are drawn: processes are forks of this one, so that a figure can hold functions."""
-
-
-def draw(figures: Sequence[Figure]) -> list[Pictures]:
-    """Draw figures, in their order, on every processor that there is."""
-    # A fork is safe on Linux alone, and a single figure is drawn here.
-    count = min(len(os.sched_getaffinity(0)), len(figures)) if sys.platform == "linux" else 1
-    if count < 2:
-        return [figure.drawn() for figure in figures]
-    _figures[:] = figures
-    with workers(count, "fork", gc.disable) as pool:  # all drawings of a process fit into memory together
-        return [*pool.map(_drawn, range(len(figures)))]
-
-
-def _drawn(index: int) -> Pictures:
-    return _figures[index].drawn()

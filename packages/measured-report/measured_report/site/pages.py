@@ -15,6 +15,7 @@ from markupsafe import Markup
 
 from measured_report.changes.alarm import rate_of, rate_values
 from measured_report.files.config import config
+from measured_report.files.processes import forked
 from measured_report.files.root import ROOT
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import Chapter, Edition
@@ -23,7 +24,7 @@ from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.pages.replicas import replica_files
 from measured_report.pages.sections import FRONT, Page
 from measured_report.parts.macros import Picture, macros
-from measured_report.parts.section import Pictures, draw
+from measured_report.parts.section import Pictures
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
 from measured_report.values.noise import NOISE
@@ -270,8 +271,8 @@ def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dic
     pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     wanted = cache.figures | placed
-    to_draw = {place: figure for place, figure in wanted.items() if figure.is_there and place not in pictures}
-    pictures |= zip(to_draw, draw(list(to_draw.values())), strict=True)
+    to_draw = [place for place, figure in wanted.items() if figure.is_there and place not in pictures]
+    pictures |= zip(to_draw, forked(lambda number: wanted[to_draw[number]].drawn(), len(to_draw)), strict=True)
     cache.keep(pictures)
     return pictures
 

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from statistics import NormalDist, fmean, median, variance
+from statistics import NormalDist
 from typing import Any
 
 from measured_report.files.config import config
@@ -123,22 +123,27 @@ def _by_key(rows: Sequence[Row]) -> dict[Key, Row]:
 
 
 def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
+    import numpy as np  # it takes long, and what is kept from before needs none of it
+
     read = {key: [scattered(column, row) for row in rows] for key, rows in cells.items()}
     found = {key: [*filter(is_number, numbers)] for key, numbers in read.items() if None not in numbers}
     if not any(len(set(numbers)) > 1 for numbers in found.values()):
         return None
-    own = {key: (variance(numbers), min(numbers), max(numbers)) for key, numbers in found.items()}
-    magnitudes = [abs(fmean(numbers)) for numbers in found.values()]
+    measured = np.array(list(found.values()), float)  # by number and measurement
+    least, largest = measured.min(axis=1), measured.max(axis=1)
+    variances = np.where(least < largest, measured.var(axis=1, ddof=1), 0.0)
+    own = dict(zip(found, zip(variances.tolist(), least.tolist(), largest.tolist(), strict=True), strict=True))
+    magnitudes = abs(measured.mean(axis=1))
 
     def typical(size: float) -> tuple[float, float]:
         """Return how unlike the variances are, in proportion to numbers of that size or not, and the typical one."""
-        sizes = (each / size if size else 1.0 for each in magnitudes)
-        scaled = sorted(one[0] / max(1.0, each) ** 2 for one, each in zip(own.values(), sizes, strict=True))
-        middle, most = (scaled[math.ceil(share * len(scaled)) - 1] for share in (0.5, TYPICAL))
+        scaled = np.sort(variances / np.maximum(1.0, magnitudes / size if size else 1.0) ** 2)
+        middle, most = (float(scaled[math.ceil(share * len(scaled)) - 1]) for share in (0.5, TYPICAL))
         return most / middle if middle else math.inf, most
 
-    (_, most), size = min((typical(size), size) for size in (0.0, median(magnitudes), min(filter(None, magnitudes))))
-    freedom = len(next(iter(found.values()))) - 1
+    sizes = 0.0, float(np.median(magnitudes)), float(magnitudes[magnitudes > 0].min())
+    (_, most), size = min((typical(size), size) for size in sizes)
+    freedom = measured.shape[1] - 1
     part = 2 / (9 * freedom)  # chi-squared by Wilson and Hilferty, as in ``tolerance``
     chi_squared = freedom * (1 - part + NormalDist().inv_cdf(TYPICAL) * math.sqrt(part)) ** 3
     return Scatter(most * freedom / chi_squared, size, freedom, own)

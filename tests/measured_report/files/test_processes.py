@@ -1,17 +1,12 @@
-"""Drawing: figures are drawn by processes."""
+"""Processes: forks share a piece of work."""
 
 import os
 import signal
-from collections.abc import Callable
-from functools import partial
-from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
 from measured_report.files.errors import ReportError
-from measured_report.files.processes import KILLED
-from measured_report.parts.section import draw
+from measured_report.files.processes import KILLED, forked
 
 
 @pytest.fixture(autouse=True)
@@ -22,19 +17,15 @@ def on_two_processors(monkeypatch):
     signal.alarm(0)
 
 
-def figures(drawn: Callable[[int], Any]) -> list[Any]:
-    return [SimpleNamespace(drawn=partial(drawn, number)) for number in range(8)]
-
-
 def test_figures_are_drawn_in_their_order_by_other_processes():
-    found = draw(figures(lambda number: (number, os.getpid())))
+    found = forked(lambda number: (number, os.getpid()), 8)
     assert [number for number, _ in found] == list(range(8))
     assert os.getpid() not in {process for _, process in found}
 
 
 def test_a_process_that_is_killed_is_noticed():
     with pytest.raises(ReportError, match=KILLED):
-        draw(figures(lambda _: os.kill(os.getpid(), signal.SIGKILL)))
+        forked(lambda _: os.kill(os.getpid(), signal.SIGKILL), 8)
 
 
 def test_what_stops_a_drawing_is_raised():
@@ -42,4 +33,4 @@ def test_what_stops_a_drawing_is_raised():
         raise ReportError("a figure reads what it must not")
 
     with pytest.raises(ReportError, match="reads what it must not"):
-        draw(figures(fail))
+        forked(fail, 8)
