@@ -9,23 +9,20 @@ from itertools import chain
 
 from experiments.cure import bodies, combinations, controls, limits, tumbles, turntable
 from experiments.envelope import MAP_SIZE, measure_map
-from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS
-from experiments.facts.variants import BEST, IMPRATIO, POSITIONS, TERMS
+from experiments.facts.case import AS_SHIPPED, HOLD
+from experiments.facts.variants import BEST, POSITIONS
 from experiments.hold import LONG_FRAME_COUNT, creep
-from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.measurement import Conditions, Measurement, summarize
 from measured_report.measuring.batch import Batch, Plan
 
 MINUTE = replace(HOLD, frame_count=LONG_FRAME_COUNT)
 HELD = (
     replace(MINUTE, name="rounded"),
     replace(MINUTE, name="kept", **POSITIONS["kept"]),
-    replace(MINUTE, name="kept-stiff", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd, **POSITIONS["kept"]),
-    replace(MINUTE, name="rounded-impratio", impratio=IMPRATIO),
-    replace(MINUTE, name="kept-impratio", impratio=IMPRATIO, **POSITIONS["kept"]),
     replace(MINUTE, name="best", **BEST),
 )
-SIDES = {"term": replace(AS_SHIPPED, **TERMS["term"]), "best": replace(AS_SHIPPED, **BEST)}
-"""Sides of the map of section envelope: with the term, and with the whole cure."""
+SIDES = {"best": replace(AS_SHIPPED, **BEST)}
+"""The one side of the map of section envelope: with the whole cure."""
 PARTS = {
     "limits": limits.measure,
     "turntable": turntable.measure,
@@ -38,20 +35,18 @@ PARTS = {
 
 def measure(conditions: Conditions) -> Plan:
     """Measure the combinations by their kind of contacts, and each other part."""
-    groups = combinations.by_contacts(conditions.quick)
-    (held, displacements), cells, *measured = yield [
+    groups = {kind: combinations.cases(kind, conditions.quick) for kind in combinations.CONTACTS}
+    held, cells, *measured = yield [
         Batch("hold", measure_held, (conditions,)),
         Batch("envelope", measure_map, (conditions, SIDES)),
-        *(Batch(kind, combinations.measure, (conditions, cases)) for kind, cases in groups.items()),
+        *(Batch(kind, combinations.measure, (conditions, cases)) for kind, cases in groups.items() if cases),
         *(Batch(name, function, (conditions,)) for name, function in PARTS.items()),
     ]
-    count = MAP_SIZE[conditions.profile] ** 2
-    maps = [{"case": f"map-{side}", "contact_bias": True, "cell_count": count} for side in SIDES]
-    return Measurement([*chain(held, maps, *measured)], {**displacements, "map": cells})
+    best = {"case": "map-best", "contact_bias": True, "cell_count": MAP_SIZE[conditions.profile] ** 2}
+    return Measurement([*held, best, *chain(*measured)], {"map": cells})
 
 
-def measure_held(conditions: Conditions) -> tuple[list[dict], dict[str, dict]]:
-    """Measure a row for each minute with the arm held still, with the creep in its last second, and the cube's way."""
-    runs = list(zip(HELD, conditions.simulate(HELD, title="cure, held"), strict=True))
-    rows = [summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace) for case, trace in runs]
-    return rows, {case.name: displacement_table(trace) for case, trace in runs}
+def measure_held(conditions: Conditions) -> list[dict]:
+    """Measure a row for each minute with the arm held still, with the creep in its last second."""
+    runs = zip(HELD, conditions.simulate(HELD, title="cure, held"), strict=True)
+    return [summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace) for case, trace in runs]

@@ -20,50 +20,45 @@ AMPLITUDES_M = {"held": 0.0, "3cm": 0.03, "10cm": 0.1}
 CONTACTS = {"newton": {}, "mujoco": {"contacts": "mujoco"}, "pyramidal": {"cone": "pyramidal"}}
 ALONG = {"x": 0, "z": 2}
 """Axes of the TCP frame along the pads, by their place."""
+OTHERS = [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)]
 SETTINGS = {
     "newton": list(product(("implicitfast", "euler", "rk4"), (AS_SHIPPED.impratio, IMPRATIO))),
-    "mujoco": [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)],
-    "pyramidal": [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)],
+    "mujoco": OTHERS,
+    "pyramidal": OTHERS,
 }
 """Integrators and impratios that each kind of contacts is run with: a simulation each, and a world for all the rest."""
 
 
-def cases(quick: bool) -> list[Case]:
-    """List every combination; when ``quick`` Newton's contacts, pads and impratio as shipped, no 10 cm and no RK4."""
+def cases(kind: str, quick: bool) -> list[Case]:
+    """List every combination with a kind of contacts; when ``quick`` Newton's, pads and impratio as shipped, no 10 cm
+    and no RK4."""
     found = []
-    for kind, integrator, impratio in [(kind, *setting) for kind, settings in SETTINGS.items() for setting in settings]:
-        for pads, amplitude, term, positions in product(PADS, AMPLITUDES_M, TERMS, POSITIONS):
-            usual = (kind, impratio, pads) == ("newton", AS_SHIPPED.impratio, "shipped")
-            if quick and (not usual or amplitude == "10cm" or integrator == "rk4"):
-                continue
-            if integrator == "rk4" and "bias_centred" in TERMS[term]:
-                continue
-            case = replace(
-                PADS[pads],
-                name=f"{kind}-{integrator}-{impratio:g}-{pads}-{amplitude}-{term}-{positions}",
-                shake_amplitude_m=AMPLITUDES_M[amplitude],
-                integrator=integrator,
-                impratio=impratio,
-                **CONTACTS[kind],
-                **TERMS[term],
-                **POSITIONS[positions],
-            )
-            found.append(case)
-    if kf_is_read():  # worlds of the batches of the others
+    for (integrator, impratio), pads, amplitude, term, positions in product(
+        SETTINGS[kind], PADS, AMPLITUDES_M, TERMS, POSITIONS
+    ):
+        usual = (kind, impratio, pads) == ("newton", AS_SHIPPED.impratio, "shipped")
+        if quick and (not usual or amplitude == "10cm" or integrator == "rk4"):
+            continue
+        if integrator == "rk4" and "bias_centred" in TERMS[term]:
+            continue
+        case = replace(
+            PADS[pads],
+            name=f"{kind}-{integrator}-{impratio:g}-{pads}-{amplitude}-{term}-{positions}",
+            shake_amplitude_m=AMPLITUDES_M[amplitude],
+            integrator=integrator,
+            impratio=impratio,
+            **CONTACTS[kind],
+            **TERMS[term],
+            **POSITIONS[positions],
+        )
+        found.append(case)
+    if kind == "newton" and kf_is_read():  # worlds of the batches of the others
         stem = f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped"
         for shake, amplitude_m in AMPLITUDES_M.items():
             if not (quick and shake == "10cm"):
                 name = f"{stem}-{shake}-kf-off"
                 found.append(replace(AS_SHIPPED, name=name, shake_amplitude_m=amplitude_m, pad_kf=-1.0))
     return found
-
-
-def by_contacts(quick: bool) -> dict[str, list[Case]]:
-    """Group the cases by their kind of contacts, which their names begin with."""
-    groups: dict[str, list[Case]] = {}
-    for case in cases(quick):
-        groups.setdefault(case.name.partition("-")[0], []).append(case)
-    return groups
 
 
 def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
@@ -82,9 +77,9 @@ def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
 
 
 def shake_of(case: Case) -> tuple[str, str]:
-    """Name a case's pads and its amplitude."""
-    pads = next(name for name, of in PADS.items() if of.pad_ke == case.pad_ke)
-    return pads, next(name for name, amplitude in AMPLITUDES_M.items() if amplitude == case.shake_amplitude_m)
+    """Name a case's pads and its amplitude, as its own name does."""
+    _, _, _, pads, shake, *_ = case.name.split("-")
+    return pads, shake
 
 
 def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
@@ -92,15 +87,18 @@ def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
     pads, shake = shake_of(case)
     row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
     parts = predicted_mm(case, motion)
-    total = sum(parts.values())
-    vectors = {**parts, "predicted": total}
-    found = {f"{name}_{axis}_mm": float(part[at]) for name, part in vectors.items() for axis, at in ALONG.items()}
-    row |= known(found | {"predicted_slip_mm": float(np.linalg.norm(total))}, motion.failure)
+    vectors = {**parts, "predicted": sum(parts.values())}
+    row |= known({name: value for each, part in vectors.items() for name, value in along(each, part)}, motion.failure)
     reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
     slip = np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
-    row |= known({f"slip_{axis}_mm": float(part) for axis, part in zip("xyz", slip, strict=True)}, reason)
-    remainder = float(np.linalg.norm((slip - total)[list(ALONG.values())]))
+    row |= known(dict(along("slip", slip)), reason)
+    remainder = float(np.linalg.norm((slip - vectors["predicted"])[list(ALONG.values())]))
     return row | known({"remainder_mm": remainder}, reason or motion.failure)
+
+
+def along(name: str, vector: np.ndarray) -> list[tuple[str, float]]:
+    """Return the columns of a vector [mm] in the TCP frame, shape [3]."""
+    return [(f"{name}_{axis}_mm", float(vector[at])) for axis, at in ALONG.items()]
 
 
 def known(columns: dict[str, object], reason: str | None) -> dict[str, object]:

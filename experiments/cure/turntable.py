@@ -12,21 +12,20 @@ of second order: in the frame of the table a sliding velocity v has a Coriolis a
 2 ω/b and takes 4 ω²/b² of it, and that v grows takes ω²/b².
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import product
 from types import SimpleNamespace
 
 import mujoco
-import mujoco_warp as mjw
 import numpy as np
-import warp as wp
 from tqdm import tqdm
 
 from experiments.simulation import contact_bias, contact_bias_c
-from experiments.simulation.c_warnings import RunFailed, refuse_warned
+from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.measurement import Conditions, absent
-from experiments.simulation.mjcf_engines import Contacts, contacts_in_c, contacts_in_warp
+from experiments.simulation.mjcf_engines import ENGINES, STEPS, Contacts, numbers
 from newton_lint.newton_models.compat import warp_has_noslip
 
 TURN_RAD_S = 2.0
@@ -36,6 +35,7 @@ SECONDS = {"full": 6.0, "quick": 3.0}
 SETTLE_S = 1.0
 """Time in which the box sinks into its contacts; the growth is measured after it."""
 SAMPLE_S = 0.1
+STEP_S = 0.002
 GROWTHS = ("growth_per_s", "predicted_growth_per_s")
 MJCF = f"""
 <mujoco>
@@ -58,168 +58,114 @@ MJCF = f"""
 """
 
 
-ENUMS = {
-    "rk4": int(mujoco.mjtIntegrator.mjINT_RK4),
-    "euler": int(mujoco.mjtIntegrator.mjINT_EULER),
-    "pyramidal": int(mujoco.mjtCone.mjCONE_PYRAMIDAL),
-}
-"""MuJoCo's numbers by the words for them."""
-
-
 @dataclass(frozen=True)
-class Turntable:
-    """A run of the box on the table."""
+class Variant:
+    """What is done about the walk."""
 
-    name: str
-    engine: str = "warp"
-    """``warp`` (MuJoCo Warp) or ``c`` (MuJoCo's C engine)."""
     contact_bias: bool = False
     bias_centred: bool = False
-    options: dict[str, object] = field(default_factory=dict)
-    """Fields of ``mjOption`` that are not as in the MJCF."""
+    options: Mapping[str, object] = field(default_factory=dict)
+    """Options of MJCF that are not as in the scene."""
     timeconst_s: float = 0.02
 
-    def model(self) -> mujoco.MjModel:
-        model = mujoco.MjModel.from_xml_string(MJCF)
-        for name, value in self.options.items():
-            setattr(model.opt, name, ENUMS.get(value, value))
-        model.geom_solref[:, 0] = self.timeconst_s
-        return model
+    @property
+    def mjcf(self) -> str:
+        """Write the scene, which begins with the box at rest on the turning table."""
+        options = " ".join(f'{name}="{WORDS.get(value, value)}"' for name, value in self.options.items())
+        start = numbers([TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S])
+        own = f'<option {options}/><default><geom solref="{self.timeconst_s} 1"/></default>'
+        return MJCF.replace("<worldbody>", f'{own}<keyframe><key qvel="{start}"/></keyframe><worldbody>')
 
 
-@dataclass(frozen=True)
-class Run:
-    """Distance of the box from the axis every SAMPLE_S, and its contacts at the end."""
-
-    radius_m: np.ndarray
-    contacts: Contacts
-
-
+WORDS = {"rk4": "RK4", "euler": "Euler"}
+"""Integrators as MJCF spells them."""
 RK4 = {"integrator": "rk4"}
 PYRAMIDAL = {"cone": "pyramidal"}
 HIGH_IMPRATIO = {"impratio": 100.0}
 VARIANTS = {
-    "plain": {},
-    "rk4": {"options": RK4},
-    "euler": {"options": {"integrator": "euler"}},
-    "noslip": {"options": {"noslip_iterations": 10}},
-    "impratio": {"options": HIGH_IMPRATIO},
-    "pyramidal": {"options": PYRAMIDAL},
-    "half-timeconst": {"timeconst_s": 0.01},
-    "half-step": {"options": {"timestep": 0.001}},
-    "term": {"contact_bias": True},
-    "term-pyramidal": {"contact_bias": True, "options": PYRAMIDAL},
-    "term-rk4": {"contact_bias": True, "options": RK4},
-    "term-rk4-impratio": {"contact_bias": True, "options": RK4 | HIGH_IMPRATIO},
-    "term-centred": {"contact_bias": True, "bias_centred": True},
-    "term-centred-impratio": {"contact_bias": True, "bias_centred": True, "options": HIGH_IMPRATIO},
+    "plain": Variant(),
+    "rk4": Variant(options=RK4),
+    "euler": Variant(options={"integrator": "euler"}),
+    "noslip": Variant(options={"noslip_iterations": 10}),
+    "impratio": Variant(options=HIGH_IMPRATIO),
+    "pyramidal": Variant(options=PYRAMIDAL),
+    "half-timeconst": Variant(timeconst_s=0.01),
+    "half-step": Variant(options={"timestep": 0.001}),
+    "term": Variant(contact_bias=True),
+    "term-pyramidal": Variant(contact_bias=True, options=PYRAMIDAL),
+    "term-rk4": Variant(contact_bias=True, options=RK4),
+    "term-rk4-impratio": Variant(contact_bias=True, options=RK4 | HIGH_IMPRATIO),
+    "term-centred": Variant(contact_bias=True, bias_centred=True),
+    "term-centred-impratio": Variant(contact_bias=True, bias_centred=True, options=HIGH_IMPRATIO),
 }
-CASES = [
-    Turntable(f"{name}-{engine}", engine, **fields) for engine in ("warp", "c") for name, fields in VARIANTS.items()
-]
+TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}
 
 
 def measure(conditions: Conditions) -> list[dict]:
     """Measure a row for each run: how fast the box's distance from the axis grows, measured and predicted."""
-    return [row_of(case, conditions) for case in tqdm(CASES, desc="turntable", unit="run", delay=3.0)]
+    runs = list(product(TERM, VARIANTS))
+    return [row_of(*run, conditions) for run in tqdm(runs, desc="turntable", unit="run", delay=3.0)]
 
 
-def row_of(case: Turntable, conditions: Conditions) -> dict[str, object]:
-    row = {"case": case.name, "backend": case.engine, "contact_bias": case.contact_bias, **case.options}
-    row |= {"bias_centred": case.bias_centred, "timeconst_s": case.timeconst_s}
-    if case.engine == "warp" and "noslip_iterations" in case.options and not warp_has_noslip():
+def row_of(engine: str, name: str, conditions: Conditions) -> dict[str, object]:
+    variant = VARIANTS[name]
+    row = {"case": f"{name}-{engine}", "backend": engine, "contact_bias": variant.contact_bias, **variant.options}
+    row |= {"bias_centred": variant.bias_centred, "timeconst_s": variant.timeconst_s}
+    if engine == "warp" and "noslip_iterations" in variant.options and not warp_has_noslip():
         return row | absent(GROWTHS, "MuJoCo Warp here has no noslip")
-    seconds = SECONDS[conditions.profile]
+    term = partial(TERM[engine], centred=variant.bias_centred) if variant.contact_bias else None
     try:
-        run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
-        return row | growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)}
+        path, contacts = run(engine, variant.mjcf, SECONDS[conditions.profile], conditions.device, term)
+        if contacts.count == 0:
+            raise RunFailed("nothing is touched at the end")
     except RunFailed as failed:
         return row | absent(GROWTHS, str(failed))
+    radius_m = np.hypot(*path[:, :2].T)
+    row |= {"start_radius_mm": 1e3 * float(radius_m[round(SETTLE_S / SAMPLE_S)])}
+    row |= {"loaded_contact_count": contacts.count, "growth_per_s": growth_per_s(radius_m, SETTLE_S)}
+    return row | {"predicted_growth_per_s": predicted_growth_per_s(variant, contacts)}
 
 
-def growth_columns(run: Run) -> dict[str, float]:
-    """Fit the rate of the exponential growth, from a line through the logarithm, and the ends.
+def run(
+    engine: str, mjcf: str, seconds: float, device: str, term: Callable[..., None] | None = None
+) -> tuple[np.ndarray, Contacts]:
+    """Return the places of a scene's free body every SAMPLE_S [m], shape [samples, 3], and its contacts in the end.
 
-    Raises:
-        RunFailed: The box is not on the table any more, or nowhere.
-    """
-    if not np.isfinite(run.radius_m).all():
-        raise RunFailed("not finite")
-    if run.contacts.count == 0:
-        raise RunFailed("nothing is touched at the end")
-    time_s = SAMPLE_S * np.arange(len(run.radius_m))
-    settled = time_s >= SETTLE_S
-    growth = np.polyfit(time_s[settled], np.log(run.radius_m[settled]), 1)[0]
-    start, end = run.radius_m[settled][[0, -1]]
-    return {
-        "loaded_contact_count": run.contacts.count,
-        "growth_per_s": float(growth),
-        "start_radius_mm": 1e3 * float(start),
-        "end_radius_mm": 1e3 * float(end),
-    }
-
-
-def start_state(model: mujoco.MjModel) -> mujoco.MjData:
-    """Put the box at rest on the turning table."""
-    data = mujoco.MjData(model)
-    data.qvel[:] = TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S
-    mujoco.mj_forward(model, data)
-    return data
-
-
-def path_in_c(
-    model: mujoco.MjModel, data: mujoco.MjData, control: Callable[..., None] | None, seconds: float
-) -> np.ndarray:
-    """Return the places of the last body, which is free, every SAMPLE_S in MuJoCo's C engine [m], shape [samples, 3].
+    Args:
+        term: What is installed in MuJoCo Warp, and what MuJoCo's C engine calls before it solves; None for nothing.
 
     Raises:
-        RunFailed: Of the engine.
+        RunFailed: It shows no measurement any more.
     """
-    mujoco.set_mjcb_control(control)  # for all models, so only for as long as this one is stepped
+    world = ENGINES[engine](mjcf, device=device)
+    if term and engine == "warp":
+        term(SimpleNamespace(mjw_model=world.engine, mjw_data=world.data))
+    count = round(SAMPLE_S / (STEPS * world.model.opt.timestep))
+    mujoco.set_mjcb_control(
+        term if engine == "c" else None
+    )  # for all models, so only for as long as this one is stepped
     try:
-        path = [data.qpos[-7:-4].copy()]
+        path = [world.body()[0][0]]
         for _ in range(round(seconds / SAMPLE_S)):
-            for _ in range(round(SAMPLE_S / model.opt.timestep)):
-                mujoco.mj_step(model, data)
-            refuse_warned(data)
-            path.append(data.qpos[-7:-4].copy())
+            for _ in range(count):
+                world.advance()
+            path.append(world.body()[0][0])
     finally:
         mujoco.set_mjcb_control(None)
-    return np.array(path)
+    return np.array(path), world.contacts()
 
 
-def run_in_c(case: Turntable, seconds: float) -> Run:
-    """Run the box in MuJoCo's C engine; RunFailed as from it."""
-    model = case.model()
-    data = start_state(model)
-    control = partial(contact_bias_c.subtract_bias, centred=case.bias_centred) if case.contact_bias else None
-    path = path_in_c(model, data, control, seconds)
-    return Run(np.hypot(*path[:, :2].T), contacts_in_c(model, data))
+def growth_per_s(radius_m: np.ndarray, since_s: float) -> float:
+    """Fit the rate of an exponential growth from a time on, by a line through the logarithm of each sample."""
+    time_s = SAMPLE_S * np.arange(len(radius_m))
+    settled = time_s >= since_s
+    return float(np.polyfit(time_s[settled], np.log(radius_m[settled]), 1)[0])
 
 
-def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
-    model = case.model()
-    with wp.ScopedDevice(device):
-        m, d = mjw.put_model(model), mjw.put_data(model, start_state(model), nconmax=32, njmax=128)
-        if case.contact_bias:
-            contact_bias.install(SimpleNamespace(mjw_model=m, mjw_data=d), centred=case.bias_centred)
-        mjw.step(m, d)  # compiles, which must not happen inside a capture
-        with wp.ScopedCapture() as capture:
-            for _ in range(round(SAMPLE_S / model.opt.timestep)):
-                mjw.step(m, d)
-        radius = [np.hypot(*d.qpos.numpy()[0, 1:3].astype(float))]
-        for _ in range(round(seconds / SAMPLE_S)):
-            wp.capture_launch(capture.graph)
-            radius.append(np.hypot(*d.qpos.numpy()[0, 1:3].astype(float)))
-        return Run(np.array(radius), contacts_in_warp(model, d))
-
-
-def predicted_growth_per_s(case: Turntable, run: Run) -> float:
-    """Predict the growth by the law in the module's text, with the softness of the contacts that the run ends with."""
-    model = case.model()
-    h = model.opt.timestep
-    b = contact_bias_c.damping(model, model.geom_solref[0], model.geom_solimp[0])
-    creep = 0.0 if "noslip_iterations" in case.options else MASS_KG * run.contacts.softness_1_kg
-    left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
-    step = 0.0 if case.options.get("integrator") == "rk4" else 0.5 * h
+def predicted_growth_per_s(variant: Variant, contacts: Contacts) -> float:
+    """Predict the growth by the law in the module's text, with the contacts that a run ends with."""
+    h, b = variant.options.get("timestep", STEP_S), contacts.damping_per_s
+    creep = 0.0 if "noslip_iterations" in variant.options else MASS_KG * contacts.softness_1_kg
+    left_out = 1.0 - variant.contact_bias * (1.0 - 0.5 * h * b * variant.bias_centred)
+    step = 0.0 if variant.options.get("integrator") == "rk4" else 0.5 * h
     return float(TURN_RAD_S**2 * ((left_out + creep) / b - step) * (1.0 - 5.0 * (TURN_RAD_S / b) ** 2))

@@ -35,7 +35,7 @@ def derive(results: Results) -> Section:
 
 
 def _gains(results: Results, variant: str, body: str, rows: list[Row]) -> Value:
-    formula = "worlds of all steps whose energy ends over 1 % above its start"
+    formula = "worlds of all steps whose energy ends over 1 % above its start, or as no number"
     return total(results, f"{variant}_{body}_gains", formula, [row[f"{variant}_gain_count"] for row in rows])
 
 
@@ -48,7 +48,7 @@ def _by_chance(*counts: float) -> float:
 
 def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str, Value]], gain: Value) -> Claim:
     """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
-    formula = "worlds whose energy ends over 1 % above its start"
+    formula = "worlds whose energy ends over 1 % above its start, or as no number"
     gains = {name: total(results, f"{name}_gains", formula, counts[name].values()) for name in VARIANTS}
     formula = "the smaller count of both sets without it, and three times the root of one more than they differ by"
     cells = [row[f"{name}_gain_count"] for row in rows for name in ("plain", "aside")]
