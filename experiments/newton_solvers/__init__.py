@@ -12,10 +12,9 @@ import warp as wp
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
-from experiments.facts.classes import classify
 from experiments.facts.trace import Trace
 from experiments.newton_solvers import box
-from experiments.newton_solvers.steel import VARIANTS, SteelSimulation, Variant
+from experiments.newton_solvers.steel import VARIANTS, SteelSimulation
 from experiments.simulation import frame_benchmark
 from experiments.simulation.frame_benchmark import BLOCK_FRAME_COUNT, LARGE_BATCH, TIMES, untimed
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
@@ -38,7 +37,7 @@ TIMED_VARIANTS = ("steel", "steel-points")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from a cube in the hand into the shake."""
-GRASP = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_mm", "hand_travel_mm")
+GRASP = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_mm")
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -69,10 +68,9 @@ def measure_shakes(conditions: Conditions) -> list[dict[str, object]]:
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:
-    """Make a row: slip, drift, means over the shake of what the grasp takes, and how far the hand is moved."""
+    """Make a row: slip, drift, and means over the shake of what the grasp takes."""
     case = replace(case, name=f"{variant}-{shake}")
     row = {**summarize(case, trace), "backend": variant.split("-")[0], "variant": variant, "shake": shake}
-    row["class"] = classify(case, trace, creep_floor_mm_s=0.0)
     if row["slip_mm"] is None:
         return row | absent(GRASP, row["slip_mm_reason"])
     normal_n, tangential_n, depth_m = (
@@ -80,14 +78,9 @@ def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, obje
     )
     drift_mm = metrics.cycle_drift_mm(metrics.displacement(trace), case.shake_frequency_hz)
     share = tangential_n / (case.pad_mu * normal_n) if normal_n > 0.0 else np.nan
-    travel_mm = 1e3 * np.ptp(trace.poses[trace.phase == metrics.SHAKE, metrics.TCP, 0])
-    numbers = dict(zip(GRASP, (drift_mm, share, normal_n, 1e3 * depth_m, travel_mm), strict=True))
-    reason = "the fingers did not touch the cube"
-    return row | {key: number for name, n in numbers.items() for key, number in known(name, n, reason).items()}
-
-
-def known(name: str, number: float, reason: str) -> dict[str, object]:
-    return {name: float(number)} if np.isfinite(number) else absent([name], reason)
+    numbers = dict(zip(GRASP, map(float, (drift_mm, share, normal_n, 1e3 * depth_m)), strict=True))
+    untouched = [name for name, number in numbers.items() if not np.isfinite(number)]
+    return row | numbers | absent(untouched, "the fingers did not touch the cube")
 
 
 def measure_times(conditions: Conditions, world_count: int) -> list[dict[str, object]]:
@@ -114,7 +107,7 @@ def measure_times(conditions: Conditions, world_count: int) -> list[dict[str, ob
 class Blocks:
     """Blocks of frames of the shake, one after the other, in worlds that all do the same."""
 
-    def __init__(self, variant: Variant | None, world_count: int, device: wp.Device):
+    def __init__(self, variant: box.Variant | None, world_count: int, device: wp.Device):
         case = replace(WEIGHTLESS, name="timed", cube_in_hand=True, frame_count=1)
         cases: Sequence[Case] = [case] * world_count
         self.simulation = SteelSimulation(variant, cases, device) if variant else Simulation(cases, device)

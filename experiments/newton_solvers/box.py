@@ -15,7 +15,7 @@ import numpy as np
 import warp as wp
 from newton import solvers
 
-from experiments.cure.turntable import SAMPLE_S, SETTLE_S
+from experiments.cure.turntable import SAMPLE_S, SETTLE_S, growth_per_s
 from experiments.engines.scenes import FOOT_M, GRAVITY_M_S2, turntable
 from measured_report.measuring.measurement import Conditions, absent
 
@@ -29,17 +29,15 @@ SLOPE = 0.35
 """Tangent of the slope [rad/rad]; friction carries up to 1."""
 FRAME_STEPS = 8
 """Steps of a frame, where contacts are found once a frame."""
-NUMBERS = ("growth_per_s", "end_radius_mm")
-ROWS = {"articulation_constraint_max": 256, "free_body_constraint_max": 512}
-"""Steel's constraint rows: those that do not fit are dropped."""
 OPTIONS: Mapping[str, Mapping[str, Any]] = {
     "SolverMuJoCo": {"cone": "elliptic", "integrator": "implicitfast"},
     "SolverXPBD": {"angular_damping": 0.0},
     "SolverFeatherstone": {"angular_damping": 0.0},
     "SolverSemiImplicit": {"angular_damping": 0.0},
-    "SolverSteel": ROWS,
+    "SolverSteel": {"articulation_constraint_max": 256, "free_body_constraint_max": 512},
 }
-"""Options by class; the rest, and all of a class that is not here, is as the solver comes."""
+"""Options by class; the rest, and all of a class that is not here, is as the solver comes. Steel drops constraint rows
+that do not fit."""
 EXCUSED = {
     "SolverImplicitMPM": "it moves grains, and no rigid body",
     "SolverStyle3D": "it moves cloth, and no rigid body",
@@ -49,27 +47,28 @@ EXCUSED = {
 
 @dataclass(frozen=True)
 class Variant:
-    """A solver as it is run: its class, options, and how contacts are found."""
+    """A solver as it is run: its class, what differs from its options here, and how contacts are found."""
 
     name: str
-    solver: str
+    solver: str = "SolverSteel"
     options: Mapping[str, Any] = field(default_factory=dict)
     pipeline: Mapping[str, Any] = field(default_factory=dict)
-    steps_between_contacts: int = 1
+    steps_between_contacts: int | None = None
+    """As the scene has it where left out."""
+
+
+STEEL = (
+    Variant("steel-points", options={"friction_anchor_beta": 0.0}),
+    Variant("steel-matched", options={"contact_warmstart": True}, pipeline={"contact_matching": "latest"}),
+)
+"""Steel with one thing changed at a time, here and in the shake."""
 
 
 def variants() -> list[Variant]:
     """List each rigid-body solver of the installed release, and Steel with one thing changed at a time."""
     names = [name for name in solver_classes() if name not in EXCUSED]
-    found = [Variant(name_of(name), name, OPTIONS.get(name, {})) for name in names]
-    if "SolverSteel" in names:
-        warm = {"contact_matching": "latest"}
-        found += [
-            Variant("steel-points", "SolverSteel", ROWS | {"friction_anchor_beta": 0.0}),
-            Variant("steel-matched", "SolverSteel", ROWS | {"contact_warmstart": True}, warm),
-            Variant("steel-frames", "SolverSteel", ROWS, steps_between_contacts=FRAME_STEPS),
-        ]
-    return found
+    of_steel = [*STEEL, Variant("steel-frames", steps_between_contacts=FRAME_STEPS)] if "SolverSteel" in names else []
+    return [*(Variant(name_of(name), name) for name in names), *of_steel]
 
 
 def solver_classes() -> list[str]:
@@ -89,7 +88,10 @@ def name_of(solver: str) -> str:
 def excused_rows() -> list[dict[str, object]]:
     """Make a row for each solver that is not measured, with the reason."""
     excused = [name for name in solver_classes() if name in EXCUSED]
-    return [{"case": name_of(each), "of": each, "stays": None} | absent(NUMBERS, EXCUSED[each]) for each in excused]
+    return [
+        {"case": name_of(each), "of": each, "stays": None} | absent([number_of("turntable")], EXCUSED[each])
+        for each in excused
+    ]
 
 
 def rows_of(conditions: Conditions, variant: Variant) -> list[dict[str, object]]:
@@ -105,10 +107,15 @@ def row_of(variant: Variant, scene: str, step_s: float, seconds: float, device: 
     row = {"case": f"{variant.name}-{end}", "solver": variant.name, "of": variant.solver, "step_ms": 1e3 * step_s}
     try:
         path = run(variant, scene, step_s, seconds, device)
-        return row | (creep_columns(path) if scene in STANDING else columns(path))
+        return row | columns(scene, path)
     except Exception as error:  # each is a program of its own, and need not know all that the scene has
         reason = " ".join(str(error).split())[:120] or type(error).__name__
-        return row | {"stays": None} | absent(("creep_mm_s",) if scene in STANDING else NUMBERS, reason)
+        return row | {"stays": None} | absent([number_of(scene)], reason)
+
+
+def number_of(scene: str) -> str:
+    """Name what is measured in a scene: how fast the box walks outward, or creeps along the table that stands still."""
+    return "creep_mm_s" if scene in STANDING else "growth_per_s"
 
 
 def build(scene_name: str, device: str) -> newton.Model:
@@ -144,14 +151,15 @@ def run(variant: Variant, scene: str, step_s: float, seconds: float, device: str
         model = build(scene, device)
         states, control = (model.state(), model.state()), model.control()
         newton.eval_fk(model, model.joint_q, model.joint_qd, states[0])
-        stepper = getattr(solvers, variant.solver)(model, **variant.options)
+        options = {**OPTIONS.get(variant.solver, {}), **variant.options}
+        stepper = getattr(solvers, variant.solver)(model, **options)
         pipeline = newton.CollisionPipeline(model, rigid_contact_max=4, **variant.pipeline)
         contacts = pipeline.contacts()
         path = [states[0].body_q.numpy()[1, :3].copy()]
         for _ in range(round(seconds / SAMPLE_S)):
             for number in range(round(SAMPLE_S / step_s)):
                 here, there = states[:: 1 - 2 * (number % 2)]
-                if number % variant.steps_between_contacts == 0:
+                if number % (variant.steps_between_contacts or 1) == 0:
                     pipeline.collide(here, contacts)
                 here.clear_forces()
                 stepper.step(here, there, control, contacts, step_s)
@@ -159,25 +167,14 @@ def run(variant: Variant, scene: str, step_s: float, seconds: float, device: str
         return np.array(path, dtype=float)
 
 
-def columns(path: np.ndarray) -> dict[str, object]:
-    """Say how fast the distance of the box from the axis grows, and whether it stays on the table."""
+def columns(scene: str, path: np.ndarray) -> dict[str, object]:
+    """Say how fast the box moves along the table, and whether it stays on it."""
+    name = number_of(scene)
     if not np.isfinite(path).all():
-        return {"stays": False} | absent(NUMBERS, "a position is not finite")
-    radius, time_s = np.hypot(path[:, 0], path[:, 1]), SAMPLE_S * np.arange(len(path))
-    settled = time_s >= SETTLE_S
-    return {
-        "stays": bool(abs(path[-1, 2] - path[0, 2]) < FOOT_M and radius[-1] < 0.5),
-        "end_radius_mm": 1e3 * float(radius[-1]),
-        "growth_per_s": float(np.polyfit(time_s[settled], np.log(radius[settled]), 1)[0]),
-    }
-
-
-def creep_columns(path: np.ndarray) -> dict[str, object]:
-    """Say how fast the box slides along the table that stands still, and whether it stays on it."""
-    if not np.isfinite(path).all():
-        return {"stays": False} | absent(["creep_mm_s"], "a position is not finite")
-    time_s = SAMPLE_S * np.arange(len(path))
-    settled = time_s >= SETTLE_S
-    speed = [np.polyfit(time_s[settled], path[settled, axis], 1)[0] for axis in (0, 1)]
-    stays = bool(abs(path[-1, 2] - path[0, 2]) < FOOT_M)
-    return {"stays": stays, "creep_mm_s": 1e3 * float(np.hypot(*speed))}
+        return {"stays": False} | absent([name], "a position is not finite")
+    radius_m, settled = np.hypot(*path[:, :2].T), path[round(SETTLE_S / SAMPLE_S) :]
+    stays = bool(abs(path[-1, 2] - path[0, 2]) < FOOT_M and radius_m[-1] < 0.5)
+    if scene not in STANDING:
+        return {"stays": stays, name: growth_per_s(radius_m, SETTLE_S)}
+    velocity_m_s = np.polyfit(SAMPLE_S * np.arange(len(settled)), settled[:, :2], 1)[0]
+    return {"stays": stays, name: 1e3 * float(np.hypot(*velocity_m_s))}

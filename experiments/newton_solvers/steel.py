@@ -4,9 +4,7 @@ Steel knows no gravity compensation, so forces on the arm's links carry its weig
 but takes the mean of two frictions.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Sequence
 
 import newton
 import numpy as np
@@ -15,6 +13,7 @@ from newton import Contacts, Model, solvers
 from newton.solvers import SolverBase
 
 from experiments.facts.case import Case
+from experiments.newton_solvers.box import STEEL, Variant
 from experiments.simulation.recorder import CONE, COUNT, LOADED, NORMAL, PENETRATION, TANGENTIAL, Recorder, end_frame
 from experiments.simulation.scene import FIXED_BODIES
 from experiments.simulation.simulation import CONTACT_MAX, Simulation
@@ -23,25 +22,12 @@ ROWS = {"articulation_constraint_max": 256}
 """In place of 32: rows that do not fit are dropped."""
 LIMIT_GAP = 1e-3
 """Distance [rad, m] from a joint's limit at which it gets a row."""
-
-
-@dataclass(frozen=True)
-class Variant:
-    """Steel as it is run: the arguments that differ from its own, and how contacts are found."""
-
-    name: str
-    options: Mapping[str, Any] = field(default_factory=lambda: ROWS)
-    pipeline: Mapping[str, Any] = field(default_factory=dict)
-    collide_count: int = 1
-
-
 VARIANTS = (
     Variant("steel"),
-    Variant("steel-points", ROWS | {"friction_anchor_beta": 0.0}),
-    Variant("steel-matched", ROWS | {"contact_warmstart": True}, {"contact_matching": "latest"}),
-    Variant("steel-substeps", collide_count=16),
-    Variant("steel-iterations", ROWS | {"iterations": 96}),
-    Variant("steel-32-rows", {}),
+    *STEEL,
+    Variant("steel-substeps", steps_between_contacts=1),
+    Variant("steel-iterations", options={"iterations": 96}),
+    Variant("steel-32-rows", options={"articulation_constraint_max": 32}),
 )
 """One thing changed at a time; the last has as many rows as the solver comes with."""
 
@@ -76,7 +62,7 @@ class SteelSimulation(Simulation):
             joint_limit_activation_gap=LIMIT_GAP,
             row_watermark=self.is_counting,
             warn_constraint_overflow=False,  # it is recorded, and a world without it counts as one that failed
-            **self.variant.options,
+            **{**ROWS, **self.variant.options},
         )
         # What a simulation and its recorder ask of MuJoCo's solver: geoms are the shapes of a world.
         solver.use_mujoco_cpu = False
@@ -86,7 +72,7 @@ class SteelSimulation(Simulation):
 
     def queue_physics(self) -> None:
         """Queue collisions, substeps and recording of one frame; an even number of substeps ends where it began."""
-        last, between = self.case.substeps - 1, self.case.substeps // self.variant.collide_count
+        last, between = self.case.substeps - 1, self.variant.steps_between_contacts or self.case.substeps
         self.recorder.begin_frame()
         for substep in range(self.case.substeps):
             here, there = self.states[:: 1 - 2 * (substep % 2)]
