@@ -1,7 +1,8 @@
 """The turntable and the pinched capsule in other engines: does each do what its contact model says?"""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
@@ -65,14 +66,10 @@ class Line:
 
 
 def derive(results: Results) -> Section:
-    walk_bound = results.chosen(
-        "walk_bound",
-        "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms",
-        2e-3,
-        unit="%/s",
-    )
+    why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
+    walk_bound = results.chosen("walk_bound", why, 2e-3, unit="%/s")
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
-    lines = [*_mujoco_lines(results), *_model_lines(results)]
+    lines = list(_lines(results))
     told = [line for line in lines if line.law != "discrete"]
     columns: dict[str, Column] = {
         "release": [line.release for line in lines],
@@ -86,60 +83,46 @@ def derive(results: Results) -> Section:
     }
     long = results.chosen("step", "given: the time step", 2.0, unit="ms")
     said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
-    engines = replace(table_of("engine", [line.name for line in lines], columns), numbers=said)
     claims = [_as_their_laws_say(results, told, walk_bound, sink_bound), _walks_most_in_mujoco(results, told)]
-    claims.append(_test_lets_through(results))
-    return Section(tables={"engines": engines}, claims=claims)
+    engines = table_of("engine", [line.name for line in lines], columns, **said)
+    return Section(tables={"engines": engines}, claims=[*claims, _test_lets_through(results)])
 
 
-def _percent(results: Results, name: str, cell: Quantity) -> Value:
-    return results.value(name, "in percent of the distance from the axis", lambda rate: 100 * rate, cell, unit="%/s")
-
-
-def _mujoco_lines(results: Results) -> list[Line]:
-    lines = []
+def _lines(results: Results) -> Iterator[Line]:
+    cells = {"cure": "1/s", "scenes": "mm/s"}
+    turntable, capsule = (partial(other_cell, results, section, unit=unit) for section, unit in cells.items())
+    newton = f"Newton {results.record.identity.packages['newton']}"
     for engine, name in (("c", "MuJoCo C"), ("warp", "MuJoCo Warp")):
-        walks = [_of_turntable(results, f"plain-{engine}", column) for column in ("growth_per_s", WALK_LAW)]
-        walks.append(_of_turntable(results, f"half-step-{engine}", "growth_per_s"))
-        sinks = [_of_capsule(results, engine, column) for column in ("steady_creep_mm_s", SINK_LAW)]
-        lines.append(_line(results, engine, (name, name, _newton(results)), "mujoco", walks, sinks))
-    return lines
-
-
-def _of_turntable(results: Results, case: str, column: str) -> Quantity:
-    return other_cell(results, "cure", case, column, unit="1/s")
-
-
-def _of_capsule(results: Results, engine: str, column: str) -> Quantity:
-    return other_cell(results, "scenes", f"within-pads-{engine}", column, unit="mm/s")
-
-
-def _newton(results: Results) -> str:
-    return f"Newton {results.record.identity.packages['newton']}"
-
-
-def _model_lines(results: Results) -> list[Line]:
-    lines = []
+        walks = [turntable(f"plain-{engine}", column) for column in ("growth_per_s", WALK_LAW)]
+        walks.append(turntable(f"half-step-{engine}", "growth_per_s"))
+        sinks = [capsule(f"within-pads-{engine}", column) for column in ("steady_creep_mm_s", SINK_LAW)]
+        yield _line(results, engine, (name, name, newton), "mujoco", walks, sinks)
     for model, (name, law) in MODELS.items():
         step = "0ms" if law == "stribeck" else LONG
         long, short, pinch = (
             results.row[f"{model}-{run}"] for run in (f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}")
         )
-        laws = [long[WALK_LAW], pinch[SINK_LAW]]
+        laws = long[WALK_LAW], pinch[SINK_LAW]
         if law == "mujoco":  # the equations are MuJoCo's
-            laws = [_of_turntable(results, "plain-c", WALK_LAW), _of_capsule(results, "c", SINK_LAW)]
+            laws = turntable("plain-c", WALK_LAW), capsule("within-pads-c", SINK_LAW)
         halved = absent("1/s", "continuous time has no step") if law == "stribeck" else short.growth_per_s
-        walks, sinks = (long.growth_per_s, laws[0], halved), (pinch.creep_mm_s, laws[1])
-        lines.append(_line(results, model.replace("-", "_"), (name, long.engine, long.release), law, walks, sinks))
-    return lines
+        walks, sinks = [long.growth_per_s, laws[0], halved], [pinch.creep_mm_s, laws[1]]
+        yield _line(results, model.replace("-", "_"), (name, long.engine, long.release), law, walks, sinks)
 
 
 def _line(
-    results: Results, key: str, named: tuple[str, str, str], law: str, walks: Sequence[Quantity], sinks: Sequence
+    results: Results,
+    key: str,
+    named: tuple[str, str, str],
+    law: str,
+    walks: Sequence[Quantity],
+    sinks: Sequence[Quantity],
 ) -> Line:
     """Derive a line from walks [1/s], measured, by law and with half the step, and sinkings [mm/s]."""
-    names = ("walk", "walk_law", "short_walk")
-    shown = [_percent(results, f"{key}_{name}", cell) for name, cell in zip(names, walks, strict=True)]
+    shown = []
+    for name, cell in zip(("walk", "walk_law", "short_walk"), walks, strict=True):
+        formula = "in percent of the distance from the axis"
+        shown.append(results.value(f"{key}_{name}", formula, lambda rate: 100 * rate, cell, unit="%/s"))
     for name, cell in zip(("sink", "sink_law"), sinks, strict=True):
         formula = "how fast the capsule sinks"
         shown.append(results.value(f"{key}_{name}", formula, lambda rate: 1e3 * rate, cell, unit="µm/s"))

@@ -1,14 +1,13 @@
 """An A/A test: how far apart runs of one and the same case come out, and what is called a difference for that."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from statistics import fmean
 
 from measured_report.parts.claim import NEAR_NOISE, Claim, all_of, at_most
 from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 
 order = 20
@@ -20,34 +19,19 @@ METRICS, UNITS = {"slip": "slip_mm", "drift": "drift_mm_s"}, {"slip": "mm", "dri
 SMALL = "far less than what is looked for"
 
 
-@dataclass(frozen=True)
-class Group:
-    """Runs of one case, all in a batch or all alone."""
-
-    case: str
-    kind: str
-    rows: Sequence[Row]
-
-    def cells(self, metric: str) -> list[Quantity]:
-        return [row[METRICS[metric]] for row in self.rows]
-
-
 def derive(results: Results) -> Section:
-    repeated = [row for row in results.rows if row.plain.get("of")]
-    keys = dict.fromkeys((row.of, row.kind) for row in repeated)
-    groups = [Group(*key, [row for row in repeated if (row.of, row.kind) == key]) for key in keys]
-    floors = {metric: _floor(results, groups, metric) for metric in METRICS}
+    repeats: dict[str, list[Row]] = {}
+    for row in results.rows:
+        if row.plain.get("of"):
+            repeats.setdefault(row.of, []).append(row)
+    floors = {metric: _floor(results, repeats, metric) for metric in METRICS}
     results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
-    return Section(claims=[_noise_is_small(results, groups, floors)])
+    return Section(claims=[_noise_is_small(results, next(iter(repeats.values())), floors)])
 
 
-def _of_case(groups: Sequence[Group], case: str, metric: str) -> list[Quantity]:
-    return [cell for group in groups if group.case == case for cell in group.cells(metric)]
-
-
-def _floor(results: Results, groups: Sequence[Group], metric: str) -> Value:
+def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) -> Value:
     """Say how far apart two runs of one case may come out in ``metric``, or the least resolved.
 
     On a CPU all runs are alike to the last bit, but a change that only rounds differently is no finding there either.
@@ -55,8 +39,8 @@ def _floor(results: Results, groups: Sequence[Group], metric: str) -> Value:
     unit = UNITS[metric]
     formula = f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured"
     bounds = []
-    for case in dict.fromkeys(group.case for group in groups):
-        name, cells = f"{case.replace('-', '_')}_{metric}_tolerance", _of_case(groups, case, metric)
+    for case, rows in repeats.items():
+        name, cells = f"{case.replace('-', '_')}_{metric}_tolerance", [row[METRICS[metric]] for row in rows]
         bounds.append(results.value(name, formula, lambda *cell: tolerance(cell), *cells, unit=unit, is_noise=True))
     resolution = column_of(METRICS[metric]).resolution
     least = results.chosen(f"{metric}_resolution", "what rounding may do", resolution, unit=unit)
@@ -64,14 +48,14 @@ def _floor(results: Results, groups: Sequence[Group], metric: str) -> Value:
     return results.value(f"{metric}_floor", formula, max, *bounds, least, unit=unit, is_noise=True)
 
 
-def _noise_is_small(results: Results, groups: Sequence[Group], floors: Mapping[str, Value]) -> Claim:
+def _noise_is_small(results: Results, first: Sequence[Row], floors: Mapping[str, Value]) -> Claim:
     def of_mean(floor: float, *found: float) -> float:
         return 100 * floor / fmean(found)
 
     shares = {}
     for metric, floor in floors.items():
         formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
-        cells = floor, *_of_case(groups, groups[0].case, metric)
+        cells = floor, *(row[METRICS[metric]] for row in first)
         name = f"{metric}_floor_share"
         shares[metric] = results.value(name, formula, of_mean, *cells, unit="%", is_noise=True)
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}

@@ -2,7 +2,7 @@
 
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import table_of
+from report.shared.arithmetic import by_case
 
 order = 25
 label = "see it move"
@@ -13,13 +13,6 @@ labels = {
     "hold-#s": "arm held still, {} s",
 }
 
-NAMES = {
-    "as-shipped": "shipped pads",
-    "stiff-pads": "stiff pads",
-    "as-shipped-10cm": "shipped pads, shaken farther",
-    "stiff-pads-10cm": "stiff pads, shaken farther",
-    "hold-60s": "shipped pads, held still",
-}
 COLUMNS = {
     "amplitude": "shake_amplitude_m",
     "time": "shake_duration_s",
@@ -30,4 +23,4 @@ COLUMNS = {
 
 
 def derive(results: Results) -> Section:
-    return Section(tables={"runs": table_of("run", NAMES.values(), COLUMNS, [results.row[case] for case in NAMES])})
+    return Section(tables={"runs": by_case(results.rows, COLUMNS)})

@@ -1,6 +1,9 @@
 """The cure: what each of its parts does, on which scenes, and what to use."""
 
-from measured_report.parts.section import Section
+from dataclasses import replace
+
+from measured_report.files.root import ROOT
+from measured_report.parts.section import Download, Section
 from measured_report.values.results import Results
 from report.sections.cure import bodies, budget, controls, hold, limits, tumbles, turntable
 from report.shared.arithmetic import joined
@@ -22,5 +25,13 @@ PARTS = (turntable, controls, hold, limits, bodies, tumbles, budget)
 """The modules of its parts; the last one reads what the limits are."""
 
 
+UPSTREAM = ("mujoco_warp-4.0.0-equality.patch", "mujoco_warp-4.0.0.patch", "newton-1.8.0.patch", "upstream.md")
+FILES = [
+    ROOT / f"experiments/simulation/{name}.py" for name in ("contact_bias", "contact_place", "compensated_positions")
+]
+FILES += [ROOT / f"assets/upstream/{name}" for name in UPSTREAM]
+
+
 def derive(results: Results) -> Section:
-    return joined([part.derive(results) for part in PARTS])
+    downloads = [Download(file.name, file.read_text(encoding="utf-8")) for file in FILES]
+    return replace(joined([part.derive(results) for part in PARTS]), downloads=downloads)

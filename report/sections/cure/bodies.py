@@ -3,14 +3,12 @@
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
-from measured_report.files.root import ROOT
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Download, Section
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, extreme, rows_with, share, size_difference, size_share
 
-PLACE_FILE = ROOT / "experiments/simulation/contact_place.py"
 TABLE = ("carried", "caught")
 """Motions on the table: turning with it, and put down at rest."""
 FREE = ("impact", "roll", "slide")
@@ -30,8 +28,7 @@ def derive(results: Results) -> Section:
             _stays_as_it_is(results, _of(runs, FREE, "term", engine="c")),
             _stands_on_any_feet(results, _of(runs, TABLE, "exact")),
             _spinning_ball_goes_straight(results, runs),
-        ],
-        downloads=[Download(PLACE_FILE.name, PLACE_FILE.read_text(encoding="utf-8"))],
+        ]
     )
 
 

@@ -1,12 +1,9 @@
 """A minute with the arm held still: what creeps once positions are summed with what rounding takes from them kept?"""
 
-from measured_report.files.root import ROOT
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Download, Section
+from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.arithmetic import ratio, share
-
-POSITIONS_FILE = ROOT / "experiments/simulation/compensated_positions.py"
 
 
 def derive(results: Results) -> Section:
@@ -20,7 +17,4 @@ def derive(results: Results) -> Section:
         at_most(kept, bound), at_least(gain, 2.0, why="less by half"), at_most(rest, 50.0, why="less by half")
     )
     numbers = {"slip": before.slip_mm, "slip_kept": after.slip_mm, "best": best.slip_mm}
-    return Section(
-        claims=[Claim("compensation_helps", outcome, numbers | {"duration": before.shake_duration_s})],
-        downloads=[Download(POSITIONS_FILE.name, POSITIONS_FILE.read_text(encoding="utf-8"))],
-    )
+    return Section(claims=[Claim("compensation_helps", outcome, numbers | {"duration": before.shake_duration_s})])

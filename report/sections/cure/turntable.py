@@ -3,9 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from measured_report.files.root import ROOT
 from measured_report.parts.claim import FAILS, Claim, all_of, at_least, at_most, decided
-from measured_report.parts.section import Download, Section
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, cell_count, departure, difference, extreme, largest_size, table_of
@@ -13,11 +12,6 @@ from report.shared.arithmetic import Column, cell_count, departure, difference, 
 ENGINES = ("warp", "c")
 CORNERS = 4
 """Contacts of the box."""
-BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
-UPSTREAM = [
-    ROOT / "assets/upstream" / name
-    for name in ("mujoco_warp-4.0.0-equality.patch", "mujoco_warp-4.0.0.patch", "newton-1.8.0.patch", "upstream.md")
-]
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """Variants that one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
@@ -60,7 +54,6 @@ def derive(results: Results) -> Section:
             _no_setting_stops_it(results, measured, resolution),
             _cured(results, measured, resolution),
         ],
-        downloads=[Download(file.name, file.read_text(encoding="utf-8")) for file in (BIAS_FILE, *UPSTREAM)],
     )
 
 

@@ -11,7 +11,7 @@ from measured_report.parts.section import Section
 from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.sections import cure, noise
-from report.sections.cure.variants import FIRM, Variant
+from report.sections.cure.budget import FIRM
 
 Change = Callable[[dict], Mapping]
 
@@ -45,8 +45,8 @@ def claims() -> dict[str, Claim]:
     return claims_with()
 
 
-def at(variant: Variant, **cells: float) -> Change:
-    return lambda row: cells if row["case"] == variant.case.format("3cm") else {}
+def at(variant: str, **cells: float) -> Change:
+    return lambda row: cells if row["case"] == variant.format("3cm") else {}
 
 
 def at_limits(variant: str, *, kept: bool) -> Change:
