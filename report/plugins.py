@@ -23,7 +23,7 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
-from report.story.found import CASES, Found
+from report.shared.arithmetic import CASES, Found
 
 __all__ = ["Plugins", "card", "scripts"]
 MEDIA = Path(__file__).with_name("media")
@@ -76,7 +76,7 @@ class Plugins(plugins.Plugins):
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
-        found = Found(self.edition.chapters)
+        found = Found({section: chapter.results for section, chapter in self.edition.chapters.items()})
         return {"value": found.value, "cell": found.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
 
     @property

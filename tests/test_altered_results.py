@@ -28,7 +28,7 @@ from measured_report.site.check import check_site
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
 from report.media.card import TITLE
-from report.story.found import CASES
+from report.shared.arithmetic import CASES
 from tests.inert import inert_passages, surveys
 from tests.perturbed import CHANGES, Perturbation, of_editions, perturbed
 

@@ -14,7 +14,7 @@ from measured_report.editions.status import State
 from measured_report.files.root import ROOT
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.story.found import CASES
+from report.shared.arithmetic import CASES
 
 
 @dataclass(frozen=True)

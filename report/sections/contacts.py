@@ -6,14 +6,13 @@ from measured_report.parts.claim import Claim, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, departure, difference, noise_floor, size_share, table_of
+from report.shared.arithmetic import CASES, Column, departure, difference, noise_floor, size_share, table_of
 
 order = 70
 page = "cause"
 reads = ("noise",)
 label = "contact rows"
 
-CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 ROWS = {"position residual": "residual_mm", "velocity": "velocity_mm_s", "force": "force_n"}
 
 

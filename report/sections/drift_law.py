@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from matplotlib.figure import Figure as Drawing
@@ -14,6 +13,7 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.shared import drawing as colours
 from report.shared.arithmetic import (
+    Found,
     by_case,
     cell_count,
     departure,
@@ -21,7 +21,6 @@ from report.shared.arithmetic import (
     is_held,
     largest_size,
     noise_floor,
-    other_cell,
     other_value,
     quantile,
     resolved,
@@ -51,32 +50,23 @@ SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")
 """Runs of the table."""
 
 
-@dataclass(frozen=True)
-class Run:
-    """A run that keeps the cube, and how far its drift is off the law [%]."""
-
-    row: Row
-    off: Value
-
-
 def derive(results: Results) -> Section:
     formula = "drift measured with positions compensated, less that of the law, in size, of the latter"
-    runs = []
-    for row in filter(is_held, results.rows):
-        cells = row.drift_mm_s, row.predicted_drift_mm_s
-        runs.append(Run(row, departure(results, f"off_kept_{row.case}", formula, *cells)))
-    follows = _follows(results, runs)
-    sources = [cell for run in runs for cell in (run.row.drift_mm_s, run.row.predicted_drift_mm_s)]
+    runs = list(filter(is_held, results.rows))
+    pairs = [(row.drift_mm_s, row.predicted_drift_mm_s) for row in runs]
+    offs = [departure(results, f"off_kept_{row.case}", formula, *pair) for row, pair in zip(runs, pairs, strict=True)]
+    follows, sources = _follows(results, runs, offs), [cell for pair in pairs for cell in pair]
     figure = Figure(lambda: _draw(runs), sources, {"follows": follows.outcome == HOLDS})
     return Section(
-        tables={"parts": by_case([run.row for run in runs if run.row.case in SHOWN], PARTS)},
+        tables={"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)},
         figures={"law": figure},
         claims=[_by_hand(results), follows],
     )
 
 
 def _by_hand(results: Results) -> Claim:
-    row, dmax = results.row[SHIPPED], other_cell(results, "stiffness", SHIPPED, "dmax", unit="1")
+    row, stiffness = results.row[SHIPPED], partial(Found(results.others).cell, "stiffness", SHIPPED)
+    dmax = stiffness("dmax")
     substep = other_value(results, "stiffness", "substep", unit="s")
     step = results.value("step_ms", "substep in ms", lambda seconds: 1e3 * seconds, substep, unit="ms")
     formula = "response over dmax"
@@ -89,7 +79,7 @@ def _by_hand(results: Results) -> Claim:
     rough = difference(results, "rough", "the first less the second", trailing, back)
     off = departure(results, "rough_off", "how far that is from the drift, of the latter", rough, row.drift_mm_s)
     # A point that swings along an arc of radius r has v² / r toward its axis: on average half of (2πfA)² / r.
-    cells = (other_cell(results, "stiffness", SHIPPED, f"shake_{name}", unit=unit) for name, unit in SHAKE.items())
+    cells = (stiffness(f"shake_{name}", unit) for name, unit in SHAKE.items())
     formula = "half of (2π · frequency · amplitude)², over the left-out acceleration"
     arc = results.value("arc", formula, lambda g, a, f: 5e5 * (2 * math.pi * f * a) ** 2 / g, g, *cells, unit="mm")
     is_of_arm = at_least(arc, 100.0, why="no wrist alone"), at_most(arc, 855.0, why="the reach of the arm")
@@ -98,20 +88,19 @@ def _by_hand(results: Results) -> Claim:
     return Claim("by_hand", all_of(at_most(off, 5.0, why="nearly all of it"), *is_of_arm), numbers)
 
 
-def _follows(results: Results, runs: Sequence[Run]) -> Claim:
+def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Claim:
+    """Ask it of most runs: which at the edge keep the cube is chance, and so is the farthest of all."""
     bound = results.chosen("law_bound", "one law", 1.5, unit="%")
-    offs = [run.off for run in runs]
     quantiles = {"half": ("of half of the runs, at most", 0.5), "most": ("of nine in ten runs, at most", MOST)}
     within = {
         name: results.value(f"{name}_kept", f"departure from the law {words}", partial(quantile, at), *offs, unit="%")
         for name, (words, at) in quantiles.items()
     }
-    # Which runs at the edge keep the cube is chance, and so is the farthest of all: neither is asked.
-    responses, formula = [run.row.response_s for run in runs], "longest over shortest response of the friction rows"
+    responses, formula = [row.response_s for row in runs], "longest over shortest response of the friction rows"
     width = results.value("response_range", formula, lambda *s: max(s) / min(s), *responses)
     formula = "different responses of these runs, to a thousandth of themselves"
     distinct = results.value("response_count", formula, lambda *s: len({f"{each:.3g}" for each in s}), *responses)
-    drifts = [run.row.drift_mm_s for run in runs]
+    drifts = [row.drift_mm_s for row in runs]
     fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts, unit="mm/s")
     formula = "noise of the drift, of the fastest"
     noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
@@ -129,18 +118,18 @@ def _follows(results: Results, runs: Sequence[Run]) -> Claim:
     return Claim("follows", outcome, numbers | {"is_wide": is_wide == HOLDS})
 
 
-def _draw(runs: Sequence[Run]) -> Drawing:
+def _draw(runs: Sequence[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 3.2)
-    by_response = sorted(runs, key=lambda run: run.row.response_s.value)
-    law = [(1e3 * run.row.response_s.value, run.row.predicted_drift_mm_s.value) for run in by_response]
+    by_response = sorted(runs, key=lambda row: row.response_s.value)
+    law = [(1e3 * row.response_s.value, row.predicted_drift_mm_s.value) for row in by_response]
     axes.plot(*zip(*law, strict=True), color=INK, linestyle="-", linewidth=1.0, marker="", label="the law")
     for case, colour, label in (
         ("", SERIES[5], "other pads"),
         (SHIPPED, colours.SHIPPED, "shipped pads"),
         (FIX, colours.STIFF, "stiff pads"),
     ):
-        mine = [run for run in runs if (run.row.case if run.row.case in (SHIPPED, FIX) else "") == case]
-        points = [(1e3 * run.row.response_s.value, run.row.drift_mm_s.value) for run in mine]
+        mine = [row for row in runs if (row.case if row.case in (SHIPPED, FIX) else "") == case]
+        points = [(1e3 * row.response_s.value, row.drift_mm_s.value) for row in mine]
         mark_points(axes, points, marker="D" if case else "o", markersize=9 if case else 5, color=colour, label=label)
     axes.set(xscale="log", yscale="log", xlabel="response time T of the friction rows [ms]", ylabel="drift [mm/s]")
     tick_125(axes.xaxis)

@@ -3,12 +3,13 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, other_cell, ratio, share, table_of
+from report.shared.arithmetic import Column, Found, ratio, share, table_of
 
 order = 187
 page = "scenes"
@@ -82,15 +83,15 @@ def derive(results: Results) -> Section:
         "law of the walk": [LAWS[line.law] for line in lines],
     }
     long = results.chosen("step", "given: the time step", 2.0, unit="ms")
-    said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
+    said: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
     claims = [_as_their_laws_say(results, told, walk_bound, sink_bound), _walks_most_in_mujoco(results, told)]
     engines = table_of("engine", [line.name for line in lines], columns, **said)
     return Section(tables={"engines": engines}, claims=[*claims, _test_lets_through(results)])
 
 
 def _lines(results: Results) -> Iterator[Line]:
-    cells = {"cure": "1/s", "scenes": "mm/s"}
-    turntable, capsule = (partial(other_cell, results, section, unit=unit) for section, unit in cells.items())
+    found, units = Found(results.others), {"cure": "1/s", "scenes": "mm/s"}
+    turntable, capsule = (partial(found.cell, section, unit=unit) for section, unit in units.items())
     newton = f"Newton {results.record.identity.packages['newton']}"
     for engine, name in (("c", "MuJoCo C"), ("warp", "MuJoCo Warp")):
         walks = [turntable(f"plain-{engine}", column) for column in ("growth_per_s", WALK_LAW)]

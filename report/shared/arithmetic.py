@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from markupsafe import Markup
@@ -16,6 +16,8 @@ Column = str | Callable[[Row], Any] | Sequence
 """A column of a table: a column of the record, what makes a cell of a row, or the cells."""
 NAMED_COUNT = 6
 """Cases that a sentence names at most."""
+CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
+"""Cases that many sections measure, and what they are called."""
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 SETTLES = ("a change that settles the matter", 10.0)
@@ -94,12 +96,27 @@ def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outc
     return replace(found, name="unknown", reason=reason) if found == FAILS else found
 
 
+@dataclass(frozen=True)
+class Found:
+    """What sections of one release found; without a number, and with a reason, where a release lacks it."""
+
+    results: Mapping[str, Results]
+
+    def value(self, section: str, name: str, unit: str = "1") -> Quantity:
+        derived = self.results[section].derived if section in self.results else {}
+        return derived.get(name) or absent(unit, self._reason(section))
+
+    def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
+        row = self.results[section].row.get(case) if section in self.results else None
+        return cell_or_absent(row, column, unit, self._reason(section))
+
+    def _reason(self, section: str) -> str:
+        return f"section {section} {'does not say' if section in self.results else 'has no results here'}"
+
+
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
-    """Return a value that an earlier section derived; without a number, and with a reason, when it isn't there."""
-    other = results.others.get(section)
-    if not other:
-        return absent(unit, f"section {section} has no results here")
-    return other.derived[name] if name in other.derived else absent(unit, f"section {section} does not say")
+    """Return a value that an earlier section derived."""
+    return Found(results.others).value(section, name, unit)
 
 
 def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
@@ -162,13 +179,6 @@ def rows_with(results: Results, *columns: str) -> list[Row]:
     """Return list the rows that have something in each of these columns, by which the parts of a section tell their
     rows."""
     return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
-
-
-def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
-    """Return what an earlier section measured; without a number, and with a reason, when it isn't there."""
-    other = results.others.get(section)
-    reason = f"section {section} {'does not say' if other else 'has no results here'}"
-    return cell_or_absent(other.row.get(case) if other else None, column, unit, reason)
 
 
 def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:

@@ -8,9 +8,9 @@ from measured_report.parts.claim import Claim, Outcome, all_of, decided
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
+from report.shared.arithmetic import Found
 from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
 from report.shared.timing import TIMED_WORLDS
-from report.story.found import Found
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
 IN_C = "v"
@@ -48,7 +48,7 @@ class Way:
     def ratios(self, found: Found) -> dict[int, Quantity]:
         """Return the times that were measured, by number of worlds."""
         section, _, name = self.timed.partition("/")
-        rows = found.chapters[section].results.rows if section in found.chapters else []
+        rows = found.results[section].rows if section in found.results else []
         mine = [row for row in rows if name in (row.case, row.plain.get("variant"))]
         times = {row.plain.get("worlds", ALONE): row[column] for row in mine for column in RATIOS if column in row}
         return {count: times[count] for count in (ALONE, MANY) if count in times and times[count].value is not None}
@@ -76,7 +76,7 @@ WAYS = (
 
 def figure(found: Found) -> Figure:
     """Draw the creep of each way against the time of a world's frame, alone and among many."""
-    rows = found.chapters["cure_cost"].results.rows if "cure_cost" in found.chapters else []
+    rows = found.results["cure_cost"].rows if "cure_cost" in found.results else []
     shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped"}
     ways = {way: way.ratios(found) for way in WAYS if shipped and way.creep_mm(found) is not None}
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(found), *ratios.values())]

@@ -12,9 +12,9 @@ from measured_report.values.quantities import Quantity
 from report.sections.gap import CASES as CASES_OF_GAP
 from report.sections.priority import CUBE
 from report.sections.upgrade.ends import released
+from report.shared.arithmetic import CASES, Found
 from report.story import frontier
-from report.story.figures import draw_mechanism, draw_setup, draw_suspects
-from report.story.found import CASES, FIX, Found
+from report.story.figures import FIX, draw_mechanism, draw_setup, draw_suspects
 
 SUSPECTS = {
     "friction": ("friction", "largest_share"),
@@ -48,9 +48,12 @@ UNSEEN, FAILED = Markup("not measured"), Markup("run failed")
 
 def derive(releases: Releases, shown: str) -> Section:
     """Derive figures, table and claims of the story of the release ``shown``."""
-    every = {release: Found(chapters) for release, chapters in released(releases, shown).items()}
+    every = {
+        release: Found({section: chapter.results for section, chapter in chapters.items()})
+        for release, chapters in released(releases, shown).items()
+    }
     found = every[shown]
-    if "reproduction" not in found.chapters:
+    if "reproduction" not in found.results:
         return Section()
     bound = found.value("reproduction", "slip_bound", "mm")
     return Section(
@@ -93,9 +96,9 @@ def _suspects(found: Found) -> Figure:
 
 def _changed(found: Found, section: str) -> list[Quantity]:
     """Look up the slips of a section's variants; what it has besides them is of another question."""
-    if section not in found.chapters:
+    if section not in found.results:
         return []
-    results = found.chapters[section].results
+    results = found.results[section]
     own = [row for row in results.rows if f"{row.case}_difference" in results.derived]
     return [row.slip_mm for row in own or map(results.row.__getitem__, ONE_THING.get(section, ()))]
 
