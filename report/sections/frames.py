@@ -30,13 +30,8 @@ def _part(results: Results, row: Row) -> str:
     little = 0.01 * results.derived["robot_share_bound"].number
     if None in cells or not cells[1]:
         return ""
-    return (
-        "next to nothing"
-        if cells[0] <= little * cells[1]
-        else "a part"
-        if cells[0] < (1 - little) * cells[1]
-        else "all"
-    )
+    part = cells[0] / cells[1]
+    return "next to nothing" if part <= little else "a part" if part < 1 - little else "all"
 
 
 def _cube_moves_in_fingers(results: Results) -> Claim:

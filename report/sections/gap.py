@@ -23,7 +23,7 @@ def derive(results: Results) -> Section:
 
 def _not_the_cause(results: Results, rows: list[Row]) -> Claim:
     slips, floor = [row.slip_mm for row in rows], noise_floor(results, "slip_floor")
-    difference = spread(results, "slip_difference", "largest minus smallest slip of the gaps", slips, unit="mm")
+    difference = spread(results, "slip_difference", "largest minus smallest slip of the gaps", slips)
     formula = "difference in slip between the gaps, of the slip with the default gap"
     of_default = share(results, "slip_difference_share", formula, difference, slips[0])
     bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, unit="%")

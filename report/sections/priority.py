@@ -46,7 +46,7 @@ def _cube_does_not_count(results: Results) -> Claim:
     for column in ("timeconst_s", "dampratio", "friction", "dmin", "dmax"):
         cells = [row[column] for row in rows]
         formula = f"largest less smallest {column} of the contact, over the three stiffnesses of the cube"
-        spreads.append(spread(results, f"cube_{column}_spread", formula, cells, unit=cells[0].unit))
+        spreads.append(spread(results, f"cube_{column}_spread", formula, cells))
     largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
     numbers = {"low": rows[0].cube_ke, "high": rows[-1].cube_ke, "timeconst": rows[1].timeconst_s}
     return Claim("cube_does_not_count", at_most(largest, 0.0, why="no difference at all"), numbers)
@@ -55,7 +55,7 @@ def _cube_does_not_count(results: Results) -> Claim:
 def _cube_does_not_move_slip(results: Results) -> Claim:
     low, shipped, high = (results.row[case] for case in CUBE)
     formula = "largest less smallest slip over the three stiffnesses of the cube"
-    change = spread(results, "cube_slip_spread", formula, [row.slip_mm for row in (low, shipped, high)], unit="mm")
+    change = spread(results, "cube_slip_spread", formula, [row.slip_mm for row in (low, shipped, high)])
     formula = "that spread, of the slip as shipped"
     of_shipped = share(results, "cube_slip_share", formula, change, shipped.slip_mm)
     floor = noise_floor(results, "slip_floor")

@@ -76,7 +76,8 @@ def _increment(results: Results, name: str, which: str, part: Callable, cells: S
     """Derive the mean of a part of the increments after the first cycle, which starts the shake from rest."""
 
     def mean(*found: Any) -> float:
-        return _mean(part(_cycle_increments(*found)[1:]))
+        increments = part(_cycle_increments(*found)[1:])
+        return float(increments.mean()) if len(increments) else np.nan
 
     return results.value(f"increment_{name}", f"mean increment {which} cycles after the first", mean, *cells, unit="mm")
 
@@ -109,7 +110,7 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     def apart(case: str, pads: str) -> Value:
         cells = [results.row[f"{case}{suffix}"].slip_mm for suffix in places]
         formula = f"largest less smallest slip of all engines and devices, with {pads} pads"
-        return arithmetic.spread(results, f"engine_difference_{pads}", formula, cells, unit="mm")
+        return arithmetic.spread(results, f"engine_difference_{pads}", formula, cells)
 
     shipped, stiff = apart("as-shipped", "shipped"), apart("stiff-pads", "stiff")
     formula = "the larger of the two differences between engines and devices, as shipped and with stiff pads"
@@ -125,10 +126,6 @@ def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
     outcome = at_least(gain, results.chosen("stiff_least", "less than half", 2.0))
     return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "gain": gain})
-
-
-def _mean(increments: np.ndarray) -> float:
-    return float(increments.mean()) if len(increments) else np.nan
 
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:

@@ -6,8 +6,8 @@ from measured_report.parts.claim import Claim, all_of, at_most, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.shared.arithmetic import excess, largest_size, told
-from report.shared.variants import Variants, variant_section, variants_of
+from report.shared.arithmetic import excess, largest_size, noise_floor, told
+from report.shared.variants import Variants, change_of, variant_section, variants_of
 
 order = 50
 reads = ("noise", "reproduction")
@@ -23,6 +23,7 @@ labels = {
 
 ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
 PADS = ("as-shipped", "stiff-pads")
+CONVERGED = ("iterations-200", "tolerance-1e-10")
 
 
 def derive(results: Results) -> Section:
@@ -43,20 +44,20 @@ def derive(results: Results) -> Section:
 
 
 def _converged(results: Results, variants: Variants) -> Claim:
-    more, tighter = results.row["iterations-200"], results.row["tolerance-1e-10"]
+    more, tighter = map(results.row.__getitem__, CONVERGED)
     formula = "larger difference in slip from the baseline, of more iterations and of a tighter tolerance"
-    differences = [variants.difference[row.case] for row in (more, tighter)]
+    differences = [change_of(results, case) for case in CONVERGED]
     largest = largest_size(results, "convergence_difference", formula, differences, unit="mm")
     numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
-    outcome = all_of(within(largest, variants.floor), variants.seen)
+    outcome = all_of(within(largest, noise_floor(results, "slip_floor")), variants.seen)
     return Claim("solver_has_converged", outcome, variants.numbers | numbers, effect=variants.slips)
 
 
 def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
     row, formula = results.row[case], f"slip of the baseline less that of {case}"
-    reduction = results.value(f"{case}_reduction", formula, lambda a: -a, variants.difference[case], unit="mm")
+    reduction = results.value(f"{case}_reduction", formula, lambda a: -a, change_of(results, case), unit="mm")
     numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
-    outcome = all_of(within(reduction, variants.floor), variants.seen)
+    outcome = all_of(within(reduction, noise_floor(results, "slip_floor")), variants.seen)
     return Claim(claim, outcome, variants.numbers | numbers, effect=variants.slips)
 
 

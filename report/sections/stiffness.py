@@ -1,7 +1,6 @@
 """The cause, named; what ke and kd become in the contact that the solver has; and which of them holds the cube."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -54,35 +53,18 @@ COLUMNS: dict[str, Column] = {
 }
 
 
-@dataclass(frozen=True)
-class Runs:
-    """The runs over ke."""
-
-    ke_alone: Sequence[Row]
-    """kd at its import default."""
-    together: Sequence[Row]
-    """ke and kd raised together."""
-
-    @property
-    def held(self) -> list[Row]:
-        """Return those that keep the cube; the scene as shipped is in both series and counts once."""
-        return list({row.case: row for row in (*self.ke_alone, *self.together) if is_held(row)}.values())
-
-
 def derive(results: Results) -> Section:
     plain = sorted((row for row in results.rows if "pad_dmax" not in row), key=lambda row: row.pad_ke.value)
-    runs = Runs(
-        ke_alone=[row for row in plain if row.pad_kd.value == AS_SHIPPED.pad_kd],
-        together=[row for row in plain if row.pad_kd.value != AS_SHIPPED.pad_kd or row.case == SHIPPED],
-    )
+    ke_alone = [row for row in plain if row.pad_kd.value == AS_SHIPPED.pad_kd]
+    held = list(filter(is_held, plain))
     formula = "given by the scene: frame time over substeps"
     substep = results.value("substep", formula, lambda: 1 / 60 / AS_SHIPPED.substeps, unit="s")
     least = results.value("least_timeconst", "two substeps", lambda step: 2 * step, substep, unit="s")
     clamp = results.value("clamp_kd", "kd at which 2 / kd is two substeps", lambda shortest: 2 / shortest, least)
-    alone, together = ke_alone_does_not_help(results, runs), together_they_hold(results)
+    alone, together = ke_alone_does_not_help(results, ke_alone), together_they_hold(results)
     numbers: dict[str, Any] = {"is_so": all_of(alone.outcome, together.outcome) == HOLDS, "clamp": clamp}
     numbers |= {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm}
-    sweep = Figure(lambda: draw_sweep(runs, clamp.value), [row.slip_mm for row in runs.held], numbers)
+    sweep = Figure(lambda: draw_sweep(plain, ke_alone, clamp.value), [row.slip_mm for row in held], numbers)
     rows = [results.row[case] for case in SHOWN]
     columns = COLUMNS | {"reading": lambda row: _reading(results, row)}
     return Section(
@@ -161,8 +143,9 @@ def ke_is_no_spring(results: Results) -> Claim:
     return Claim("ke_is_no_spring", at_most(follows, 50.0, why="does not follow"), numbers)
 
 
-def ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
-    held = list(filter(is_held, runs.ke_alone))
+def ke_alone_does_not_help(results: Results, rows: Sequence[Row]) -> Claim:
+    """Ask it of the runs with kd at its import default."""
+    held = list(filter(is_held, rows))
     slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
     formula = "slip of the runs with kd at its default, that nine in ten exceed"
     low = extreme(results, "ke_alone_low", formula, partial(quantile, 0.1), slips)
@@ -186,11 +169,11 @@ def together_they_hold(results: Results) -> Claim:
     return Claim("together_they_hold", at_least(gain, bound), numbers)
 
 
-def draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
+def draw_sweep(every: Sequence[Row], ke_alone: Sequence[Row], clamp_kd: float) -> Drawing:
     """Draw slip over ke; a run with no slip to show is a cross on the upper edge."""
     drawing, axes = new_figure(7.2, 4.2)
-    fine = [row for row in runs.together if row.case.startswith("sweep-")]
-    series = (("kd at its default", runs.ke_alone, SERIES[5]), ("kd = 2√ke, damping ratio 1", fine, SERIES[4]))
+    fine = [row for row in every if row.case.startswith("sweep-") and row not in ke_alone]
+    series = (("kd at its default", ke_alone, SERIES[5]), ("kd = 2√ke, damping ratio 1", fine, SERIES[4]))
     held = [row.slip_mm.value for _, rows, _ in series for row in rows if is_held(row)]
     top = 3.0 * max(held)
     for label, rows, colour in series:
@@ -199,7 +182,7 @@ def draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
         lost = [(row.pad_ke.value, top) for row in rows if not is_held(row)]
         mark_points(axes, lost, marker="x", color=colour, clip_on=False, markersize=7)
     for case, colour, label in ((SHIPPED, colours.SHIPPED, "shipped pads"), (FIX, colours.STIFF, "stiff pads")):
-        points = [(row.pad_ke.value, row.slip_mm.value) for row in runs.held if row.case == case]
+        points = [(row.pad_ke.value, row.slip_mm.value) for row in every if row.case == case and is_held(row)]
         mark_points(axes, points, marker="D", markersize=9, color=colour, label=label, zorder=5)
     axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="slip [mm]", ylim=(0.6 * min(held), top))
     clamp_ke = (clamp_kd / 2) ** 2

@@ -54,15 +54,9 @@ def total(results: Results, name: str, formula: str, cells: Iterable[Quantity]) 
     return results.value(name, formula, lambda *counts: sum(counts), *cells)
 
 
-def spread(
-    results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
-) -> Value:
-    """Derive the largest less the smallest; without a number when there is none."""
-    return results.value(name, formula, _range, *cells, unit=unit, is_noise=is_noise)
-
-
-def _range(*found: float) -> float:
-    return max(found) - min(found) if found else math.nan
+def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity]) -> Value:
+    """Derive the largest less the smallest."""
+    return results.value(name, formula, lambda *found: max(found) - min(found), *cells, unit=cells[0].unit)
 
 
 def extreme(

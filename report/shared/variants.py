@@ -1,6 +1,6 @@
 """Cases that each change one thing, against the baseline that was measured with them."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from measured_report.parts.claim import Claim, Outcome, at_least, greater
@@ -21,17 +21,11 @@ from report.shared.arithmetic import (
 
 @dataclass(frozen=True)
 class Variants:
-    """The rows of one section, and what each changes in the slip."""
+    """The rows of one section, whose slips are compared."""
 
     baseline: Row
     rows: Sequence[Row]
     """Without the baseline."""
-    difference: Mapping[str, Quantity]
-    """Slip of a case less that of the baseline [mm]."""
-    largest: Value
-    """The largest of the differences, either way."""
-    floor: Quantity
-    """How far apart runs of one case are [mm]."""
     slips: Outcome
     """Whether the baseline slips at all, so that there is something to explain."""
     seen: Outcome
@@ -39,27 +33,21 @@ class Variants:
     numbers: dict[str, Quantity | str]
     """What the wording of a claim can name."""
 
-    @property
-    def all_rows(self) -> list[Row]:
-        return [self.baseline, *self.rows]
 
-
-class Differences(dict):
-    """By case; that of a case without a row is absent."""
-
-    def __missing__(self, case: str) -> Quantity:
-        return absent("mm", f"there is no single row of case {case}")
+def change_of(results: Results, case: str) -> Quantity:
+    """Return the slip of a case less that of the baseline [mm]."""
+    return results.derived.get(f"{case}_difference") or absent("mm", f"there is no single row of case {case}")
 
 
 def variant_section(results: Results, variants: Variants, *claims: Claim) -> Section:
     """Make the section of variants: their table, whether one is the cause, and more claims."""
     bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
-    cause = is_small(results, "cause", variants.largest, bound, variants.baseline.slip_mm, variants.floor)
-    changes = [variants.difference[row.case] for row in variants.rows]
-    limit = results.derived["cause_limit"]
-    readings = [reading(change, variants.floor, limit) for change in changes]
+    largest, floor = results.derived["largest_difference"], noise_floor(results, "slip_floor")
+    cause = is_small(results, "cause", largest, bound, variants.baseline.slip_mm, floor)
+    changes = [change_of(results, row.case) for row in variants.rows]
+    readings = [reading(change, floor, results.derived["cause_limit"]) for change in changes]
     columns = {"slip": "slip_mm", "change": ["", *changes], "reading": ["as shipped", *readings]}
-    table = by_case(variants.all_rows, columns)
+    table = by_case([variants.baseline, *variants.rows], columns)
     return Section(tables={"cases": table}, claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
 
 
@@ -77,7 +65,7 @@ def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
 def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) -> Variants:
     """Compare every row of the section, but for the cases ``apart``, with the row of the case ``baseline``."""
     reference, rows = results.row[baseline], [row for row in results.rows if row.case not in (baseline, *apart)]
-    found = Differences()
+    found = {}
     for row in rows:
         formula = f"slip of {row.case} less that of {reference.case}"
         found[row.case] = difference(results, f"{row.case}_difference", formula, row.slip_mm, reference.slip_mm)
@@ -90,14 +78,8 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
     slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
     formula = "noise of the slip, of the baseline's slip"
     seen = resolved(share(results, "floor_share", formula, floor, reference.slip_mm), 5.0, why="no change to speak of")
-    numbers: dict[str, Quantity | str] = {
-        "largest": largest,
-        "share": of_slip,
-        "most": cases_html(farthest),
-        "baseline": reference.slip_mm,
-        "floor": floor,
-    }
-    return Variants(reference, rows, found, largest, floor, slips, seen, numbers)
+    numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": cases_html(farthest)}
+    return Variants(reference, rows, slips, seen, numbers | {"baseline": reference.slip_mm, "floor": floor})
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:

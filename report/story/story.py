@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 
-import pandas as pd
 from markupsafe import Markup
 
 from measured_report.pages.editions import Releases
@@ -12,7 +11,7 @@ from measured_report.values.quantities import Quantity
 from report.sections.gap import CASES as CASES_OF_GAP
 from report.sections.priority import CUBE
 from report.sections.upgrade.ends import released
-from report.shared.arithmetic import CASES, Found
+from report.shared.arithmetic import CASES, Found, table_of
 from report.story import frontier
 from report.story.figures import FIX, draw_mechanism, draw_setup, draw_suspects
 
@@ -55,13 +54,14 @@ def derive(releases: Releases, shown: str) -> Section:
     found = every[shown]
     if "reproduction" not in found.results:
         return Section()
-    bound = found.value("reproduction", "slip_bound", "mm")
+    bound, dimensions = found.value("reproduction", "slip_bound", "mm"), _dimensions(found)
+    needed = {way: [_advice(_slips(found, way), bound) for found in every.values()] for way in WAYS}
     return Section(
-        tables={"needed": _needed(every, bound), "setup": _setup(found)},
+        tables={"needed": table_of("release", every, needed), "setup": _setup(found, dimensions)},
         figures={
             "suspects": _suspects(found),
-            "mechanism": _mechanism(found),
-            "experiment": _experiment(found),
+            "mechanism": Figure(draw_mechanism, [found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")]),
+            "experiment": Figure(lambda: draw_setup(dimensions), list(dimensions.values()), dimensions),
             "frontier": frontier.figure(found),
         },
         claims=[
@@ -103,11 +103,6 @@ def _changed(found: Found, section: str) -> list[Quantity]:
     return [row.slip_mm for row in own or map(results.row.__getitem__, ONE_THING.get(section, ()))]
 
 
-def _mechanism(found: Found) -> Figure:
-    slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")
-    return Figure(draw=draw_mechanism, sources=[slide])
-
-
 def _dimensions(found: Found) -> dict[str, Quantity]:
     names = {"edge": "cube_edge", "mass": "cube_mass", "amplitude": "amplitude", "frequency": "frequency"}
     numbers = {key: found.value("reproduction", name) for key, name in names.items()}
@@ -115,41 +110,28 @@ def _dimensions(found: Found) -> dict[str, Quantity]:
     return numbers | {"duration": found.cell("reproduction", "as-shipped", "shake_duration_s", "s")}
 
 
-def _experiment(found: Found) -> Figure:
-    numbers = _dimensions(found)
-    return Figure(lambda: draw_setup(numbers), list(numbers.values()), numbers)
-
-
-def _setup(found: Found) -> Table:
+def _setup(found: Found, numbers: Mapping[str, Quantity]) -> Table:
     """Tell what stays as it is in every run that does not say otherwise."""
 
     def told(text: str, *names: str) -> Markup:
         return Markup(text).format(*(found.value("reproduction", name) for name in names))
 
-    numbers = _dimensions(found)
-    grip, duration = numbers["grip"], numbers["duration"]
     lines = {
         "robot": Markup("Franka FR3 with its hand, gravity compensated"),
         "cube": told("edge {}, mass {}, friction {}", "cube_edge", "cube_mass", "cube_friction"),
         "finger pads": told("friction {}, ke {}, kd {}", "pad_friction", "pad_ke", "pad_kd"),
-        "grip": Markup("{} from each pad").format(grip),
-        "task": Markup("approach, descend, grasp, lift, then shake for {}").format(duration),
+        "grip": Markup("{} from each pad").format(numbers["grip"]),
+        "task": Markup("approach, descend, grasp, lift, then shake for {}").format(numbers["duration"]),
         "shake": told("{} to either side at {}, less along the other two axes", "amplitude", "frequency"),
         "time": told("frame rate {}, {} substeps a frame", "frame_rate", "substeps"),
         "solver": told("Newton, {} iterations; implicitfast; elliptic cone, impratio {}", "iterations", "impratio"),
         "contacts": Markup("found by Newton, once a frame"),
     }
-    frame = pd.DataFrame({"in every run": [*lines.values()]}, index=pd.Index([*lines], name="part"), dtype=object)
-    return Table(frame)
+    return table_of("part", lines, {"in every run": list(lines.values())})
 
 
 def _slips(found: Found, way: str) -> list[Quantity]:
     return [found.cell(*place) for place in WAYS[way]]
-
-
-def _needed(every: Mapping[str, Found], bound: Quantity) -> Table:
-    columns = {way: [_advice(_slips(found, way), bound) for found in every.values()] for way in WAYS}
-    return Table(pd.DataFrame(columns, index=pd.Index(list(every), name="release"), dtype=object))
 
 
 def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:

@@ -1,11 +1,10 @@
 """Other bodies and other contacts than a grasp, with the term put back: what moves as it should."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, extreme, rows_with, share, size_difference, size_share
 
@@ -23,61 +22,56 @@ def derive(results: Results) -> Section:
     runs: dict[tuple[str, str, str], dict[str, Row]] = {}
     for row in rows_with(results, "motion", "body", "variant", "backend"):
         runs.setdefault((row.motion, row.body, row.backend), {})[row.variant] = row
-    return Section(
-        claims=[
-            _stays_as_it_is(results, _of(runs, FREE, "term", engine="c")),
-            _stands_on_any_feet(results, _of(runs, TABLE, "exact")),
-            _spinning_ball_goes_straight(results, runs),
-        ]
-    )
+    claims = [_stays_as_it_is(results, runs), _stands_on_any_feet(results, runs)]
+    return Section(claims=[*claims, _spinning_ball_goes_straight(results, runs)])
 
 
-def _of(runs: Runs, motions: Iterable[str], variant: str, engine: str = "") -> list[tuple[str, Found]]:
+def _of(runs: Runs, motions: Iterable[str], variant: str) -> list[tuple[str, Row, Row]]:
+    """Name the runs of these motions, each with nothing done and in a variant."""
     return [
-        (f"{motion}_{body}_{backend}".replace(" ", "_"), found)
-        for (motion, body, backend), found in runs.items()
-        if motion in motions and engine in ("", backend) and {"plain", variant} <= set(found)
+        ("_".join(run).replace(" ", "_"), found["plain"], found[variant])
+        for run, found in runs.items()
+        if run[0] in motions and {"plain", variant} <= set(found)
     ]
 
 
-def _largest(results: Results, names: Sequence[str], formula: str, shares: Sequence[Value]) -> dict[str, Value]:
-    largest = extreme(results, names[0], "largest of these", max, shares)
-    return {"largest": largest, "count": cell_count(results, names[1], formula, shares)}
-
-
-def _stays_as_it_is(results: Results, runs: list[tuple[str, Found]]) -> Claim:
+def _stays_as_it_is(results: Results, runs: Runs) -> Claim:
     formula, shares = "distance between the places where the body ends with the term and with nothing done", []
-    for name, found in runs:
-        term, plain = found["term"], found["plain"]
+    for name, plain, term in _of(runs, FREE, "term"):
         ends = [row[column] for row in (term, plain) for column in ("travel_mm", "sideways_mm", "rise_mm")]
         off = results.value(f"off_{name}", formula, lambda *mm: math.dist(mm[:3], mm[3:]), *ends, unit="mm")
         shares.append(share(results, f"moved_{name}", f"{formula}, of the way there", off, plain.travel_mm))
-    numbers = _largest(results, ("moved_most", "free_count"), "runs on the plane", shares)
-    return Claim("free_motion_stays", at_most(numbers["largest"], 1.0, why="the same motion"), numbers)
+    largest = extreme(results, "moved_most", "largest of these", max, shares)
+    count = cell_count(results, "free_count", "runs on the plane", shares)
+    return Claim(
+        "free_motion_stays", at_most(largest, 1.0, why="the same motion"), {"largest": largest, "count": count}
+    )
 
 
-def _stands_on_any_feet(results: Results, runs: list[tuple[str, Found]]) -> Claim:
+def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
     formula = "growth of the distance from the axis with the exact term, of that with nothing done, in size"
     left = [
-        size_share(results, f"left_{name}", formula, found["exact"].growth_per_s, found["plain"].growth_per_s)
-        for name, found in runs
+        size_share(results, f"left_{name}", formula, exact.growth_per_s, plain.growth_per_s)
+        for name, plain, exact in _of(runs, TABLE, "exact")
     ]
-    numbers = _largest(results, ("left_most", "table_count"), "runs on the table", left)
-    return Claim("stands_on_any_feet", at_most(numbers["largest"], 1.0, why="it stands"), numbers)
+    largest = extreme(results, "left_most", "largest of these", max, left)
+    count = cell_count(results, "table_count", "runs on the table", left)
+    return Claim("stands_on_any_feet", at_most(largest, 1.0, why="it stands"), {"largest": largest, "count": count})
 
 
 def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
-    formula, exact = "how far the ball ends aside of where it does with nothing done", _of(runs, ("pivot",), "exact")
+    formula = "how far the ball ends aside of where it does with nothing done"
     asides, points = (
         [
-            size_difference(results, f"{key}_{name}", formula, found[variant].sideways_mm, found["plain"].sideways_mm)
-            for name, found in _of(runs, ("pivot",), variant, engine)
+            size_difference(results, f"{key}_{name}", formula, ball.sideways_mm, plain.sideways_mm)
+            for name, plain, ball in _of(runs, ("pivot",), variant)
         ]
-        for key, variant, engine in (("aside", "exact", ""), ("points", "term", "c"))
+        for key, variant in (("aside", "exact"), ("points", "term"))
     )
+    ways = [plain.travel_mm for _, plain, _ in _of(runs, ("pivot",), "exact")]
     most = extreme(results, "aside_most", "largest of these", max, asides)
     drifts = extreme(results, "points_aside", "with the term of material points", max, points)
-    travel = extreme(results, "pivot_travel", "way of the ball", max, [found["plain"].travel_mm for _, found in exact])
+    travel = extreme(results, "pivot_travel", "way of the ball", max, ways)
     straight = results.chosen("straight_bound", "a sixtieth of the ball", 0.5, unit="mm")
     far = at_least(travel, 500.0, why="a way on which it would be seen")
     outcome = all_of(at_most(most, straight), at_least(drifts, 10.0, why="it is seen"), far)

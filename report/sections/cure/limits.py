@@ -3,13 +3,11 @@
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 
-from markupsafe import Markup
-
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, rows_with, some_html, table_of
+from report.shared.arithmetic import case_html, cell_count, rows_with, some_html, table_of
 from report.shared.maps import HELD_HEIGHT_M, lost_count
 
 VARIANTS = {
@@ -19,7 +17,6 @@ VARIANTS = {
     "firm-euler": ("the same, Euler", ("firm", "firm-euler")),
 }
 """Names by variant, and which of them a run has to be tried with to be counted."""
-CASE = Markup('<span class="case" title="{}">{}</span>')
 
 
 def derive(results: Results) -> Section:
@@ -53,5 +50,5 @@ def _line(results: Results, runs: Mapping[str, Mapping[str, Row]], variant: str)
         "kept without": count(f"kept_{name}", "runs that keep the cube with nothing done", plain),
         "lost of these": count(f"limit_lost_{name}", "of these, runs that lose it this way", lost),
         "kept only so": count(f"won_{name}", "runs that keep it only this way", won),
-        "which are lost": some_html([CASE.format(run, tried[run]["plain"].label) for run in lost]) or "none",
+        "which are lost": some_html([case_html(tried[run]["plain"]) for run in lost]) or "none",
     }

@@ -89,13 +89,10 @@ def _by_hand(results: Results, plain: Value) -> Claim:
     cells = results.row["plain-c"].predicted_growth_per_s, turn, step, b
     yielding = results.value("yielding", formula, lambda g, w, ms, b: (g / w**2 + 5e-4 * ms) * b - 1, *cells)
     off = departure(results, "rough_off", "how far that is from the growth, of the latter", rough, plain)
-    formula = "the first times 1 + R m / n, less the second"
-    fine = results.value("fine", formula, lambda a, r, c: a * (1 + r) - c, braking, yielding, inward, unit="%/s")
-    rest = departure(results, "fine_off", "how far that is from the growth, of the latter", fine, plain)
     contacts = results.row["plain-c"].loaded_contact_count
     numbers = {"contacts": contacts, "yielding": yielding, "turn": turn, "b": b, "step": step}
     numbers |= {"braking": braking, "inward": inward, "rough": rough}
-    closes = at_most(off, 5.0, why="nearly all of it"), at_most(rest, 0.5, why="the same growth")
+    closes = at_most(off, 5.0, why="nearly all of it"), at_most(results.derived["law_off"], 0.5, why="the same growth")
     return Claim("by_hand", all_of(*closes, decided(contacts.value == CORNERS, contacts)), numbers)
 
 

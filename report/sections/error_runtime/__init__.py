@@ -24,7 +24,6 @@ labels = {
 
 PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "integrator", "contacts", "collide_count")
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
-SHOWN: dict[str, Column] = {"numerical error": ERROR, "grasp error": GRASP}
 
 
 def derive(results: Results) -> Section:
@@ -39,16 +38,10 @@ def derive(results: Results) -> Section:
 def _front_table(points: Points) -> Table:
     best = (row for backend in points.engines for row in points.best(points.backend_front, (backend,)))
     rows = [row for row in best if row[ERROR].value > LEAST_ERROR_MM]
-    columns = {"engine": _engine, "settings": _settings, **SHOWN, "clamped": is_clamped, "time": TIME}
-    return table_of("pads", map(_pads, rows), columns, rows)
-
-
-def _pads(row: Row) -> str:
-    return PADS[row["pads"]].removesuffix(" pads")
-
-
-def _engine(row: Row) -> str:
-    return {"mujoco-c": "C", "warp-cpu": "Warp, CPU"}.get(row.backend, "Warp")
+    engines = [{"mujoco-c": "C", "warp-cpu": "Warp, CPU"}.get(row.backend, "Warp") for row in rows]
+    columns: dict[str, Column] = {"engine": engines, "settings": _settings, "numerical error": ERROR}
+    columns |= {"grasp error": GRASP, "clamped": is_clamped, "time": TIME}
+    return table_of("pads", [PADS[row["pads"]].removesuffix(" pads") for row in rows], columns, rows)
 
 
 def _settings(row: Row) -> Markup:

@@ -118,15 +118,13 @@ def _solver_effort(points: Points) -> Claim:
     errors = [row[ERROR] for row in (*knobs, *anew) if holds_cube(row) and not uses_all_iterations(row)]
     formula = "largest change of the numerical error by solver, iterations, line search or contacts in each substep"
     base = points[SHIPPED][ERROR]
-    change = points.results.value("effort_change", formula, _farthest, base, *errors, unit="mm")
+    change = points.results.value(
+        "effort_change", formula, lambda base, *found: max(abs(each - base) for each in found), base, *errors, unit="mm"
+    )
     formula = "runs with other solver effort that hold the cube and converge"
     count = cell_count(points.results, "effort_count", formula, errors)
     outcome = all_of(within(change, floor), resolved(floor, base))
     return Claim("solver_effort", outcome, {"change": change, "floor": floor, "count": count})
-
-
-def _farthest(base: float, *found: float) -> float:
-    return max(abs(each - base) for each in found)
 
 
 def crossover_claim(points: Points) -> Claim:

@@ -4,8 +4,8 @@ from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Quantity, Value
-from measured_report.values.results import Results, Row
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results
 from report.shared.arithmetic import Column, departure, difference, extreme, share, table_of, total
 
 OBJECTS, STEPS = ("cube", "ball"), ("2ms", "10ms")
@@ -30,12 +30,11 @@ def _table(results: Results) -> Table:
     for engine, name in ENGINES.items():
         rows = [results.row[f"{kind}-2ms-{setting}-{engine}"] for kind, setting in tried]
         columns |= {f"held, {name}": [row.held_count for row in rows]}
-        columns |= {f"dropped, {name}": [_dropped(row) for row in rows]}
+        dropped = [
+            row.median_drop_s if row.median_drop_s.value or not row.held_count.value else "never" for row in rows
+        ]
+        columns |= {f"dropped, {name}": dropped}
     return table_of("object and setting", [f"{kind}, {SETTINGS[setting]}" for kind, setting in tried], columns)
-
-
-def _dropped(row: Row) -> Quantity | str:
-    return "never" if row.held_count.value and row.median_drop_s.value is None else row.median_drop_s
 
 
 def _fails_as_published(results: Results) -> Claim:

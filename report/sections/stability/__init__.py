@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from markupsafe import Markup
 
-from measured_report.parts.claim import HOLDS, Claim
+from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Quantity, absent
+from measured_report.values.quantities import absent
 from measured_report.values.results import Results, Row
 from report.sections.stability import claims
 from report.sections.stability.claims import count, family
@@ -53,7 +53,8 @@ def derive(results: Results) -> Section:
     margin = results.chosen("limit_margin", "well below the limit, or well above", LIMIT_MARGIN, unit="%")
     depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
     safe = claims.safe(results, critical, default_kd)
-    is_so = safe.outcome == HOLDS and not _holds_stiffest(default_kd)
+    stiffest = max((row.pad_ke.value for row in default_kd), default=None)
+    is_so = safe.outcome == HOLDS and not any(is_stable(row) for row in default_kd if row.pad_ke.value == stiffest)
     told = [
         safe,
         claims.gain_goes(results),
@@ -70,23 +71,16 @@ def derive(results: Results) -> Section:
     by_name = {claim.name: claim for claim in told}
     columns = {
         "holds": [by_name[name].numbers[holds] for name, holds, _ in LIMITS.values()],
-        "breaks": [_breaking(by_name[name], breaks) for name, _, breaks in LIMITS.values()],
+        "breaks": [
+            by_name[name].numbers[breaks] if breaks else "not seen" if by_name[name].outcome == HOLDS else ""
+            for name, _, breaks in LIMITS.values()
+        ],
     }
     return Section(
         tables={"limits": table_of("what", LIMITS, columns)},
         figures={"maps": _maps(results, critical, default_kd, is_so)},
         claims=told,
     )
-
-
-def _breaking(claim: Claim, name: str) -> Quantity | str:
-    """Return the number of a claim that says what breaks, or that nothing did."""
-    return claim.numbers[name] if name else "not seen" if claim.outcome == HOLDS else ""
-
-
-def _holds_stiffest(rows: Sequence[Row]) -> bool:
-    most = max((row.pad_ke.value for row in rows), default=None)
-    return any(is_stable(row) for row in rows if row.pad_ke.value == most)
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row], is_so: bool) -> Figure:

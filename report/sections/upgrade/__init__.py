@@ -39,8 +39,8 @@ def derive(results: Results, releases: Releases) -> Section:
     return Section(
         tables={
             "turns": FlipList(list(seen), shown, list(results.others)),
-            "tried": tables.tried_table(releases),
-            "speed": tables.speed_table(releases),
+            "tried": tables.side_by_side("slip [mm]", releases, tables.TRIED),
+            "speed": tables.side_by_side("", releases, {headline.label: headline for headline in tables.SPEEDS}),
             "numbers": tables.number_table(releases),
             "options": tables.option_table(releases),
         },

@@ -31,17 +31,20 @@ SPEEDS = (
     Query("leave_out.without-all.frame_ms", label="on the CPU, a frame without what is unneeded [ms]", device="cpu"),
 )
 TRIED = {
-    SHIPPED: "shipped pads",
-    TAKEN: "friction rows' time constant taken out",
-    GIVEN: "two substeps written into it",
-    SWITCHED: "switched off: kf below zero",
-    "as-shipped-kf-100": "kf 100",
-    "as-shipped-kf-10": "kf 10",
-    "as-shipped-kf-3": "kf 3",
-    "as-shipped-mujoco-contacts": "contacts found by MuJoCo",
-    "stiff-pads": "stiff pads",
-    "stiff-pads-mujoco-contacts": "stiff pads, contacts found by MuJoCo",
-    "hold": "arm held still",
+    label: Query(f"upgrade.{case}.slip_mm")
+    for case, label in {
+        SHIPPED: "shipped pads",
+        TAKEN: "friction rows' time constant taken out",
+        GIVEN: "two substeps written into it",
+        SWITCHED: "switched off: kf below zero",
+        "as-shipped-kf-100": "kf 100",
+        "as-shipped-kf-10": "kf 10",
+        "as-shipped-kf-3": "kf 3",
+        "as-shipped-mujoco-contacts": "contacts found by MuJoCo",
+        "stiff-pads": "stiff pads",
+        "stiff-pads-mujoco-contacts": "stiff pads, contacts found by MuJoCo",
+        "hold": "arm held still",
+    }.items()
 }
 SETTINGS = config().changes.settings
 """Kinds of rows that are no runs: each has a name and a value."""
@@ -55,16 +58,7 @@ DRAWN = {
 """What is drawn: its name, colour and dashes."""
 
 
-def speed_table(releases: Releases) -> Table:
-    return _side_by_side("", releases, {headline.label: headline for headline in SPEEDS})
-
-
-def tried_table(releases: Releases) -> Table:
-    asked = {label: Query(f"upgrade.{case}.slip_mm") for case, label in TRIED.items()}
-    return _side_by_side("slip [mm]", releases, asked)
-
-
-def _side_by_side(heading: str, releases: Releases, asked: Mapping[str, Query]) -> Table:
+def side_by_side(heading: str, releases: Releases, asked: Mapping[str, Query]) -> Table:
     lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in asked.values()]
     columns = {f"Newton {release}": cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)}
     return table_of(heading, asked, columns)
