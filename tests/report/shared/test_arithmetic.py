@@ -21,10 +21,10 @@ def test_a_cell_that_is_not_there_says_why(results):
     assert arithmetic.cell_or_absent(soft, "slip_mm", "mm") == soft.slip_mm
     for row, column in ((soft, "drift_mm"), (None, "slip_mm")):
         assert arithmetic.cell_or_absent(row, column, "mm", "it fell") == absent("mm", "it fell")
-    later = replace(results, others={"toy": results})
-    assert arithmetic.other_cell(later, "toy", "soft", "slip_mm", unit="mm") == soft.slip_mm
+    found = arithmetic.Found({"toy": results})
+    assert found.cell("toy", "soft", "slip_mm", "mm") == soft.slip_mm
     for section, case, reason in (("toy", "firm", "does not say"), ("noise", "soft", "has no results here")):
-        assert arithmetic.other_cell(later, section, case, "slip_mm", unit="mm").reason == f"section {section} {reason}"
+        assert found.cell(section, case, "slip_mm", "mm").reason == f"section {section} {reason}"
 
 
 def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
