@@ -105,17 +105,13 @@ def measure(conditions: Conditions) -> list[dict]:
 def row_of(motion: Motion, variant: str, engine: str, conditions: Conditions) -> dict[str, object]:
     row = {"case": f"{motion.name}-{motion.body}-{variant}-{engine}", "motion": motion.name, "body": motion.body}
     row |= {"variant": variant, "backend": engine, "contact_bias": variant != "plain"}
-    try:
-        return row | columns_of(motion, path_of(motion, variant, engine, conditions))
-    except RunFailed as failed:
-        return row | absent(COLUMNS[motion.place], str(failed))
-
-
-def path_of(motion: Motion, variant: str, engine: str, conditions: Conditions) -> np.ndarray:
-    """Return the body's places [m], shape [samples, 3]; RunFailed as from the engine."""
     exact = partial(contact_place.install, centred=motion.place == "table", normal=True)
     term = {"plain": None, "term": contact_bias_c.subtract_bias, "exact": exact}[variant]
-    return run(engine, motion.mjcf, SECONDS[motion.place][conditions.profile], conditions.device, term)[0]
+    try:
+        path, _ = run(engine, motion.mjcf, SECONDS[motion.place][conditions.profile], conditions.device, term)
+        return row | columns_of(motion, path)
+    except RunFailed as failed:
+        return row | absent(COLUMNS[motion.place], str(failed))
 
 
 def columns_of(motion: Motion, path: np.ndarray) -> dict[str, float]:

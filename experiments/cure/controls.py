@@ -13,16 +13,8 @@ import mujoco
 import numpy as np
 import warp as wp
 
-from experiments.cure.turntable import (
-    MASS_KG,
-    SAMPLE_S,
-    SETTLE_S,
-    TURN_RAD_S,
-    Variant,
-    growth_per_s,
-    predicted_growth_per_s,
-    run,
-)
+from experiments.cure import turntable
+from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, summarize
 from experiments.simulation.mjcf_engines import numbers
@@ -69,15 +61,15 @@ def measure(conditions: Conditions) -> list[dict]:
 
 
 def row_of(motion: str, engine: str, conditions: Conditions) -> dict[str, object]:
-    path, contacts = run(engine, walls(motion), SECONDS[conditions.profile], conditions.device)
+    path, contacts = turntable.run(engine, walls(motion), SECONDS[conditions.profile], conditions.device)
     outward = path[:, 0] if motion == "straight" else np.hypot(*path[:, :2].T)
     settled = outward[round(SETTLE_S / SAMPLE_S) :]
     row = {"case": f"control-{motion}-plain-{engine}", "control": motion, "backend": engine, "contact_bias": False}
     row["drift_mm_s"] = float(1e3 * (settled[-1] - settled[0]) / (SAMPLE_S * (len(settled) - 1)))
     if motion == "straight":
         return row
-    row["growth_per_s"] = growth_per_s(outward, SETTLE_S)
-    return row | {"predicted_growth_per_s": predicted_growth_per_s(Variant(), contacts)}
+    row["growth_per_s"] = turntable.growth_per_s(outward, SETTLE_S)
+    return row | {"predicted_growth_per_s": turntable.predicted_growth_per_s(turntable.Variant(), contacts)}
 
 
 def measure_jacobians(conditions: Conditions) -> list[dict]:

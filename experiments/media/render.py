@@ -64,7 +64,10 @@ def make_clips(project: Project, device: wp.Device) -> None:
     if not project.record_path("poses").exists():
         raise ReportError(f"no poses of Newton {project.release} are kept; {project.rerun('poses')} keeps them")
     poses = load_record(project.record_path("poses"))
-    clips = {case: kept_clip(project, poses, case) for case in shown.RUNS}
+    clips, path = {}, project.record_path("poses")
+    for case, pair in shown.RUNS.items():
+        left, right = (kept_run(row_of(poses, run), load_trace(trace_path(path, run))) for run in pair)
+        clips[case] = Clip((left, right), shown.RUNS[shown.FIRST])
     rows = [make_clip(project, case, clip, device.alias) for case, clip in clips.items()]
     frequency_hz = row_of(poses, shown.RUNS[shown.FIRST][0])["shake_frequency_hz"]
     rows.append(make_still(project, clips[shown.FIRST], frequency_hz, device.alias))
@@ -85,13 +88,6 @@ def make_clips(project: Project, device: wp.Device) -> None:
     traces = {case: packed(path, case, readout_table(clip)) for case, clip in clips.items()}
     write_record(path, record, traces)
     print(f"{len(rows)} files in {record.measured['seconds']:.0f} s → {path}")
-
-
-def kept_clip(project: Project, poses: Record, case: str) -> Clip:
-    """Return the clip ``case`` of the kept runs that it shows."""
-    path = project.record_path("poses")
-    left, right = (kept_run(row_of(poses, run), load_trace(trace_path(path, run))) for run in shown.RUNS[case])
-    return Clip((left, right), shown.RUNS[shown.FIRST])
 
 
 def readout_table(clip: Clip) -> pd.DataFrame:

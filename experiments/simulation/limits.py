@@ -7,7 +7,6 @@ from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
 from experiments.simulation.task import FRAME_RATE, SHAKE_RATIO_Z
 
-GRAVITY = AS_SHIPPED.gravity_m_s2
 PAD_DMAX = AS_SHIPPED.pad_dmax
 
 

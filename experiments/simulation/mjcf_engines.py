@@ -186,7 +186,6 @@ class ThroughNewton(InWarp):
         self.solver.step(back, there, self.control, None, self.time_step)
 
 
-Engine = InC | InWarp
 ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
 """Engines by the names that cases say."""
 

@@ -1,13 +1,14 @@
 """Cost of the cure: time of a frame with and without it, in one world and in many."""
 
-from collections.abc import Mapping
+from collections.abc import Sequence
+from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, within
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, table_of
-from report.shared.timing import TIMED_WORLDS, RowsBy, compared, fine_enough, resolution, worlds_name
+from report.shared.timing import TIMED_WORLDS, RowsBy, fine_enough, resolution, worlds_name
 
 order = 144
 page = "cure"
@@ -23,27 +24,22 @@ CASES = {
 """Labels of what is compared with the scene as shipped."""
 TESTED = ("best", "firm")
 """Cases that should be no slower."""
-Shares = Mapping[tuple[str, int], Quantity]
-"""Shares [%] by case and number of worlds."""
 
 
 def derive(results: Results) -> Section:
-    rows = RowsBy(results, results.rows, "case", "worlds")
-    extra, seen = {}, {}
-    for case in CASES:
-        for count in TIMED_WORLDS:
-            row = rows[case, count]
-            formula = f"time of a frame with {case} over that as shipped, timed in turn, less one"
-            name = f"{case}_extra_{count}"
-            more = results.value(name, formula, lambda taken: 100 * (taken - 1), row.frame_ratio, unit="%")
-            extra[case, count] = more
-            if case in TESTED:
-                seen[case, count] = _seen(results, f"{case}_seen_{count}", row, more)
-    worst = resolution(results, "resolution", compared(results.rows))
-    costs = [_costs_nothing(results, extra, seen, case, worst) for case in TESTED]
+    rows, extra = RowsBy(results, results.rows, "case", "worlds"), {}
+    for case, count in product(CASES, TIMED_WORLDS):
+        formula = f"time of a frame with {case} over that as shipped, timed in turn, less one"
+        name, cell = f"{case}_extra_{count}", rows[case, count].frame_ratio
+        extra[case, count] = results.value(name, formula, lambda taken: 100 * (taken - 1), cell, unit="%")
+    worst = resolution(results, "resolution", results.rows)
+    costs = []
+    for case in TESTED:
+        more = [extra[case, count] for count in TIMED_WORLDS]
+        seen = [_seen(results, f"{case}_seen_{n}", rows[case, n], extra[case, n]) for n in TIMED_WORLDS]
+        costs.append(_costs_nothing(results, case, list(zip(more, seen, strict=True)), worst))
     columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}
-    table = table_of("way", CASES.values(), columns, resolution=worst)
-    return Section(tables={"ways": table}, claims=costs)
+    return Section(tables={"ways": table_of("way", CASES.values(), columns, resolution=worst)}, claims=costs)
 
 
 def _seen(results: Results, name: str, row: Row, extra: Value) -> Value:
@@ -56,8 +52,7 @@ def _seen(results: Results, name: str, row: Row, extra: Value) -> Value:
     return results.value(name, formula, known, row.ratio_resolution, extra, unit="%", is_noise=True)
 
 
-def _costs_nothing(results: Results, extra: Shares, seen: Shares, case: str, known: Value) -> Claim:
-    pairs = [(extra[case, count], seen[case, count]) for count in TIMED_WORLDS]
+def _costs_nothing(results: Results, case: str, pairs: Sequence[tuple[Value, Value]], known: Value) -> Claim:
     seen_more = [more for more, noise in pairs if None in (more.value, noise.value) or more.value > noise.value]
     formula = "by how much a frame takes longer where it is seen, most of all numbers of worlds"
     worst = results.value(f"{case}_worst", formula, lambda *more: max(more, default=0.0), *seen_more, unit="%")

@@ -13,12 +13,6 @@ reads = ("stiffness",)
 leads = True
 label = "the fix as files"
 
-PASSED = {True: "passes", False: "fails"}
-
-
-def test_passed(row: Row) -> bool:
-    return row.exit_status.value == 0
-
 
 def derive(results: Results) -> Section:
     shipped, fixed = results.row["as-shipped"], results.row["fixed"]
@@ -31,7 +25,7 @@ def derive(results: Results) -> Section:
 def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
     bound, formula = results.chosen("gain_bound", *SETTLES), "slip of as-shipped over slip of fixed"
     gain = ratio(results, "gain", formula, shipped.slip_mm, fixed.slip_mm)
-    outcome = all_of(at_least(gain, bound), decided(test_passed(fixed), fixed.slip_mm))
+    outcome = all_of(at_least(gain, bound), decided(fixed.exit_status.value == 0, fixed.slip_mm))
     return Claim("recommended", outcome, {"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain})
 
 
@@ -54,7 +48,7 @@ def _patch_rounds_up(results: Results) -> Claim:
 
 
 def _test_tells(shipped: Row, fixed: Row) -> Claim:
-    is_told = test_passed(fixed) and not test_passed(shipped)
+    before, after = ("passes" if row.exit_status.value == 0 else "fails" for row in (shipped, fixed))
     # A script that breaks down has no slip, and fails the test for another reason.
-    numbers = {"before": PASSED[test_passed(shipped)], "after": PASSED[test_passed(fixed)]}
-    return Claim("test_tells", decided(is_told, shipped.slip_mm, fixed.slip_mm), numbers)
+    outcome = decided((before, after) == ("fails", "passes"), shipped.slip_mm, fixed.slip_mm)
+    return Claim("test_tells", outcome, {"before": before, "after": after})

@@ -15,7 +15,7 @@ from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import DEVICES, Column, case_html, difference, largest_size, noise_floor, ratio, table_of
 from report.shared.drawing import CURE, SHIPPED, STIFF, name_lines
-from report.shared.timing import RowsBy, compared, resolution, worlds_name
+from report.shared.timing import RowsBy, resolution, worlds_name
 
 order = 150
 page = "error"
@@ -54,7 +54,7 @@ def derive(results: Results) -> Section:
         name, formula = f"cuda_{case}_difference".replace("-", "_"), f"slip of {case} less that of {REFERENCE}"
         differences[case] = difference(results, name, f"{formula}, on the same device", row.slip_mm, base)
     for device in DEVICES:
-        own = compared(row for (of, *_), row in timed.items() if of == device)
+        own = (row for (of, *_), row in timed.items() if of == device)
         known[device] = resolution(results, f"{device}_resolution", own)
     return Section(
         tables={"audit": audit_table(results), "cost": cost_table(timed, differences, known)},
@@ -73,14 +73,17 @@ def _device(timed: Timed) -> str:
     return max((device for device, *_ in timed), default="cuda")
 
 
-def _saved(results: Results, name: str, row: Row) -> Value:
+def _saved(results: Results, timed: Timed, device: str, case: str, worlds: int) -> Value:
+    """Derive, once, what a frame takes less than exactly as shipped."""
+    name = f"{device}_{case}_{worlds}_less".replace("-", "_")
     formula = "what a frame takes less than exactly as shipped, timed in turn"
-    return results.value(name, formula, lambda taken: 100 * (1 - taken), row.frame_ratio, unit="%")
+    cell = timed[device, case, worlds].frame_ratio
+    return results.derived.get(name) or results.value(name, formula, lambda taken: 100 * (1 - taken), cell, unit="%")
 
 
-def _is_faster(results: Results, row: Row, name: str) -> Outcome:
-    noise = resolution(results, f"{name}_resolution", [row])
-    return greater(_saved(results, f"{name}_saved", row), 1.0, noise=noise, why="a gain worth naming")
+def _is_faster(results: Results, timed: Timed, device: str, worlds: int) -> Outcome:
+    noise = resolution(results, f"{device}_without_all_{worlds}_resolution", [timed[device, ALL, worlds]])
+    return greater(_saved(results, timed, device, ALL, worlds), 1.0, noise=noise, why="a gain worth naming")
 
 
 def _faster_on_gpu(results: Results, timed: Timed, known: Value) -> Claim:
@@ -89,7 +92,7 @@ def _faster_on_gpu(results: Results, timed: Timed, known: Value) -> Claim:
     for worlds in (1, MANY_COUNT):
         row = timed["cuda", ALL, worlds]
         gains.append(results.value(f"cuda_gain_{worlds}", formula, lambda taken: 1 / taken, row.frame_ratio))
-        outcomes.append(_is_faster(results, row, f"cuda_without_all_{worlds}"))
+        outcomes.append(_is_faster(results, timed, "cuda", worlds))
     numbers = {"one": gains[0], "many": gains[1], "worlds": timed["cuda", ALL, MANY_COUNT].worlds}
     return Claim("faster_on_gpu", all_of(*outcomes).having_read(known), numbers)
 
@@ -100,7 +103,7 @@ def _faster_on_cpu(results: Results, timed: Timed, known: Value) -> Claim:
     formula = "time of a frame on the CPU exactly as shipped over that without all of it, less its resolution"
     sources = row.frame_ratio, row.ratio_resolution
     gain = results.value("cpu_gain_least", formula, lambda taken, seen: 1 / taken / (1 + seen), *sources, is_noise=True)
-    outcome = _is_faster(results, row, "cpu_without_all_1").having_read(gain, known)
+    outcome = _is_faster(results, timed, "cpu", 1).having_read(gain, known)
     return Claim("faster_on_cpu", outcome, {"gain": gain})
 
 
@@ -166,13 +169,10 @@ class Fall:
 
 
 def _fall(results: Results, timed: Timed, device: str, worlds: int) -> Fall:
-    def saved(case: str) -> Value:
-        return _saved(results, f"{device}_{case}_{worlds}_less".replace("-", "_"), timed[device, case, worlds])
-
     alone = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)
-    steps = {case: (saved(case), timed[device, case, worlds]) for case in alone}
+    steps = {case: (_saved(results, timed, device, case, worlds), timed[device, case, worlds]) for case in alone}
     formula = "what a frame without all of it takes less, less what it takes less for each thing that was timed alone"
-    cells = saved(ALL), *(step for step, _ in steps.values() if step.value is not None)
+    cells = _saved(results, timed, device, ALL, worlds), *(step for step, _ in steps.values() if step.value is not None)
     name = f"{device}_together_{worlds}_less"
     rest = results.value(name, formula, lambda whole, *each: whole - sum(each), *cells, unit="%")
     return Fall(worlds, steps, rest, (timed[device, REFERENCE, worlds], timed[device, ALL, worlds]))

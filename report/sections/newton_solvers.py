@@ -5,7 +5,7 @@ from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 from report.shared.arithmetic import Column, share, table_of
-from report.shared.timing import TIMED_WORLDS, RowsBy, compared, resolution
+from report.shared.timing import TIMED_WORLDS, RowsBy, resolution
 
 order = 188
 page = "scenes"
@@ -159,6 +159,6 @@ def _costs_more(results: Results, times: RowsBy) -> Claim:
         results.value(f"extra_{name}", formula, lambda taken: 100 * (taken - 1), row.frame_ratio, unit="%")
         for name, row in zip(("alone", "many"), ends, strict=True)
     )
-    known = resolution(results, "resolution", compared(times.values()))
+    known = resolution(results, "resolution", times.values())
     outcome = all_of(greater(alone, 0.0, noise=known, why="none"), greater(many, 0.0, noise=known, why="none"))
     return Claim("costs_more", outcome, {"alone": alone, "many": many, "worlds": ends[1].worlds})

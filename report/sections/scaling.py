@@ -8,7 +8,7 @@ from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, table_of
-from report.shared.timing import TIMED_WORLDS, compared, fine_enough, resolution, worlds_name
+from report.shared.timing import TIMED_WORLDS, fine_enough, resolution, worlds_name
 
 order = 170
 page = "error"
@@ -27,7 +27,7 @@ WAYS = {
 
 def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "way" not in row]
-    worst = resolution(results, "resolution", compared(rows))
+    worst = resolution(results, "resolution", rows)
     columns: dict[str, Column] = {
         **{"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": "frame_ratio"},
         **{"all substeps": "world_substeps_per_s", "memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"},

@@ -5,7 +5,7 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
 from report.shared.arithmetic import by_case
-from report.shared.timing import compared, resolution
+from report.shared.timing import resolution
 
 order = 160
 page = "error"
@@ -21,7 +21,7 @@ labels = {
 
 def derive(results: Results) -> Section:
     columns = {"a frame": "frame_ms", "of shipped pads": "frame_ratio", "of real time": "realtime_factor"}
-    worst = resolution(results, "resolution", compared(results.rows))
+    worst = resolution(results, "resolution", results.rows)
     table = by_case(results.rows, columns, resolution=worst)
     return Section(tables={"frames": table}, claims=[_same_time(results, worst)])
 

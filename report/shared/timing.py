@@ -33,15 +33,11 @@ class RowsBy(dict):
 
 
 def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
-    """Derive to within what share the ratios of these rows are known [%], the largest of them."""
+    """Derive to within what share the ratios of these rows are known [%], the largest of them; the reference has none,
+    and others may have no time."""
     formula = "half the 95 % interval of the ratio of two times measured in turn, the largest"
-    cells = [row.ratio_resolution for row in rows]
+    cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row and row.ratio_resolution.value]
     return results.value(name, formula, lambda *found: 100 * max(found), *cells, unit="%", is_noise=True)
-
-
-def compared(rows: Iterable[Row]) -> list[Row]:
-    """Select the rows that have a ratio; the reference has none, and others may have no time."""
-    return [row for row in rows if "ratio_resolution" in row and row.ratio_resolution.value]
 
 
 def fine_enough(unseen: Quantity) -> Outcome:

@@ -1,6 +1,7 @@
 """Bodies that tumble, with the exact term and without: does it put energy into any of them?"""
 
 import math
+from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
@@ -20,23 +21,17 @@ VARIANTS = {
 def derive(results: Results) -> Section:
     rows = rows_with(results, "tumbling", "step_ms")
     bodies = dict.fromkeys(row.tumbling for row in rows)
-    counts = {
-        variant: {
-            body: _gains(results, variant, body, [row for row in rows if row.tumbling == body]) for body in bodies
-        }
-        for variant in VARIANTS
-    }
+    formula = "worlds of all steps whose energy ends over 1 % above its start, or as no number"
+    counts: dict[str, dict[str, Value]] = {}
+    for variant, body in product(VARIANTS, bodies):
+        cells = [row[f"{variant}_gain_count"] for row in rows if row.tumbling == body]
+        counts.setdefault(variant, {})[body] = total(results, f"{variant}_{body}_gains", formula, cells)
     columns = {heading: list(counts[variant].values()) for variant, heading in VARIANTS.items()}
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, unit="%")
     return Section(
         tables={"tumbles": table_of("body", bodies, columns, rows, gain=gain)},
         claims=[_gains_nothing(results, rows, counts, gain)],
     )
-
-
-def _gains(results: Results, variant: str, body: str, rows: list[Row]) -> Value:
-    formula = "worlds of all steps whose energy ends over 1 % above its start, or as no number"
-    return total(results, f"{variant}_{body}_gains", formula, [row[f"{variant}_gain_count"] for row in rows])
 
 
 def _by_chance(*counts: float) -> float:

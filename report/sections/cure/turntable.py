@@ -6,7 +6,7 @@ from dataclasses import replace
 from measured_report.parts.claim import FAILS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.shared.arithmetic import Column, cell_count, departure, difference, extreme, largest_size, table_of
 
 ENGINES = ("warp", "c")
@@ -38,8 +38,14 @@ def derive(results: Results) -> Section:
     why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
     resolution = results.chosen("resolution", why, 2e-3, unit="%/s")
     rows = {case: results.row[case] for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES)}
+    formula = "{} of {}, in percent of the distance from the axis"
     measured, law = (
-        {case: _percent(results, row, column) for case, row in rows.items()}
+        {
+            case: results.value(
+                f"{case}_{column}", formula.format(column, case), lambda g: 100 * g, row[column], unit="%/s"
+            )
+            for case, row in rows.items()
+        }
         for column in ("growth_per_s", "predicted_growth_per_s")
     )
     columns: dict[str, Column] = {
@@ -55,11 +61,6 @@ def derive(results: Results) -> Section:
             _cured(results, measured, resolution),
         ],
     )
-
-
-def _percent(results: Results, row: Row, column: str) -> Value:
-    formula = f"{column} of {row.case}, in percent of the distance from the axis"
-    return results.value(f"{row.case}_{column}", formula, lambda rate: 100 * rate, row[column], unit="%/s")
 
 
 def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[str, Value], resolution: Value) -> Claim:

@@ -22,7 +22,7 @@ from report.sections.error_runtime.runs import (
     with_shipped_steps,
 )
 from report.shared.arithmetic import cell_count, quantile, ratio, resolved, share, told
-from report.shared.timing import compared, resolution
+from report.shared.timing import resolution
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
@@ -132,7 +132,11 @@ def crossover_claim(points: Points) -> Claim:
     # From the times that it took in turn with each number of worlds: alone a core may run at another pace.
     formula = "simulated seconds of one world per second, MuJoCo C on one core, median of all comparisons"
     pairs = [quantity for row in rows for quantity in (row.time_ratio, row.ms_per_s)]
-    one_core = results.value("one_core_rate", formula, _rate_of_one, *pairs, unit="world-s/s")
+
+    def rate_of_one(*cells: float) -> float:
+        return float(np.median([1e3 * ratio / time for ratio, time in zip(cells[::2], cells[1::2], strict=True)]))
+
+    one_core = results.value("one_core_rate", formula, rate_of_one, *pairs, unit="world-s/s")
     formula, unit = "simulated seconds of all worlds together per second", one_core.unit
     rates = [
         results.value(f"rate_{row.case}", formula, lambda n, time: 1e3 * n / time, row.worlds, row.ms_per_s, unit=unit)
@@ -146,7 +150,7 @@ def crossover_claim(points: Points) -> Claim:
         *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
     )
     engine = ENGINES[rows[0].backend]
-    worst = resolution(results, "worlds_resolution", compared(rows))
+    worst = resolution(results, "worlds_resolution", rows)
     first, last = rates[0], rates[-1]
     formula = "speed of C on one core over that of Warp with one world"
     advantage = ratio(results, "one_core_advantage", formula, one_core, first)
@@ -159,10 +163,6 @@ def crossover_claim(points: Points) -> Claim:
     outcome = all_of(*ends, contiguous(is_ahead, *rates, one_core))
     numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
     return Claim("crossover", outcome, numbers | {"most": points.worlds[-1].worlds})
-
-
-def _rate_of_one(*cells: float) -> float:
-    return float(np.median([1e3 * ratio / time for ratio, time in zip(cells[::2], cells[1::2], strict=True)]))
 
 
 def crossing(level: float, worlds: Sequence[float], rates: Sequence[float]) -> float:

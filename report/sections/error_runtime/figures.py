@@ -35,7 +35,8 @@ def draw_numerical(points: Points) -> Drawing:
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
             if mine:
                 _draw_engine(axes, mine, points.backend_front, backend)
-            _mark_shipped(axes, points.shipped(pads, backend))
+            if (row := points.shipped(pads, backend)) and row[ERROR].value:
+                _star(axes, _place(row), row, write(row[ERROR]), (8, 4))
         if pads == "stiff":
             _mark_worlds(axes, points)
     panels[0][0].set_ylabel("numerical error [mm]")
@@ -86,11 +87,6 @@ def _mark_worlds(axes: Axes, points: Points) -> None:
         if one and one[ERROR].value and row[TIME].value:
             place = (_time_per_world(row), one[ERROR].value)
             _star(axes, place, one, f"{write(row.worlds)} worlds, each", (-4, -16))
-
-
-def _mark_shipped(axes: Axes, row: Row | None) -> None:
-    if row and row[ERROR].value:
-        _star(axes, _place(row), row, write(row[ERROR]), (8, 4))
 
 
 def _star(axes: Axes, place: tuple[float, float], row: Row, text: str, beside: tuple[int, int]) -> None:
