@@ -25,7 +25,7 @@ from markupsafe import Markup
 import report.sections
 from measured_report.changes.compare import Comparison, compare
 from measured_report.editions.project import Project, own_release
-from measured_report.editions.status import state_of
+from measured_report.editions.status import states_of
 from measured_report.files.atomic import locked
 from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
@@ -200,7 +200,7 @@ class Toy:
         write_record(self.record_path, self.record(rows), traces)
 
     def state(self):
-        return state_of(self.project, "toy")
+        return next(state for state in states_of(self.project) if state.section == "toy")
 
     def of(self, release: str) -> "Toy":
         """The same project with another Newton release."""
@@ -384,7 +384,9 @@ def contents(editions: Mapping[str, Edition], templates: Templates, release: str
 def undrawn(parts: Sequence[Prose]) -> str:
     """The words of some parts; of a figure those below it."""
     figure = Markup("<figure><figcaption>{}</figcaption></figure>")
-    shown = ({each.anchor: figure.format(each.caption) for each in part.figures} for part in parts)
+    shown = (
+        {each.anchor: figure.format(each.wording("caption", each.numbers)) for each in part.figures} for part in parts
+    )
     return "".join(f"<h2>{part.title}</h2>{part.html(figures)}" for part, figures in zip(parts, shown, strict=True))
 
 

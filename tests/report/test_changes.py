@@ -86,7 +86,7 @@ def repeats_drawn(noise: Record, draw: random.Random) -> Callable[[Mapping], dic
     for row in (row for row in noise.rows if "of" in row):
         runs.setdefault(row["of"], []).append(row)
     of_all = set(noise.units).intersection(*(row for rows in runs.values() for row in rows))
-    measured = [name for name in of_all if not column_of(name).kinds and not column_of(name).is_count]
+    measured = [name for name in of_all if not column_of(name).kinds and not name.endswith("_count")]
     means = {(case, name): fmean(row[name] for row in rows) for case, rows in runs.items() for name in measured}
 
     def scattered(row: Mapping) -> dict:
@@ -99,7 +99,7 @@ def repeats_drawn(noise: Record, draw: random.Random) -> Callable[[Mapping], dic
         new = dict(row)
         for name, cell in row.items():
             about = column_of(name)
-            if not isinstance(cell, float) or about.kinds or about.is_count:
+            if not isinstance(cell, float) or about.kinds or name.endswith("_count"):
                 continue
             if case in runs and name in measured:
                 new[name] = again[name]

@@ -53,7 +53,7 @@ def search(toy, monkeypatch) -> Bisection:
     keep(toy, "1.5.9", ROWS, OLD)
     for release in ("1.6.9", "1.7.9", "1.8.9"):
         keep(toy, release, WORSE, NEW)
-    return Bisection(toy.project, Query("toy.helps", True), "cpu", Templates(toy.project.templates))
+    return Bisection(toy.project, Query("toy.helps", True), "cpu")
 
 
 def searched(search: Bisection, last: str = "1.8.9") -> list[str]:

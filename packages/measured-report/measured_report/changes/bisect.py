@@ -8,12 +8,11 @@ from typing import Any
 from measured_report.changes.query import Answer, Query
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of, releases_between
-from measured_report.editions.status import state_of
+from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError, suggestion
 from measured_report.measuring.measure import measure
 from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
 from measured_report.records.identity import MISSING, git
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.record import load_record
@@ -30,7 +29,6 @@ class Bisection:
     project: Project
     query: Query
     device: str
-    templates: Templates
 
     def answer(self, release: Release) -> Answer | None:
         """Return what a release answers, measured unless it has records of that."""
@@ -45,7 +43,7 @@ class Bisection:
         side = self._side(release, sections)
         if lacking := _lacking(side, sections):
             side = measure(side, release, lacking, self.device)
-        edition = editions_of(side, self.templates, among=[side.release])[side.release]
+        edition = editions_of(side, among=[side.release])[side.release]
         known = [*self.query.names(edition.chapters)]
         if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in known:
             raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, known)}")
@@ -80,10 +78,8 @@ class Bisection:
 
 def _lacking(project: Project, sections: Sequence[str]) -> list[str]:
     """Name those without a record of what would be measured; one of older code will do."""
-    states = [state_of(project, section) for section in sections]
-    return [
-        each.section for each in states if not each.record or any(note.startswith("packages") for note in each.notes)
-    ]
+    states = (state for state in states_of(project) if state.section in sections)
+    return [state.section for state in states if not state.record or "packages" in state.summary]
 
 
 def said(answer: Answer | None) -> str:
@@ -129,9 +125,7 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
     return "\n".join([*told, _which_package(search, before, after, is_first)])
 
 
-def _which_package(
-    search: Bisection, before: Release, after: Release, is_first: Callable[[Release], bool | None]
-) -> str:
+def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable) -> str:
     """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
     old, new = search.packages(before), search.packages(after)
     groups = [names for names in config().changes.together if any(old[name] != new[name] for name in names)]

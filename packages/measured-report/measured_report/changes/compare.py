@@ -9,9 +9,8 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.moves import Move, cells_between, cost_terms
-from measured_report.files.config import config
+from measured_report.files.config import Page, config
 from measured_report.pages.editions import Chapters, Edition, Releases
-from measured_report.pages.sections import Page
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
 from measured_report.records.columns import UNBELIEVED, column_of

@@ -188,7 +188,8 @@ def _comparable(cells: Cells, records: Sequence[Record]) -> Iterator[str]:
         elif any(lost) or ("cost" in about.kinds and not has_same_terms):
             is_so = False
         else:  # of runs that were not set alike nothing, and of those that ran for longer or shorter rates alone
-            is_so = not unlike or about.is_setting or (about.is_rate and all("setting" in kinds for kinds in unlike))
+            is_rate = about.unit.endswith(("/s", "/cycle"))
+            is_so = not unlike or about.is_setting or (is_rate and all("setting" in kinds for kinds in unlike))
         if is_so:
             yield column
 

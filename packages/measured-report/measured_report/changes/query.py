@@ -94,7 +94,7 @@ class Query:
             yield from (f"{name}.{each}" for each in found)
         for name in [] if self.is_claim else get_close_matches(self.section, chapters, n=1):
             for case, row in chapters[name].results.row.items():
-                numbers = (column for column in row.columns if isinstance(row[column], Quantity))
+                numbers = (column for column in row.plain if isinstance(row[column], Quantity))
                 yield from (f"{name}.{case}.{column}" for column in numbers)
 
     def is_first(self, answer: Answer, first: Answer, last: Answer) -> bool:
@@ -185,7 +185,7 @@ def refuse_unknown_names(editions: Mapping[str, Edition], own: Edition | None) -
 
 def _columns() -> Iterator[tuple[str, str]]:
     for table in config().columns:
-        others = (table.given_beside, table.rate_of, table.known_within, table.grows_with, table.trials)
+        others = (table.rate_of, table.known_within, table.grows_with, table.trials)
         yield from (("columns", name) for name in (*table.names, *filter(None, others)))
     yield from (("repeating", name) for name in config().repeating)
     yield from (("cost_terms", name) for name in config().cost_terms)

@@ -9,7 +9,6 @@ from measured_report.commands.options import SHARED, shared
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.measuring.machine import measuring_device
-from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections
 
 OPTIONS = {**shared("claim", "value", "a", "b", "device"), "profile": {**SHARED["profile"], "default": "quick"}}
@@ -23,5 +22,5 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
         raise UsageError(f"{query.text} is in no section{suggestion(query.section, sections())}")
     steps = 2 + math.ceil(math.log2(len(points_between(*ends)) - 1))
     print(f"about {steps} steps, each a {project.profile} run of {query.section} where there is none", flush=True)
-    print(bisect(Bisection(project, query, device, Templates(project.templates)), *ends))
+    print(bisect(Bisection(project, query, device), *ends))
     return 0

@@ -8,18 +8,15 @@ from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.commands.page import say_damage
 from measured_report.editions.project import Project
 from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
 
-OPTIONS = {
-    **shared("edition", "profile", "format"),
-    "strict": {"action": "store_true", "help": "1: end with status 1 when anything can't be trusted"},
-}
+STRICT = {"action": "store_true", "help": "1: end with status 1 when anything can't be trusted"}
+OPTIONS = {**shared("edition", "profile", "format"), "strict": STRICT}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print the claims; 1 where a record is damaged."""
     refuse_unmeasured(project, arguments.release.asked)
-    edition = editions_of(project, Templates(project.templates))[project.release]
+    edition = editions_of(project)[project.release]
     print(check_text(edition, arguments.format))
     damaged = say_damage(edition.left_out)
     return int(damaged or (arguments.strict and bool(faults_of(edition))))

@@ -9,7 +9,6 @@ from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
 from measured_report.site.build import inputs_digest
 
 OPTIONS = shared("a", "b", "profile", "format")
@@ -25,7 +24,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     cache = Cache(project.root)
     found = cache.get("diff", key)
     if not found:
-        editions = editions_of(project, Templates(project.templates), DerivedCache(project.root), among=names)
+        editions = editions_of(project, cache=DerivedCache(project.root), among=names)
         comparison = compare(*(editions[name] for name in names))
         rate = sum((rate_of(editions[name]) for name in names), Rate())
         text = diff_text(comparison, rate_text(rate), arguments.format)

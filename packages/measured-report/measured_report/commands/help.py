@@ -12,9 +12,8 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print all commands with the variables that each takes, and what each variable is."""
     said: dict[str, str] = {}
     for name, module in ((name, import_module(place)) for name, place in commands().items()):
-        options = {
-            name: option for name, option in options_of(module).items() if name != "DEVICE" or config().needs_gpu
-        }
+        told = options_of(module).items()
+        options = {each: option for each, option in told if each != "DEVICE" or config().needs_gpu}
         print(f"make {name:9} {help_of(module)}" + (f" [{' '.join(options)}]" if options else ""))
         said |= {variable: option["help"] for variable, option in options.items()}
     print()

@@ -8,14 +8,13 @@ from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
 
 OPTIONS = shared("claim", "value", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print a claim or a value; without one, the numbers that say most and the claims that flip."""
-    editions = editions_of(project, Templates(project.templates))
+    editions = editions_of(project)
     releases = {release: edition.chapters for release, edition in editions.items()}
     if not (arguments.claim or arguments.value):
         told = [history(releases, Query(value)) for value in config().changes.headlines.values()]

@@ -38,11 +38,7 @@ SHARED: dict[str, dict[str, Any]] = {
         "git+https://HOST/NAME.git@ref, or the label of what has results, as 1.2.3@cpu",
     },
     "with": {"dest": "pins", "default": "", "help": "other packages than it comes with, as PACKAGE==1.2.3"},
-    "profile": {
-        "choices": PROFILES,
-        "default": "full",
-        "help": "quick: small grids and short runs, kept apart in results/quick/",
-    },
+    "profile": {"choices": PROFILES, "default": "full", "help": "quick: small grids, short runs, in results/quick/"},
     "device": {"choices": DEVICES, "help": "cuda or cpu: where to measure; a CPU only when asked"},
     "cluster": {"type": read_cluster, "help": "who measures: local (all devices of this host) or tls://scheduler:8786"},
     "address": {"type": read_address, "default": "", "help": "where the site will lie: https://example.org/report/"},

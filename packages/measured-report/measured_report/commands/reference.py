@@ -11,7 +11,7 @@ from measured_report.records.columns import UNITS
 FILE = "REFERENCE.md"
 GENERATOR = Path(__file__).parents[1]
 TOLD = {
-    "files/config": "Config Declared Told Changes",
+    "files/config": "Config Page Declared Told Changes",
     "measuring/measurement": "Conditions Measurement absent",
     "measuring/batch": "Batch",
     "values/results": "Results Row",

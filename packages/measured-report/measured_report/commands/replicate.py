@@ -19,10 +19,8 @@ from measured_report.records.replicas import FOLDER, Records, packed, read_repli
 
 ASIDE = "replicate"
 """The folder below ``results`` of what is being measured again; what is there already is not measured twice."""
-OPTIONS = {
-    "file": {"default": "", "help": "somebody else's replica, a .tgz; without one it is measured here"},
-    **shared("edition", "device", "cluster"),
-}
+FILE = {"default": "", "help": "somebody else's replica, a .tgz; without one it is measured here"}
+OPTIONS = {"file": FILE, **shared("edition", "device", "cluster")}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -11,10 +11,8 @@ from measured_report.measuring.machine import NO_CUDA, needs_gpu
 from measured_report.measuring.measure import measure
 from measured_report.records.identity import sections
 
-OPTIONS = {
-    "section": {"default": "", "help": "section to measure"},
-    **shared("edition", "device", "cluster", "profile", "address"),
-}
+SECTION = {"default": "", "help": "section to measure"}
+OPTIONS = {"section": SECTION, **shared("edition", "device", "cluster", "profile", "address")}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

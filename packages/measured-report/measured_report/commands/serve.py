@@ -17,10 +17,8 @@ from measured_report.commands.options import EDITION, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError
 
-OPTIONS = {
-    "port": {"type": int, "default": 8000, "help": "where to serve, 8000 if not given"},
-    **shared("edition", "profile"),
-}
+PORT = {"type": int, "default": 8000, "help": "where to serve, 8000 if not given"}
+OPTIONS = {"port": PORT, **shared("edition", "profile")}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

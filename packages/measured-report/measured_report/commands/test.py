@@ -8,10 +8,8 @@ from measured_report.editions.environment import add_cluster, add_group, python_
 from measured_report.editions.project import Project
 from measured_report.editions.status import expected_packages
 
-OPTIONS = {
-    **shared("edition"),
-    "fast": {"action": "store_true", "help": "1: only what a change of words or figures needs"},
-}
+FAST = {"action": "store_true", "help": "1: only what a change of words or figures needs"}
+OPTIONS = {**shared("edition"), "fast": FAST}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:

@@ -11,7 +11,6 @@ from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.pages.editions import Chapter, Chapters, Edition, editions_of
-from measured_report.pages.prose import Templates
 from measured_report.records.columns import changed_parameters
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value, local
@@ -23,7 +22,7 @@ OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print the way of one value, from the page back to rows, cases and command."""
     refuse_unmeasured(project, arguments.release.asked)
-    print(provenance(project, editions_of(project, Templates(project.templates)), arguments.value))
+    print(provenance(project, editions_of(project), arguments.value))
     return 0
 
 

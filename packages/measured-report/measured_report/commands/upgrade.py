@@ -23,18 +23,12 @@ from measured_report.files.errors import UsageError
 from measured_report.measuring.machine import NO_CUDA, machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
 from measured_report.pages.editions import Edition, editions_of
-from measured_report.pages.prose import Templates
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import package_changes
 from measured_report.records.identity import sections as all_sections
 
-OPTIONS = {
-    "since": {
-        "type": partial(release_of, option="SINCE"),
-        "help": "edition to compare with; else the same unpinned, or the one before",
-    },
-    **shared("edition", "device", "profile", "format"),
-}
+SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compare with, in place of the one before"}
+OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
@@ -47,7 +41,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     after = _with_deciding(project, arguments.release, device, renews=True)
     before = _with_deciding(project, base, device, renews=False)
     names = [before.release, after.release]
-    editions = editions_of(project, Templates(project.templates), among=names)
+    editions = editions_of(project, among=names)
     compared = [editions[name] for name in names]
     found = compare(*compared)
     absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
@@ -100,10 +94,8 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
     """Return at most a dozen lines, worst first."""
     a, b = found.releases
     names = deciding(after.project)
-    old, new = (
-        [chapter.results.record for name, chapter in edition.chapters.items() if name in names]
-        for edition in (before, after)
-    )
+    sides = ([side.chapters[name] for name in side.chapters if name in names] for side in (before, after))
+    old, new = ([chapter.results.record for chapter in side] for side in sides)
     changed = package_changes(old[0].identity.packages, new[0].identity.packages) if old and new else []
     others = ", ".join(change for change in changed if not change.startswith(f"{config().edition} "))
     machines = " and ".join(sorted({record.machine_text for record in new}))

@@ -55,10 +55,6 @@ def states_of(project: Project) -> list[State]:
     return states
 
 
-def state_of(project: Project, section: str) -> State:
-    return next((state for state in states_of(project) if state.section == section), State(section, "missing"))
-
-
 def _read_state(project: Project, section: str) -> State:
     path = project.record_path(section)
     if not os.path.lexists(path):
@@ -100,10 +96,8 @@ def records_of(project: Project) -> Iterator[Record]:
 def status_matrix(project: Project) -> str:
     """Write the state of every section, in a column for each release."""
     with unchanged_files():
-        columns = {
-            release: {state.section: state.summary for state in states_of(project.of(release))}
-            for release in project.releases
-        }
+        states = {release: states_of(project.of(release)) for release in project.releases}
+    columns = {release: {state.section: state.summary for state in found} for release, found in states.items()}
     lines = [("section", *(f"{config().edition} {release}" for release in columns))]
     for section in sections(project.root):
         lines.append((section, *(column[section] for column in columns.values())))

@@ -139,6 +139,11 @@ def staging_folder(folder: Path) -> Iterator[Path]:
             shutil.rmtree(fresh, ignore_errors=True)
 
 
+def sums(digests: Mapping[str, str]) -> str:
+    """Write the digests of files, by name, as ``sha256sum --check`` reads them."""
+    return "".join(f"{digest}  {name}\n" for name, digest in sorted(digests.items()))
+
+
 def digests_below(folder: Path) -> dict[str, str]:
     """Digest the files below a folder, by their names there; a link, and what else is no file, has none."""
     there = (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir())

@@ -19,8 +19,6 @@ FILE = "report.toml"
 class Told:
     """Describes what ``report.toml`` may tell of a column."""
 
-    given_beside: str = ""
-    """The column beside which it is given; alone it is measured."""
     better: str = ""
     """``less`` or ``more``."""
     resolution: float = 0.0
@@ -77,6 +75,21 @@ class Changes:
 
 
 @dataclass(frozen=True)
+class Page:
+    """Describes one page of every release."""
+
+    name: str
+    label: str = ""
+    """What links to it say; empty: its name."""
+    texts: tuple[str, ...] = ()
+    """Its templates of prose, of which the first begins with the title of the page; none: ``pages/NAME.md.j2``."""
+
+    @property
+    def file(self) -> str:
+        return f"{self.name}.html"
+
+
+@dataclass(frozen=True)
 class Config:
     """Holds the fields of ``report.toml``, as they are without it."""
 
@@ -114,8 +127,8 @@ class Config:
     """What it is called where it is cited."""
     repository: str = ""
     """The page of its sources on the web; where nothing is said, pages lead to none."""
-    pages: Sequence[Mapping[str, Any]] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})
-    """The pages in their order, the front page first: ``name``, ``label`` of links to it, ``texts`` (templates)."""
+    pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))
+    """The pages in their order, the front page first."""
     story: str = ""
     """The package whose modules derive what texts of pages tell: ``front`` for ``front.md.j2``."""
     plugins: str = "measured_report.pages.plugins"
@@ -176,8 +189,9 @@ def config(root: Path = ROOT) -> Config:
     path = root / FILE
     try:
         found = read_toml(path) if path.is_file() else {}
-        tables = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
-        for place, table, kind in [*tables, *(("columns.", each, Declared) for each in found.get("columns", ()))]:
+        tables: list[tuple] = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
+        tables += [("columns.", each, Declared) for each in found.get("columns", ())]
+        for place, table, kind in [*tables, *(("pages.", each, Page) for each in found.get("pages", ()))]:
             names = {each.name for each in fields(kind)}
             for name in table if isinstance(table, dict) else ():
                 if name not in names:

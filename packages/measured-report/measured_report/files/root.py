@@ -3,13 +3,7 @@
 import sys
 from pathlib import Path
 
-
-def _root() -> Path:
-    """Find the folder: the first with a ``report.toml`` above the program, or else above where it was started."""
-    starts = [Path(sys.path[0] or ".").resolve(), Path.cwd()]
-    folders = (folder for start in starts for folder in (start, *start.parents))
-    return next((folder for folder in folders if (folder / "report.toml").is_file()), Path.cwd())
-
-
-ROOT = _root()
-"""Every path in a record is relative to it."""
+_starts = (Path(sys.path[0] or ".").resolve(), Path.cwd())
+_folders = (folder for start in _starts for folder in (start, *start.parents))
+ROOT = next((folder for folder in _folders if (folder / "report.toml").is_file()), Path.cwd())
+"""The first with a ``report.toml`` above the program, or else above where it was started; records name paths in it."""

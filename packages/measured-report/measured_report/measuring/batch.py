@@ -12,8 +12,8 @@ import pickle
 import re
 import tempfile
 import time
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
@@ -26,9 +26,7 @@ from measured_report.measuring.machine import machine
 from measured_report.measuring.measurement import Measurement
 
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
-DEVICE_LOST = re.compile(
-    "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
-)
+DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
 """Folder that two runs of ``make`` on one host lock, so that they spoil no times of each other."""
@@ -62,12 +60,10 @@ class Result:
     seconds: float
 
 
-@contextmanager
-def gpu_lock(*, exclusive: bool) -> Iterator[None]:
+def gpu_lock(*, exclusive: bool) -> AbstractContextManager[None]:
     """Measure beside others or, ``exclusive``, alone; whoever has to wait for it says so."""
     LOCK.mkdir(mode=0o700, exist_ok=True)
-    with locked(LOCK, alone=exclusive):
-        yield
+    return locked(LOCK, alone=exclusive)
 
 
 class BatchError(Exception):

@@ -15,7 +15,7 @@ from typing import Any
 import dask
 from distributed import Client, KilledWorker, Nanny, Scheduler, Security, SpecCluster
 
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import KILLED
 from measured_report.files.root import ROOT
 from measured_report.measuring.batch import BatchError
@@ -132,7 +132,7 @@ def call_here(digest: str, call: bytes) -> Any:
     """Call a function in this worker, unless it came later than others and has other code."""
     host().be_quiet()  # before a section is imported
     if digest != digest_here():
-        raise BatchError(f"{platform.node()} {OTHER_CODE}", "")
+        raise BatchError(f"{platform.node()} {OTHER_CODE}")
     function, arguments = pickle.loads(call)
     return function(*arguments)
 
@@ -161,7 +161,9 @@ def digest_here() -> str:
 
 
 def gpu_of(asked: str) -> str:
-    """Return what the GPU that most workers of a cluster have is called in a label; empty where they have none."""
+    """Return what the GPU that most workers of a cluster have is called in a label; UsageError where they have none."""
     with connected(asked, "cuda") as client:
         names = sorted(gpu.name for found in client.run(gpus).values() for gpu in found)
-    return slug(max(names, key=names.count, default=""))
+    if not names:
+        raise UsageError(f"CLUSTER={asked}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
+    return slug(max(names, key=names.count))

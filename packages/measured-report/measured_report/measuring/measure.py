@@ -35,7 +35,13 @@ def measure(
         add_cluster(python_of(release, expected_packages(project), project.root), project.root)
         options += ["--cluster", cluster]
     if device == "cuda":
-        machine = _gpu_of(cluster, project.root) if cluster not in (None, "local") else machine_name(device)
+        if cluster in (None, "local"):
+            machine = machine_name(device)
+        else:
+            add_cluster(Path(sys.executable), project.root)
+            from measured_report.measuring.cluster import gpu_of
+
+            machine = gpu_of(cluster)
         options += ["--processor", machine]
     kept = kept_by(project, machine, sections)
     kept.results.mkdir(parents=True, exist_ok=True)
@@ -78,15 +84,6 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
         raise UsageError("")  # it has said why
     if done.returncode:
         raise ReportError(f"measuring ended with exit status {done.returncode}; what was there is kept")
-
-
-def _gpu_of(cluster: str, root: Path) -> str:
-    add_cluster(Path(sys.executable), root)
-    from measured_report.measuring.cluster import gpu_of
-
-    if found := gpu_of(cluster):
-        return found
-    raise UsageError(f"CLUSTER={cluster}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:

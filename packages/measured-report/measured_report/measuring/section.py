@@ -3,7 +3,7 @@
 import inspect
 import pickle
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from dataclasses import dataclass, field, replace
 from types import ModuleType
@@ -90,10 +90,11 @@ class Section:
         if len({tuple(map(part.machine.get, KIND)) for part in parts}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
         seconds = round(sum(part.seconds for part in parts), 1)
+        told = {name: {part.machine[name] for part in parts} - {None} for name in parts[0].machine}
         record = Record(
             section=self.name,
             identity=self.identity,
-            machine={name: _together(part.machine[name] for part in parts) for name in parts[0].machine},
+            machine={name: ", ".join(sorted(said)) or None for name, said in told.items()},
             measured={
                 "date": max(part.ended for part in parts),
                 "started": min(part.started for part in parts),
@@ -171,10 +172,6 @@ def section_of(project: Project, name: str, module: ModuleType, device: str) -> 
 def _as_one(batch: Batch) -> Plan:
     [measurement] = yield [batch]
     return measurement
-
-
-def _together(values: Iterable[str | None]) -> str | None:
-    return ", ".join(sorted({value for value in values if value is not None})) or None
 
 
 def believable(row: Mapping[str, object]) -> dict[str, object]:

@@ -13,14 +13,14 @@ from markupsafe import Markup
 from measured_report.editions.project import MANIFEST, Project, read_manifest
 from measured_report.editions.status import NOT_SHOWN, State, states_of
 from measured_report.files.atomic import RecordError, short_path
-from measured_report.files.config import config
+from measured_report.files.config import Page, config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.pages.cache import Derivation, DerivedCache
 from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.pages.replicas import Measurements, floors_in, measurements_of
-from measured_report.pages.sections import FRONT, PAGES, LostError, Page, Read, derive_section, file_of, outline_of
+from measured_report.pages.sections import FRONT, PAGES, LostError, Read, derive_section, file_of, outline_of
 from measured_report.parts.citations import refuse_contradictions
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.section import Section
@@ -186,11 +186,11 @@ class _Names(dict[str, Mapping[str, Any]]):
 
 
 def editions_of(
-    project: Project, templates: Templates, cache: DerivedCache | None = None, among: Sequence[str] | None = None
+    project: Project, templates: Templates | None = None, cache: DerivedCache | None = None, among: Sequence[str] = ()
 ) -> dict[str, Edition]:
     """Derive what the results of every release make, oldest first; ``among``: of these alone."""
-    cache, derived = cache or DerivedCache(), {}
-    for release in project.releases if among is None else among:
+    templates, cache, derived = templates or Templates(project.templates), cache or DerivedCache(), {}
+    for release in among or project.releases:
         root = "" if release == project.release else "../"
         derived[release] = replace(derive_edition(project.of(release), templates, cache), root=root)
     releases = {release: edition.chapters for release, edition in derived.items()}

@@ -1,13 +1,13 @@
 """Section modules and the pages that they are on: a module is found, asked what it is, and given its results."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from measured_report.files.atomic import RecordError
-from measured_report.files.config import FILE, config
+from measured_report.files.config import Page, config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
@@ -18,30 +18,13 @@ class LostError(ReportError):
     """Say, in one line, that from a record nothing of its section can be derived."""
 
 
-@dataclass(frozen=True)
-class Page:
-    """Describe one page of every release."""
-
-    name: str
-    label: str = ""
-    texts: tuple[str, ...] = ()
-    """Its templates of prose; the first begins with the title of the page."""
-
-    @property
-    def file(self) -> str:
-        return f"{self.name}.html"
+def _whole(page: Page) -> Page:
+    """Fill in what ``report.toml`` does not say of a page."""
+    label = page.label or page.name.replace("_", " ").capitalize()
+    return replace(page, label=label, texts=page.texts or (f"pages/{page.name}.md.j2",))
 
 
-def _page(**fields: Any) -> Page:
-    try:
-        name = fields["name"]
-        texts = tuple(fields.get("texts", [f"pages/{name}.md.j2"]))
-        return Page(**{"label": name.replace("_", " ").capitalize(), **fields, "texts": texts})
-    except (AttributeError, KeyError, TypeError) as error:
-        raise ReportError(f"{FILE}: what it says of a page can't be read ({error})") from None
-
-
-PAGES = tuple(_page(**fields) for fields in config().pages)
+PAGES = tuple(map(_whole, config().pages))
 FRONT = PAGES[0]
 OF_SECTIONS = {page.name: page for page in PAGES[1:]}
 

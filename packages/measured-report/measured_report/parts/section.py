@@ -35,18 +35,8 @@ SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
 """Finds the source of each number that there is."""
 
 
-class _Captioned:
-    numbers: Mapping[str, Any]
-    wording: Wording | None
-
-    @property
-    def caption(self) -> Markup:
-        assert self.wording, "a caption is printed before the template has given its words"
-        return self.wording("caption", self.numbers)
-
-
 @dataclass(frozen=True)
-class Table(_Captioned):
+class Table:
     """Show a table whose cells are Quantities, text, or yes and no; the index names the rows."""
 
     frame: "pd.DataFrame | Markup"
@@ -112,7 +102,7 @@ def _place_count(number: Quantity) -> int:
 
 
 @dataclass(frozen=True)
-class Figure(_Captioned):
+class Figure:
     """Show a figure, which is drawn only after everything else has been checked."""
 
     draw: "Callable[[], Drawing] | None"

@@ -56,17 +56,9 @@ class Column(Told):
         return self.name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
 
     @property
-    def is_count(self) -> bool:
-        return self.name.endswith("_count")
-
-    @property
-    def is_rate(self) -> bool:
-        """Tell whether it is of a unit of time or work, so that it compares where as much was not run."""
-        return self.unit.endswith(("/s", "/cycle"))
-
-    def is_exact(self, row: Mapping[str, Any]) -> bool:
-        """Tell whether in a row it holds what was set, or made from that alone, and so has no noise."""
-        return self.is_setting or "given" in self.kinds or self.given_beside in row
+    def is_exact(self) -> bool:
+        """Tell whether it holds what was set, or made from that alone, and so has no noise."""
+        return self.is_setting or "given" in self.kinds
 
 
 @cache

@@ -226,10 +226,8 @@ def _check_columns(record: Record) -> None:
     """Raise ValueError unless units are those of the columns' names, and a column holds one kind of thing."""
     units = units_of(record.rows)
     for name in sorted({*units, *record.units}):
-        if record.units.get(name) != units.get(name):
-            raise ValueError(
-                f"the unit of {name} is given as {record.units.get(name)}, and its name says {units.get(name)}"
-            )
+        if (given := record.units.get(name)) != units.get(name):
+            raise ValueError(f"the unit of {name} is given as {given}, and its name says {units.get(name)}")
     for name in columns_of(record.rows):
         there = [row for row in record.rows if name in row]
         kinds = {type(row[name]) for row in there}

@@ -9,7 +9,7 @@ from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
-from measured_report.files.atomic import RecordError, read_own_file, short_path
+from measured_report.files.atomic import RecordError, read_own_file, short_path, sums
 from measured_report.records.columns import is_number
 from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
 
@@ -35,7 +35,7 @@ def packed(records: Iterable[Record]) -> bytes:
 
 
 def _sums(files: Mapping[str, bytes]) -> bytes:
-    return "".join(f"{sha256(text).hexdigest()}  {name}\n" for name, text in sorted(files.items())).encode()
+    return sums({name: sha256(text).hexdigest() for name, text in files.items()}).encode()
 
 
 def read_replica(path: Path) -> Records:

@@ -168,11 +168,8 @@ def _chain(node: ast.AST) -> str:
 
 
 SAID = {"print", "warnings.warn", "tqdm.tqdm.write", "tqdm.auto.tqdm.write"}
-SAID |= {
-    f"{logger}.{level}"
-    for logger in ("logging", "logger")
-    for level in ("debug", "info", "warning", "error", "exception", "critical")
-}
+LEVELS = ("debug", "info", "warning", "error", "exception", "critical")
+SAID |= {f"{logger}.{level}" for logger in ("logging", "logger") for level in LEVELS}
 """Functions whose texts are only printed."""
 BARS = {"tqdm.tqdm", "tqdm.auto.tqdm"}
 """Progress bars: what they go through counts, and not how they show it."""

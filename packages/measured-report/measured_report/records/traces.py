@@ -6,6 +6,7 @@ import io
 import re
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from hashlib import sha256
 from itertools import pairwise
 from pathlib import Path
@@ -60,9 +61,7 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
         unpacking = zlib.decompressobj(wbits=31)
         text = unpacking.decompress(content, UNPACKED_LIMIT)
         if not unpacking.eof or unpacking.unused_data:
-            raise ValueError(
-                f"it ends early, or holds more than {UNPACKED_LIMIT >> 20} MiB, or something behind its end"
-            )
+            raise ValueError(f"it ends early, holds more than {UNPACKED_LIMIT >> 20} MiB, or has a rest")
         _check_cells(csv.reader(io.StringIO(text.decode("utf-8")), strict=True))
         # Before pandas 3, which Python 3.10 has, the last digits of numbers are others unless one asks for them.
         exact: dict[str, Any] = {} if int(pd.__version__.partition(".")[0]) > 2 else {"float_precision": "round_trip"}
@@ -104,14 +103,9 @@ def _problem(column: str, numbers: Sequence[float], texts: Iterable[str]) -> str
     for text in texts:
         if numbers or column_of(column).unit != PLAIN:
             return "is not all numbers"
-        if problem := text_problem(text) or _mixed(text):
+        if problem := text_problem(text):
             return problem
+        with suppress(ValueError):
+            float(text)
+            return "has both numbers and text"
     return next(filter(None, (number_problem(column, end) for end in ends)), "")
-
-
-def _mixed(text: str) -> str:
-    try:
-        float(text)
-    except ValueError:
-        return ""
-    return "has both numbers and text"

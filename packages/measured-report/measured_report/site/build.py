@@ -9,7 +9,7 @@ from pathlib import Path
 from measured_report.changes.query import blind_spots, refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
-from measured_report.files.atomic import digests_below, replace, staging_folder
+from measured_report.files.atomic import digests_below, replace, staging_folder, sums
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
@@ -21,7 +21,7 @@ from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest, package_versions
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.site.pages import Site, citation
-from measured_report.site.publish import SUMS, sums
+from measured_report.site.publish import SUMS
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
 """Files that the site is made from, besides the folders."""

@@ -71,16 +71,15 @@ class PageReader(HTMLParser):
         is_inline = tag == "script" and not attributes  # judged by what it holds
         self.inline += [""] if is_inline else []
         # A file's bytes are checked where they lie, so that it need only be one of the site.
-        is_file = (
-            tag == "script" and attributes.get("src", "").endswith(".js") and attributes.keys() <= {"src", "defer"}
-        )
+        address = attributes.get("src", "")
+        is_file = tag == "script" and address.endswith(".js") and attributes.keys() <= {"src", "defer"}
         is_active = tag in ACTIVE and not is_inline and not is_file
         if is_active or any(name.startswith("on") or name == "srcdoc" for name in attributes):
             self.scripts.append(tag)
         if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():
             self.scripts.append(tag)
         if tag == "script" and not is_inline:
-            self.fetched.append(attributes.get("src", ""))
+            self.fetched.append(address)
         if "id" in attributes:
             self.ids.append(attributes["id"])
         if "href" in attributes:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from markupsafe import Markup
 
 from measured_report.changes.alarm import rate_of, rate_values
-from measured_report.files.config import config
+from measured_report.files.config import Page, config
 from measured_report.files.processes import forked
 from measured_report.files.root import ROOT
 from measured_report.pages.cache import DerivedCache
@@ -22,7 +22,7 @@ from measured_report.pages.editions import Chapter, Edition
 from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.pages.replicas import replica_files
-from measured_report.pages.sections import FRONT, Page
+from measured_report.pages.sections import FRONT
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.section import Pictures
 from measured_report.records.record import traces_of
@@ -136,11 +136,8 @@ class Site:
             said = (config().name_of(record.origin.release), record.machine_text, record.time_text)
             origins[chapter.results.source] = ", ".join(said)
         for release, edition in self.editions.items():
-            names = {
-                "contents": contents[release],
-                "links": links[release],
-                "origins": json.dumps(origins, ensure_ascii=False),
-            }
+            told = json.dumps(origins, ensure_ascii=False)
+            names = {"contents": contents[release], "links": links[release], "origins": told}
             own = {anchor: pair for (each, anchor), pair in pictures.items() if each == release}
             self._write_pages(places[release], edition, own, names)
 

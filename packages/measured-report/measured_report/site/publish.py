@@ -5,10 +5,10 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from measured_report.files.atomic import digests_below, locked, replace, staging_folder
+from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.site.check import check_site
 
@@ -60,11 +60,6 @@ def _checked_copy(site: Path, copy: Path) -> Path:
     for path in (copy, *copy.rglob("*")):
         path.chmod(0o755 if path.is_dir() else 0o644)
     return copy
-
-
-def sums(digests: Mapping[str, str]) -> str:
-    """Write the digests of files, by name, as ``sha256sum --check`` reads them."""
-    return "".join(f"{digest}  {name}\n" for name, digest in sorted(digests.items()))
 
 
 def _to_folder(copy: Path, place: str, site: Path) -> str:

@@ -96,9 +96,9 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
     if value is None:
         return None
     if trials := row.get(about.trials):
-        count = trials if about.is_count else 1
+        count = trials if column.endswith("_count") else 1
         return binomial_noise(value / count, trials) * count
-    if about.is_exact(row) or isinstance(value, int):
+    if about.is_exact or isinstance(value, int):
         return 0.0
     if seen := row.get(about.known_within):
         return abs(seen * value)

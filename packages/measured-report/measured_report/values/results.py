@@ -97,10 +97,6 @@ class Row:
         """Return what people call its case."""
         return label_of(self.plain["case"], self._results.labels)
 
-    @property
-    def columns(self) -> list[str]:
-        return list(self.plain)
-
 
 class Rows(dict):
     """Holds rows by case; of a case that has no single row, one without anything."""

@@ -152,5 +152,5 @@ def _scatter(column: str, cells: Mapping[Key, Sequence[Row]]) -> Scatter | None:
 def scattered(column: str, row: Row) -> float | None:
     """Return the number of a column, where it was measured and no engine repeats it to the last bit."""
     number = row.get(column)
-    is_same = not is_number(number) or column_of(column).is_exact(row) or is_repeated(column, row)
+    is_same = not is_number(number) or column_of(column).is_exact or is_repeated(column, row)
     return None if is_same else number
