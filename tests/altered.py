@@ -23,7 +23,7 @@ from measured_report.files.root import ROOT
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import Edition, editions_of
 from measured_report.pages.prose import Templates
-from measured_report.parts.section import Figure, Pictures
+from measured_report.parts.section import Pictures
 from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.record import Record, load_record, write_record
 from measured_report.site.build import build
@@ -303,7 +303,7 @@ def said(scenario: Scenario) -> tuple[Said, list[str]]:
         if scenario.name not in CHECKED:
             return found, []
         derived.keep({})
-        with mock.patch("measured_report.site.pages.draw", _undrawn):  # most of the time goes into them
+        with mock.patch("measured_report.site.pages.forked", _undrawn):  # most of the time goes into them
             editions = build(project)
         lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
         return found, [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)
@@ -312,5 +312,5 @@ def said(scenario: Scenario) -> tuple[Said, list[str]]:
 UNDRAWN = Markup('<svg class="broad" viewBox="0 0 1 1" role="img"></svg>')
 
 
-def _undrawn(figures: Sequence[Figure]) -> list[Pictures]:
-    return [(UNDRAWN, UNDRAWN)] * len(figures)
+def _undrawn(_: Callable[[int], Pictures], count: int) -> list[Pictures]:
+    return [(UNDRAWN, UNDRAWN)] * count
