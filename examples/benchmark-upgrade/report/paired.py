@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import comb
+from textwrap import wrap
 
 import pandas as pd
 
@@ -14,6 +15,7 @@ from measured_report.values.results import Results, Row
 
 LEVEL = 0.05
 """Share of releases without a change that may raise an alarm, over all tasks that are tested."""
+OPPOSITES = (("lost", "gained"), ("slower", "faster"))
 FAILED, DIGITS = "-", 4
 
 
@@ -32,49 +34,30 @@ def sign_test(less: int, more: int) -> float:
 
 @dataclass(frozen=True)
 class Step:
-    """A task in two releases, one after the other, and in how many of its episodes they differ."""
+    """A task in two releases, one after the other."""
 
     task: str
     releases: tuple[str, str]
     rows: tuple[Row, Row]
 
     @property
-    def pairs(self) -> Sequence[tuple[str, str]]:
-        """Steps to success of each seed that both have, or that it failed; all begin with the same."""
-        return list(zip(*(row.steps.split() for row in self.rows), strict=False))
+    def counts(self) -> dict[str, int]:
+        """In how many of its episodes they differ, and how, as far as both have the same seeds."""
+        pairs = list(zip(*(row.steps.split() for row in self.rows), strict=False))
+        both = [(int(old), int(new)) for old, new in pairs if FAILED not in (old, new)]
+        return {
+            "lost": sum(old != FAILED == new for old, new in pairs),
+            "gained": sum(old == FAILED != new for old, new in pairs),
+            "slower": sum(old < new for old, new in both),
+            "faster": sum(old > new for old, new in both),
+            "other_motion": sum(a != b for a, b in zip(*(wrap(row.states, DIGITS) for row in self.rows), strict=False)),
+        }
 
-    @property
-    def lost(self) -> int:
-        return sum(old != FAILED == new for old, new in self.pairs)
-
-    @property
-    def gained(self) -> int:
-        return sum(old == FAILED != new for old, new in self.pairs)
-
-    @property
-    def slower(self) -> int:
-        return sum(FAILED not in pair and int(pair[1]) > int(pair[0]) for pair in self.pairs)
-
-    @property
-    def faster(self) -> int:
-        return sum(FAILED not in pair and int(pair[1]) < int(pair[0]) for pair in self.pairs)
-
-    @property
-    def other_states(self) -> int:
-        """Episodes that do not end in the same state to the last bit."""
-        old, new = ([row.states[at : at + DIGITS] for at in range(0, len(row.states), DIGITS)] for row in self.rows)
-        return sum(a != b for a, b in zip(old, new, strict=False))
-
-    def is_beyond_chance(self, kind: str, tests: int) -> bool:
-        """Whether ``success`` or ``time`` differs beyond what chance does in one of 20 releases, over all ``tests``."""
-        split = (self.lost, self.gained) if kind == "success" else (self.slower, self.faster)
-        return sign_test(*split) < LEVEL / tests
-
-    def value(self, results: Results, what: str) -> Value:
-        """One of its counts as a value of ``results``."""
-        count, cells = getattr(self, what), [row.success_count for row in self.rows]
-        name, formula = f"{what}_{self.task}_{self.releases[1]}", f"episodes {what}, of the same seeds"
-        return results.value(name, formula, lambda *_: count, *cells, across=True)
+    def beyond_chance(self, tests: int) -> set[str]:
+        """What is more frequent than its opposite beyond what chance does in one of 20 releases, over all ``tests``."""
+        counts = self.counts
+        pairs = [pair for pair in OPPOSITES if sign_test(counts[pair[0]], counts[pair[1]]) < LEVEL / tests]
+        return {max(pair, key=counts.__getitem__) for pair in pairs}
 
 
 def steps_of(releases: Releases, section: str, tasks: Sequence[str]) -> Iterator[Step]:
@@ -84,13 +67,22 @@ def steps_of(releases: Releases, section: str, tasks: Sequence[str]) -> Iterator
             yield Step(task, (old, new), (before, after))
 
 
+def counted(results: Results, name: str, what: str, steps: Sequence[Step]) -> Value:
+    """The episodes of some steps that differ in this, as a value of ``results``."""
+    count, cells = sum(step.counts[what] for step in steps), [row.success_count for step in steps for row in step.rows]
+    formula = f"episodes of the same seeds: {what.replace('_', ' ')}"
+    return results.value(f"{what}_{name}", formula, lambda *_: count, *cells, across=True)
+
+
 def changes(results: Results, steps: Sequence[Step], tests: int) -> Table:
     """Every step that differs beyond chance, in whether or in when an episode succeeds."""
-    found = [step for step in steps if any(step.is_beyond_chance(kind, tests) for kind in ("success", "time"))]
+    found = [step for step in steps if step.beyond_chance(tests)]
     found.sort(key=lambda step: (list(map(int, step.releases[1].split("."))), step.task))
-    counts = ("lost", "gained", "slower", "faster")
+    names = [what for pair in OPPOSITES for what in pair]
     lines = [
-        {"MuJoCo": " → ".join(step.releases)} | {what: step.value(results, what) for what in counts} for step in found
+        {"MuJoCo": " → ".join(step.releases)}
+        | {what: counted(results, f"{step.task}_{step.releases[1]}", what, [step]) for what in names}
+        for step in found
     ]
-    names = pd.Index([step.task for step in found], name="task")
-    return Table(pd.DataFrame(lines, index=names, columns=["MuJoCo", *counts], dtype=object))
+    index = pd.Index([step.task for step in found], name="task")
+    return Table(pd.DataFrame(lines, index=index, columns=["MuJoCo", *names], dtype=object))

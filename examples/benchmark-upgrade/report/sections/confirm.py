@@ -1,6 +1,6 @@
 """What the tasks that seemed to change do from fresh seeds, release by release."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import pandas as pd
 
@@ -8,7 +8,6 @@ from measured_report.pages.editions import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, at_least, at_most
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure, Section, Table
-from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.paired import Step, changes, rows_of, steps_of
 
@@ -23,6 +22,7 @@ PANELS = {
     LOCK: ("step_median", "door-lock: steps to success"),
     PUSH: ("untouched_mm", "stick-push: thermos, untouched [mm]"),
 }
+TOLD = ("success_count", "step_median", "grasp_count", "untouched_mm")
 ENOUGH = "at least 80 %, as Meta-World's own tests ask of its experts"
 REST_MM, LOCK_STEPS = 10.0, 100.0
 
@@ -31,65 +31,54 @@ def derive(results: Results, releases: Releases) -> Section:
     tasks = [row.case for row in results.rows]
     found = {task: rows_of(releases, "confirm", task) for task in tasks}
     steps = list(steps_of(releases, "confirm", tasks))
-    row, seeds = results.row, results.row[DIAL].seed_count
+    row, seeds = results.row, {"all": results.row[DIAL].seed_count}
     turns, moved, slow = row[DIAL].success_count, row[PUSH].untouched_mm, row[LOCK].step_median
     claims = [
-        Claim("dial_turns", at_least(turns, 0.8 * (seeds.value or 0), ENOUGH), {"count": turns, "all": seeds}),
+        Claim("dial_turns", at_least(turns, 0.8 * (seeds["all"].value or 0), ENOUGH), {"count": turns, **seeds}),
         Claim("thermos_rests", at_most(moved, REST_MM, "what nobody touches rests"), {"moved": moved}),
         Claim("lock_in_time", at_most(slow, LOCK_STEPS, "half as long again as with MuJoCo 3.3"), {"steps": slow}),
-        _lost("dial_lost", DIAL, steps, 2 * len(tasks)),
-        _lost("peg_lost", PEG, steps, 2 * len(tasks)),
-        _since("lock_slower", "step_median", LOCK_STEPS, found[LOCK]),
-        _since("thermos_leaves", "untouched_mm", REST_MM, found[PUSH]),
+        _lost("dial_lost", row[DIAL], [step for step in steps if step.task == DIAL], 2 * len(tasks)),
+        _lost("peg_lost", row[PEG], [step for step in steps if step.task == PEG], 2 * len(tasks)),
+        _since("lock_slower", row[LOCK], "step_median", LOCK_STEPS, found[LOCK]),
+        _since("thermos_leaves", row[PUSH], "untouched_mm", REST_MM, found[PUSH]),
     ]
     tables = {
-        "success": _by_release(found, "success_count", {"all": seeds}),
-        "steps": _by_release(found, "step_median", {}),
-        "grasps": _by_release(found, "grasp_count", {"all": seeds}),
-        "changes": changes(results, steps, 2 * len(tasks)),
+        column.partition("_")[0]: Table(
+            pd.DataFrame({task: {each: row[column] for each, row in rows.items()} for task, rows in found.items()}).T,
+            seeds,
+        )
+        for column in TOLD
     }
     drawn = [each[column] for task, (column, _) in PANELS.items() for each in found[task].values()]
-    figure = Figure(lambda: _draw(found), drawn, {"all": seeds})
+    figure = Figure(lambda: _draw(found), drawn, seeds)
+    tables["changes"] = changes(results, steps, 2 * len(tasks))
     return Section(tables=tables, figures={"course": figure}, claims=claims)
 
 
-def _lost(name: str, task: str, steps: list[Step], tests: int) -> Claim:
-    """That a release lost successes of a task beyond chance, and whether a later one brought them back."""
-    own = [step for step in steps if step.task == task and step.is_beyond_chance("success", tests)]
-    worse = [step for step in own if step.lost > step.gained]
-    if not worse:
-        return Claim(name, FAILS, dict.fromkeys(("release", "before", "after", "all", "back"), ""))
-    back = [step.releases[1] for step in own[own.index(worse[0]) :] if step.gained > step.lost]
-    before, after = worse[0].rows
+def _lost(name: str, own: Row, steps: Sequence[Step], tests: int) -> Claim:
+    """That a release lost successes beyond chance, and whether a later one brought them back."""
+    lost = next((step for step in steps if "lost" in step.beyond_chance(tests)), None)
+    before, after = lost.rows if lost else (own, own)
+    later = steps[steps.index(lost) :] if lost else []
+    back = [step.releases[1] for step in later if "gained" in step.beyond_chance(tests)]
     cells = {"before": before.success_count, "after": after.success_count, "all": after.seed_count}
-    numbers = {"release": worse[0].releases[1], "back": "".join(back[:1]), **cells}
-    return Claim(name, HOLDS.having_read(*cells.values()), numbers)
+    outcome = (HOLDS if lost else FAILS).having_read(*cells.values())
+    return Claim(name, outcome, {**cells, "release": lost.releases[1] if lost else "", "back": "".join(back[:1])})
 
 
-def _since(name: str, column: str, bound: float, rows: Mapping[str, Row]) -> Claim:
-    """From which release on a number is beyond a bound, and what else is otherwise in the task than in the first."""
-    columns = {"grasped": "grasp_count", "steps": "step_median", "successes": "success_count", "all": "seed_count"}
-    since = [release for release, row in rows.items() if (row[column].value or 0.0) > bound]
-    if not since:
-        names = ("release", "moved", *columns, *(f"{each}_before" for each in columns))
-        return Claim(name, FAILS, dict.fromkeys(names, ""))
-    first, new = next(iter(rows.values())), rows[since[0]]
-    cells = {"moved": new.untouched_mm, **{each: new[column] for each, column in columns.items()}}
-    cells |= {f"{each}_before": first[column] for each, column in columns.items()}
-    return Claim(name, HOLDS.having_read(*cells.values()), {"release": since[0], **cells})
-
-
-def _by_release(found: Mapping[str, Mapping[str, Row]], column: str, names: Mapping[str, Quantity]) -> Table:
-    cells = {task: {release: row[column] for release, row in rows.items()} for task, rows in found.items()}
-    return Table(pd.DataFrame(cells).T, names)
+def _since(name: str, own: Row, column: str, bound: float, rows: Mapping[str, Row]) -> Claim:
+    """From which release on a number is beyond a bound, and what the task was in the first one."""
+    since = next((release for release, row in rows.items() if (row[column].value or 0.0) > bound), "")
+    ends = {"before": next(iter(rows.values()), own), "after": rows.get(since, own)}
+    cells = {f"{each}_{when}": row[each] for when, row in ends.items() for each in (*TOLD, "seed_count")}
+    return Claim(name, (HOLDS if since else FAILS).having_read(*cells.values()), {"release": since, **cells})
 
 
 def _draw(found: Mapping[str, Mapping[str, Row]]):
     drawing, panels = new_figure(7.2, 4.6, nrows=2, ncols=2)
     for axes, (task, (column, title)), colour in zip(panels.flat, PANELS.items(), SERIES, strict=False):
-        cells = [(release, row[column].value) for release, row in found[task].items()]
-        places = [place for place, (_, value) in enumerate(cells) if value is not None]
-        axes.plot(places, [cells[place][1] for place in places], color=colour, marker="o", markevery=1)
-        axes.set_xticks(range(len(cells)), [release for release, _ in cells], rotation=60)
-        axes.set(title=title, ylim=(0, 1.12 * max((value or 0) for _, value in cells)))
+        course = pd.Series({release: row[column].value for release, row in found[task].items()}, dtype=float)
+        axes.plot(range(len(course)), course, color=colour, marker="o", markevery=1)
+        axes.set_xticks(range(len(course)), course.index, rotation=60)
+        axes.set(title=title, ylim=(0, 1.12 * course.max()))
     return drawing

@@ -1,13 +1,14 @@
 """Which releases run the benchmark at all, and how much of all tasks they change."""
 
+from collections.abc import Sequence
+
 import pandas as pd
 
 from measured_report.pages.editions import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, decided
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.paired import Step, changes, steps_of
+from report.paired import Step, changes, counted, steps_of
 
 order = 10
 page = "releases"
@@ -21,15 +22,13 @@ def derive(results: Results, releases: Releases) -> Section:
     ran = [row for row in rows if row.success_count.value is not None]
     runs = results.value("run_count", "tasks that run", lambda *_: len(ran), *trials)
     reason = next((row.success_count.reason.partition(": ")[2] for row in rows if row not in ran), "")
-    results.value("success_total", "sum of successes", lambda *n: sum(n), *(row.success_count for row in rows))
     results.value("seen", "chance that one in ten shows", lambda n: 100 * (1 - 0.9**n), rows[0].seed_count, unit="%")
     numbers = {"release": results.edition, "count": runs, "all": tasks, "reason": reason}
-    claims = [Claim("runs", decided(len(ran) == len(rows), runs, tasks), numbers)]
+    claims = [Claim("runs", decided(len(ran) == len(rows), runs, tasks), numbers), _stops(releases)]
     if ran:
         repeated = sum(row.repeats for row in ran)
         same = results.value("repeat_count", "tasks whose first episode repeats", lambda *_: repeated, *trials)
         claims.append(Claim("repeats", decided(repeated == len(ran), same), {"count": same}))
-    claims.append(_stops(releases))
     steps = list(steps_of(releases, "success", [row.case for row in rows]))
     tables = {"releases": _release_table(results, releases, steps), "changes": changes(results, steps, 2 * len(rows))}
     return Section(tables=tables, claims=claims, unmeasured=() if ran else ("repeats",))
@@ -45,23 +44,15 @@ def _stops(releases: Releases) -> Claim:
     return Claim("stops", FAILS, {"release": "", "reason": ""})
 
 
-def _release_table(results: Results, releases: Releases, steps: list[Step]) -> Table:
-    columns: dict[str, dict[str, Quantity | str]] = {}
+def _release_table(results: Results, releases: Releases, steps: Sequence[Step]) -> Table:
+    lines = {}
     for release, chapters in releases.items():
-        if "success" not in chapters:
-            continue
-        rows = chapters["success"].results.rows
-        found = [step for step in steps if step.releases[1] == release]
-        counts = [row.success_count for row in rows]
-        cells: dict[str, Quantity | str] = {
-            "successes": results.value(f"total_{release}", "sum of successes", lambda *n: sum(n), *counts, across=True)
-        }
-        for what, name in (("other_states", "other motion"), ("lost", "lost"), ("gained", "gained")):
-            count = sum(getattr(step, what) for step in found)
-            read = [row.success_count for step in found for row in step.rows]
-            formula = f"episodes that differ from the release before in this: {name}"
-            value = results.value(f"{what}_{release}", formula, lambda *_, n=count: n, *read, across=True)
-            cells[name] = value if found else ""
-        columns[release] = cells
-    frame = pd.DataFrame(columns).T.rename_axis("MuJoCo")
+        if "success" in chapters:
+            counts = [row.success_count for row in chapters["success"].results.rows]
+            total = results.value(f"total_{release}", "sum of successes", lambda *n: sum(n), *counts, across=True)
+            lines[release] = {"successes": total}
+            if found := [step for step in steps if step.releases[1] == release]:
+                whats = ("other_motion", "lost", "gained")
+                lines[release] |= {what.replace("_", " "): counted(results, release, what, found) for what in whats}
+    frame = pd.DataFrame(lines).T.rename_axis("MuJoCo")
     return Table(frame, {"all": results.rows[0].seed_count})
