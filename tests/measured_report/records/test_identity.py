@@ -108,6 +108,15 @@ def test_what_may_change_a_row_makes_it_stale(chain, old, new, file):
     assert f"code: experiments/{file}.py" in chain.state().notes
 
 
+def test_all_of_a_module_counts_that_is_handed_on_whole(chain):
+    replace_in(chain, "from experiments.far import scaled", "from experiments import far")
+    replace_in(chain, "scaled(run) * factor", "(far or None).scaled(run) * factor")
+    replace_in(chain, "LIMIT = 10.0", "LIMIT = 10.0\nprint(LIMIT)")  # and does something when it is imported
+    chain.measure()
+    replace_in(chain, "return min", "return max")
+    assert "code: experiments/far.py" in chain.state().notes
+
+
 def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, monkeypatch):
     full, quick = (identity_of("toy", profile, toy.project.root) for profile in ("full", "quick"))
     assert full.config != quick.config

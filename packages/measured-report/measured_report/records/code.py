@@ -180,7 +180,7 @@ class Graph:
         for end in range(len(parts), 0, -1):
             if file := self.module(".".join(parts[:end])):
                 imports, (first, *rest) = self.source(file).imports, parts[end:] or [""]
-                if first in self.defined(file):
+                if first and first in self.defined(file):
                     return [(file, first)]
                 if first in imports:
                     return self.found(".".join([imports[first], *rest]))
