@@ -6,6 +6,8 @@ from measured_report.values.results import Results
 from report.shared.arithmetic import departure, extreme, largest_size
 
 ENGINES = ("warp", "c")
+FAULTY = "4.0.0"
+"""The release of MuJoCo that factorizes a sparse Hessian wrongly."""
 
 
 def derive(results: Results) -> Section:
@@ -37,4 +39,6 @@ def _sparse_is_dense(results: Results) -> Claim:
     dense, sparse = (results.row[f"jacobian-{form}"].slip_mm for form in ("dense", "sparse"))
     apart = departure(results, "jacobian_off", "how far the slips are apart, of the first", sparse, dense)
     outcome = at_most(apart, 5.0, why="wrong accelerations would change it by more")
-    return Claim("sparse_is_dense", outcome, {"dense": dense, "sparse": sparse, "apart": apart})
+    version = results.record.identity.packages["mujoco"]
+    numbers = {"dense": dense, "sparse": sparse, "apart": apart, "version": version, "has_fault": version == FAULTY}
+    return Claim("sparse_is_dense", outcome, numbers)

@@ -41,7 +41,7 @@ LIMITS = {
     "load over Coulomb's limit, shaken harder": ("shake_crossover", "kept", "lost"),
     "the same, gripped less": ("grip_crossover", "kept", "lost"),
     "friction of the pads, least": ("friction_extremes", "kept", "lost"),
-    "edge of the cube, least": ("sizes", "shipped", "too_small"),
+    "edge of a cube that pads hardly sink into, least": ("sizes", "shipped", "too_small"),
     "mass, most, with a grip to match": ("masses", "heavy", ""),
     "start in ground or pads": ("overlaps", "deepest", ""),
 }

@@ -117,7 +117,9 @@ def clamp(results: Results) -> Claim:
         Markup(", ").join(UNCLAMPED[way] for way, found in ends.items() if found == {kept}) for kept in (False, True)
     )
     is_one = not (never or always) and None not in (first.value, last.value) and first.value < last.value
-    numbers = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
+    numbers: dict[str, Any] = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
+    if not is_one:
+        numbers |= dict.fromkeys(("first", "last"), absent("1", "there is not one limit"))
     return Claim("clamp_off", decided(is_one, first, last), numbers)
 
 
