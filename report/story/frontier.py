@@ -17,7 +17,7 @@ IN_C = "v"
 """Marker of what runs on a core of the processor, and in as many worlds as it has cores."""
 STEEL = "newton_solvers/steel"
 RATIOS = ("frame_ratio", "time_ratio")
-FLAGS = ("is_argument", "is_steel", "has_many")
+FLAGS = ("is_argument", "is_steel", "has_many", "is_longer")
 NOTHING, ARGUMENT, PATCH = range(3)
 """What it takes to have a way, in the order in which they are advised; an argument is one of a constructor."""
 
@@ -113,8 +113,9 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     way = min(kept, key=lambda way: (way.effort, way.ratios(found)[ALONE].number))
     ratios = way.ratios(found)
     numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, none)}
-    flags = dict(zip(FLAGS, (way.effort == ARGUMENT, way.run.startswith(STEEL), MANY in ratios), strict=True))
+    is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
+    told = way.effort == ARGUMENT, way.run.startswith(STEEL), MANY in ratios, is_longer
     read = [cell for each in timed for cell in (each.slip(found), each.ratios(found)[ALONE])]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
-    return Claim(name, all_of(*outcomes), numbers | flags)
+    return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, told, strict=True)))

@@ -116,11 +116,12 @@ def _setup(found: Found, numbers: Mapping[str, Quantity]) -> Table:
     def told(text: str, *names: str) -> Markup:
         return Markup(text).format(*(found.value("reproduction", name) for name in names))
 
+    stiff = found.cell("stiffness", "pad-ke-2.5e5", "normal_force_n", "N")
     lines = {
         "robot": Markup("Franka FR3 with its hand, gravity compensated"),
         "cube": told("edge {}, mass {}, friction {}", "cube_edge", "cube_mass", "cube_friction"),
         "finger pads": told("friction {}, ke {}, kd {}", "pad_friction", "pad_ke", "pad_kd"),
-        "grip": Markup("{} from each pad").format(numbers["grip"]),
+        "grip": Markup("{} from each pad, {} in stiff pads").format(numbers["grip"], stiff),
         "task": Markup("approach, descend, grasp, lift, then shake for {}").format(numbers["duration"]),
         "shake": told("{} to either side at {}, less along the other two axes", "amplitude", "frequency"),
         "time": told("frame rate {}, {} substeps a frame", "frame_rate", "substeps"),

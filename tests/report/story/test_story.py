@@ -95,6 +95,20 @@ def test_what_the_story_claims_can_be_said_with_every_outcome(editions, template
                 assert claim.outcome.name == ("holds" if is_told else "unknown"), (release, claim.name)
 
 
+def with_cells(results: Results, column: str, cells: dict[str, float]) -> Results:
+    rows = [{**row, column: cells.get(row["case"], row.get(column))} for row in results.record.rows]
+    altered = Results(replace(results.record, rows=rows), results.path, results.others)
+    altered.derived.update(results.derived)
+    return altered
+
+
+@pytest.mark.parametrize(("ratio", "is_longer"), [(0.9, False), (1.005, False), (1.5, True)])
+def test_a_frame_takes_longer_by_more_than_is_known_of_it(editions, ratio, is_longer):
+    found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
+    found["speed"] = with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": ratio})
+    assert advice(Found(found))[0].numbers["is_longer"] is is_longer
+
+
 RK4 = "newton-rk4-50-stiff-3cm-plain-rounded"
 
 
@@ -114,11 +128,7 @@ RK4 = "newton-rk4-50-stiff-3cm-plain-rounded"
 def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hold(editions, slips, advised, ends):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
     for name in ("reproduction", "cure"):
-        results = found[name]
-        rows = [{**row, "slip_mm": slips.get(row["case"], row.get("slip_mm"))} for row in results.record.rows]
-        altered = Results(replace(results.record, rows=rows), results.path, results.others)
-        altered.derived.update(results.derived)
-        found[name] = altered
+        found[name] = with_cells(found[name], "slip_mm", slips)
     assert [(claim.outcome.name, claim.numbers["way"]) for claim in advice(Found(found))] == [advised, ends]
 
 
