@@ -1,5 +1,7 @@
 """Questions of issue trackers: what the lint names, and whether the first change that it says cures it in MuJoCo C."""
 
+import json
+
 import mujoco
 import numpy as np
 import pytest
@@ -138,6 +140,77 @@ def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
     assert f"  {' '.join(f'{each:.4g}' for each in contact.solref)}  " in rows["solref"]
     assert f"  {' '.join(f'{each:.4g}' for each in contact.friction[[0, 2, 3]])}  " in rows["friction"]
     assert f"  {contact.includemargin:.4g}  " in rows["margin"]
+
+
+PART = '<body name="part" pos="0 0 {z}"><freejoint/><geom name="part" type="box" size="0.1 0.1 0.1" {geom}/></body>'
+TORSO = """
+<body name="torso" pos="0 0 1"><geom type="box" size="0.2 0.2 0.2"/>
+  <body name="thigh" pos="0 0 -0.2"><joint axis="0 1 0"/><geom type="capsule" size="0.07 0.2" pos="0 0 -0.2"/></body>
+</body>
+"""
+SERVO = """
+<body name="link"><joint name="a" axis="0 1 0"/><geom type="capsule" size="0.02" fromto="0 0 0 0.3 0 0" mass="0.2"/>
+</body></worldbody><actuator><position joint="a" kp="5000" kv="100"/></actuator><keyframe><key qpos="0.3"/></keyframe>
+<worldbody>
+"""
+STARTS = {
+    "an exclude is of the bodies that overlap": (TORSO, "overlap: thigh/", 'body1="torso" body2="thigh"'),
+    "a margin presses": (
+        PART.format(z=0.12, geom='margin="0.1"'),
+        "overlap 80 mm is how deep they overlap with",
+        "move",
+    ),
+    "of a direct solref": (
+        PART.format(z=0.1, geom='solref="-25 -10" priority="1"'),
+        "depth: part against",
+        '"-122.6 -22.1',
+    ),
+    "of the heavy on the light": (
+        PART.format(z=0.1, geom='mass="0.01"') + PART.replace("part", "load").format(z=0.3, geom='mass="100"'),
+        "N on a point press it in",
+        "masses nearer",
+    ),
+    "a servo stiffer than the step": (SERVO, "error unstable", 'integrator="implicitfast"'),
+    "an o_solimp without its flag": ("", "warning override: o_solimp 0.5 counts nowhere", "of the geoms"),
+}
+"""Bodies over a floor, what is said of them, and the advice."""
+
+
+@pytest.mark.parametrize("question", STARTS)
+def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(question, tmp_path, capsys, monkeypatch):
+    bodies, said, advice = STARTS[question]
+    monkeypatch.chdir(tmp_path)
+    option = '<option timestep="0.005" o_solimp="0.5 0.6 0.1"/>' if not bodies else '<option timestep="0.005"/>'
+    floor = f'{option}<worldbody><geom name="floor" type="plane" size="1 1 1"/>'
+    (tmp_path / "scene.xml").write_text(f"<mujoco>{floor}{bodies}</worldbody></mujoco>")
+    main(["scene.xml"])
+    out = capsys.readouterr().out
+    assert said in out and advice in out, out
+    assert [path.name for path in tmp_path.iterdir()] == ["scene.xml"]  # MuJoCo writes a log of what blows up
+
+
+def test_what_could_be_gripped_is_a_note_that_a_grip_confirms(tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    scene = TIPS.replace('cone="elliptic" impratio="100"', "").replace("0.0195 0.1 0.01", "0.0195 0.1 0.1")
+    scene = scene.replace('pos="0 0.02 0"', "").replace('condim="3"', "")
+    path.write_text(scene.replace("0.03 0 0", "0.05 0 0").replace("30 30", "0 0"))
+    assert main([str(path), "--json"]) == 0
+    [found] = [each for each in json.loads(capsys.readouterr().out)["findings"] if each["rule"] == "slip"]
+    assert (found["severity"], found["against"]) == ("note", ["left/left_tip", "right/right_tip"])
+    assert "if gripped" in found["message"]
+    path.write_text(scene.replace("30 30", "0.4905 0.4905"))  # twice what it takes where μ is 1: 0.05 kg · 9.81 m/s²
+    assert found["value"] == pytest.approx(measured(str(path), "creep"), rel=0.15)
+    main([str(path)])
+    assert "warning slip" in (out := capsys.readouterr().out) and "if gripped" not in out
+
+
+def test_what_is_pushed_lies_on_no_slope(tmp_path, capsys):
+    push = PINCH.format(**BESIDE | {"mass": 0.045}).replace('name="right" pos="0.0125 0 0"', 'name="right" pos="1 0 0"')
+    path = tmp_path / "scene.xml"
+    floor = '<worldbody><geom type="plane" size="1 1 1" pos="0 0 -0.0039"/>'
+    path.write_text(push.replace("<worldbody>", floor))
+    main([str(path)])
+    assert "down a slope" not in capsys.readouterr().out
 
 
 def test_what_mujoco_warp_refuses_is_said_in_its_words(tmp_path, capsys):

@@ -35,8 +35,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if not any(".py:" in each or given[:1] == ["page"] for each in given):
             _import_mujoco()
-        from newton_lint.target import TargetError
+        from newton_lint.target import TargetError, mujoco
 
+        mujoco.set_mju_user_warning(lambda _: None)  # which else writes MUJOCO_LOG.TXT where the user stands
         try:
             if given and given[0] in OTHERS:
                 return importlib.import_module(f"newton_lint.{given[0]}").main(given[1:])

@@ -1,8 +1,12 @@
-"""Grips and slopes: bodies that move freely and that friction holds when the scene is stepped, and what slips there."""
+"""Grips and slopes: bodies that move freely and that friction holds when the scene is stepped, and what slips there.
+
+Of a body that no hand holds yet it is said what it would do, of two fingers that close on each other.
+"""
 
 import copy
+import itertools
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import mujoco
@@ -10,6 +14,7 @@ import numpy as np
 
 from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Finding
+from newton_lint.law import M, response_of, settled_impedance, shared_slide_m_s
 from newton_lint.scene import Scene
 from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, pair_indices, predicted_hold, touches_of
 from newton_lint.stepped import Run, changed, contact_forces, free_joints
@@ -24,15 +29,21 @@ OPPOSE = -0.5
 """Cosine between two normals up to which a body is held from two sides."""
 MOST_BODIES = 20
 """Bodies that are looked at closely, those with the most friction first."""
+FIRM = 2.0
+"""Times the least force that holds a body with which it is taken to be gripped."""
+CLOSES = 0.7
+"""Cosine to each other up to which the ways of two fingers close."""
+MOST_FINGERS = 40
+WELD = int(mujoco.mjtEq.mjEQ_WELD)
 
 
 def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Finding]:
-    """Yield what slips out of a grip or down a slope, and what turns between two points.
+    """Yield what slips out of a grip or down a slope, what turns between two points, and what would slip if gripped.
 
     Args:
         skip: A body that is asked for by name.
     """
-    seen = set()
+    seen, held = set(), {skip}
     for run in runs:
         for body in () if run.bad else _burdened(scene, run):
             if scene.bodies[body] != skip and body not in seen:
@@ -41,7 +52,14 @@ def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Findi
                 if touches := touches_of(scene, data, body, steps):
                     found = list(_found(scene, body, touches, data, run.start))
                     seen |= {body} if found else set()
+                    held |= {scene.bodies[body]} if _is_between(touches) else set()
                     yield from found
+    yield from _if_gripped(scene, held)
+
+
+def _is_between(touches: Sequence[Touch]) -> bool:
+    normals = np.array([touch.normal for touch in touches])
+    return float((normals @ normals.T).min()) < OPPOSE
 
 
 def _burdened(scene: Scene, run: Run) -> list[int]:
@@ -53,42 +71,106 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
     acts = np.einsum("ni,nij->nj", contact_forces(model, data, there)[:, 1:3], axes)
     for geoms, sign in zip(data.contact.geom[there].T, (-1.0, 1.0), strict=True):
         np.add.at(friction, model.body_weldid[model.geom_bodyid[geoms]], sign * acts)
-    alone = model.jnt_bodyid[free_joints(model)]
-    alone = alone[np.isclose(model.body_subtreemass[alone], model.body_mass[alone])]
-    weight = model.body_mass * float(np.linalg.norm(model.opt.gravity))
+    alone, weight = _alone(model), model.body_mass * float(np.linalg.norm(model.opt.gravity))
     share = np.linalg.norm(friction, axis=1)[alone] / np.maximum(weight[alone], 1e-12)
     first = np.argsort(-share)[:MOST_BODIES]
     return [int(body) for body in alone[first[share[first] > LEAST]] if weight[body]]
 
 
+def _alone(model: mujoco.MjModel) -> np.ndarray:
+    """Return bodies that move freely and carry nothing."""
+    free = model.jnt_bodyid[free_joints(model)]
+    return free[np.isclose(model.body_subtreemass[free], model.body_mass[free])]
+
+
 def _found(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: str) -> Iterator[Finding]:
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
     normals = np.array([touch.normal for touch in touches])
-    between = float((normals @ normals.T).min()) < OPPOSE
+    between, one_sided = _is_between(touches), float((normals @ normals.T).min()) > -OPPOSE
     if between:
         yield from _turns(scene, hold, start)
-    weight_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
-    if hold.slides or not hold.rests or hold.load_n < (AGREES if between else LEAST) * weight_n:
+    least_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
+    least_n *= AGREES if between else LEAST
+    if not (between or one_sided) or hold.slides or not hold.rests or hold.load_n < least_n:
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
-        yield _slips(scene, hold, "between fingers" if between else "down a slope", start)
+        where = "between fingers" if between else "down a slope"
+        message = f"{where}, by {hold.load_n:.3g} N on {hold.point_count:.3g} points, from {start}"
+        after = predicted_hold(_mended(scene), body, touches, Work(hold.name), data).mm_s
+        yield _slips(scene, hold.name, _names(scene, hold), hold.mm_s, after, message)
 
 
-def _slips(scene: Scene, hold: Hold, where: str, start: str) -> Finding:
+def _mended(scene: Scene) -> Scene:
     impratio = max(scene.option.impratio, 1.0) * 10.0
-    other = changed(scene.model, cone=int(mujoco.mjtCone.mjCONE_ELLIPTIC), impratio=impratio)
-    after = predicted_hold(replace(scene, model=other), hold.body, hold.touches, Work(hold.name), hold.data).mm_s
-    attributes = {"cone": "elliptic", "impratio": f"{impratio:g}"}
-    gain = f"{hold.mm_s:.2g} → {after:.2g} mm/s for the same time step"
-    ways = [for_option(scene, attributes, gain)]
+    return replace(scene, model=changed(scene.model, cone=int(mujoco.mjtCone.mjCONE_ELLIPTIC), impratio=impratio))
+
+
+def _slips(
+    scene: Scene, body: str, against: tuple[str, ...], mm_s: float, after: float, message: str, severity="warning"
+) -> Finding:
+    attributes = {"cone": "elliptic", "impratio": f"{_mended(scene).option.impratio:g}"}
+    ways = [for_option(scene, attributes, f"{mm_s:.2g} → {after:.2g} mm/s for the same time step")]
     if scene.engine.name == "mujoco":
         ways.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
-    return Finding(
-        *("slip", hold.name, _names(scene, hold), "creep", hold.mm_s, after, "mm/s"),
-        f"{where}, by {hold.load_n:.3g} N on {hold.point_count:.3g} points, from {start}",
-        element=scene.source.option("impratio"),
-        advice=either(*ways),
-    )
+    told = ("slip", body, against, "creep", mm_s, after, "mm/s", message, severity)
+    return Finding(*told, scene.source.option("impratio"), either(*ways))
+
+
+def _if_gripped(scene: Scene, held: Collection[str]) -> Iterator[Finding]:
+    """Yield bodies that nothing grips, and that would slip between two fingers that could."""
+    model, contacts = scene.model, scene.contacts
+    weld, pairs = model.body_weldid[model.geom_bodyid], np.flatnonzero(contacts.condim >= 3)
+    free = [body for body in _alone(model).tolist() if model.body_mass[body] and scene.bodies[body] not in held]
+    touching = {body: {} for body in free}
+    for own, other in ((contacts.first, contacts.second), (contacts.second, contacts.first)):
+        for pair in pairs[np.isin(weld[own[pairs]], free)].tolist():
+            touching[int(weld[own[pair]])].setdefault(int(weld[other[pair]]), (pair, int(other[pair])))
+    hands = _closing(model, sorted({finger for each in touching.values() for finger in each}))
+    for body, fingers in touching.items():
+        if hand := next((each for each in hands if fingers.keys() >= {*each}), None):
+            sides, geoms = zip(*(fingers[finger] for finger in hand), strict=True)
+            creep, after = (_creep_m_s(each, sides, model.body_mass[body]) for each in (scene, _mended(scene)))
+            if SLIP_MM_S <= M * creep < M:
+                message = f"if gripped between them, {FIRM:g} times as firmly as it takes"
+                told = scene.bodies[body], tuple(scene.names[geom] for geom in geoms)
+                yield _slips(scene, *told, M * creep, M * after, message, "note")
+
+
+def _closing(model: mujoco.MjModel, bodies: Sequence[int]) -> list[tuple[int, int]]:
+    """Return pairs of fingers: links of one hand, of which each moves towards the other, the outermost first."""
+    data, ways = mujoco.MjData(model), {}
+    mujoco.mj_forward(model, data)
+    driven = np.zeros(model.nv, dtype=bool)
+    driven[data.moment_colind] = model.nu > 0
+    welded = {*model.eq_obj1id[model.eq_type == WELD], *model.eq_obj2id[model.eq_type == WELD]}
+    floats = {int(body) for body in model.jnt_bodyid[free_joints(model)] if body not in welded}
+    for body in bodies[-MOST_FINGERS:]:
+        if model.body_rootid[body] not in floats | {0}:
+            ways[body] = np.zeros((3, model.nv))
+            mujoco.mj_jac(model, data, ways[body], None, data.xipos[body], body)
+    found = []
+    for one, other in itertools.combinations(ways, 2):
+        apart = data.xipos[other] - data.xipos[one]
+        moves = [ways[one].any(axis=0), ways[other].any(axis=0)]
+        own = [moves[0] & ~moves[1], moves[1] & ~moves[0]]
+        if (driven & (own[0] | own[1])).any() and all(each.any() for each in own):
+            along = [ways[body][:, dofs] for body, dofs in zip((one, other), own, strict=True)]
+            cosines = [np.abs(apart @ each) / np.linalg.norm(each, axis=0) for each in along]
+            if min(each.max() for each in cosines) > CLOSES * np.linalg.norm(apart) > 0.0:
+                found.append((-own[0].sum() - own[1].sum(), float(np.linalg.norm(apart)), one, other))
+    return [(one, other) for _, _, one, other in sorted(found)]
+
+
+def _creep_m_s(scene: Scene, pairs: Sequence[int], mass: float) -> float:
+    """Return how fast a body creeps by its weight between two fingers that press it."""
+    contacts, weight_n = scene.contacts, mass * float(np.linalg.norm(scene.model.opt.gravity))
+    grip_n, points = FIRM * weight_n / sum(contacts.contact(pair).mu for pair in pairs), []
+    for pair in pairs:
+        count = min(scene.point_counts[contacts.first[pair]], scene.point_counts[contacts.second[pair]])
+        contact, normal_n = contacts.contact(pair), grip_n / count
+        d = settled_impedance(contact, scene.option, normal_n)
+        points += [(response_of(contact, scene.option, d), normal_n)] * int(count)
+    return shared_slide_m_s(points, weight_n)
 
 
 def _turns(scene: Scene, hold: Hold, start: str) -> Iterator[Finding]:

@@ -69,7 +69,9 @@ def report_of(target: Target, asked: Asked) -> Report:
     hold = held(scene, target, asked.work) if asked.work and not refused else None
     found += hold.findings(scene, asked.below_mm_s or SLIP_MM_S) if hold else []
     runs = runs_of(scene.model, target) if asked.step else []
-    found += stepped(scene, target, runs) if asked.step else []
+    deep = [{each.shape, *each.against} for each in found if each.rule == "depth"]
+    more = stepped(scene, target, runs) if asked.step else []
+    found += [each for each in more if each.rule != "depth" or not any(known >= {each.shape} for known in deep)]
     found += [] if refused else gripped(scene, runs, asked.work.body if asked.work else "")
     if asked.work and not hold and not refused:
         told = ("slides", asked.work.body, (), "settle", asked.work.settle_s, None, "s")

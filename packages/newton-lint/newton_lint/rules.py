@@ -29,7 +29,6 @@ STIFF = 1.9
 """b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
 DEEP_M = 1e-3
 """Depth from which what lies is said to sink in."""
-SPHERE, CAPSULE = int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE)
 DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
 SLIDING, SPINNING, ROLLING = 3, 4, 6
 """Least condim with which a contact resists to each."""
@@ -192,21 +191,25 @@ def depth(scene: Scene) -> Iterator[Hits]:
     contacts, model, option = scene.contacts, scene.model, scene.option
     own = np.where(scene.free[model.geom_bodyid[contacts.first]], contacts.first, contacts.second)
     other, body = contacts.first + contacts.second - own, model.body_weldid[model.geom_bodyid[own]]
-    lies = scene.free[body] & ~scene.free[model.geom_bodyid[other]] & (contacts.solref > 0.0).all(axis=1)
+    first, second = contacts.solref.T
+    lies = scene.free[body] & ~scene.free[model.geom_bodyid[other]] & (first * second > 0.0)
     lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body])
-    timeconst = np.maximum(contacts.solref[:, 0], 2.0 * option.timestep_s)
-    soft = (1.0 - np.clip(contacts.solimp[:, 1], 0.0, 1.0)) * (timeconst * contacts.solref[:, 1]) ** 2
+    timeconst = np.maximum(first, 2.0 * option.timestep_s)
+    with np.errstate(divide="ignore"):
+        inverse_k = np.where(first > 0.0, (timeconst * second) ** 2, -1.0 / first)
+    soft = (1.0 - np.clip(contacts.solimp[:, 1], 0.0, 1.0)) * inverse_k
     mu, rows = contacts.friction[:, 0], np.maximum(contacts.condim - 1, 1)
     is_pyramid = (option.cone == "pyramidal") & (contacts.condim > 1)
     steep = np.where(is_pyramid, (1.0 + mu**2) * mu**2 / option.impratio / rows, 1.0)
-    points = np.select([model.geom_type[own] == SPHERE, model.geom_type[own] == CAPSULE], [1.0, 2.0], 4.0)
-    deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / points
+    deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / scene.point_counts[own]
     there = np.flatnonzero(lies & (deep_m > DEEP_M))
 
     def shallower(pair: int) -> Advice:
-        less = max(timeconst[pair] * (DEEP_M / deep_m[pair]) ** 0.5, 2.0 * option.timestep_s)
+        share = DEEP_M / deep_m[pair]
+        less = max(timeconst[pair] * share**0.5, 2.0 * option.timestep_s)
+        new = f"{first[pair] / share:.4g} {second[pair] / share**0.5:.3g}" if first[pair] < 0.0 else ""
         said = f"{M * deep_m[pair]:.3g} → {M * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
-        return for_contact(scene, pair, lambda solref: f"{less:.3g} {solref[1]:g}", said)
+        return for_contact(scene, pair, lambda solref: new or f"{less:.3g} {solref[1]:g}", said)
 
     yield hits(
         *("depth", "depth", own[there], other[there], M * deep_m[there], np.nan),

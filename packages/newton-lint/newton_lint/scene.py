@@ -13,6 +13,7 @@ from newton_lint.source import Source
 from newton_lint.warp_engine import has_noslip
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+SPHERE, CAPSULE = int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE)
 
 
 @dataclass(frozen=True)
@@ -83,6 +84,12 @@ class Scene:
         there[contacts.first[plain]] = True
         there[contacts.second[plain & ~contacts.outranked]] = True
         return there
+
+    @cached_property
+    def point_counts(self) -> np.ndarray:
+        """Say in how many points each geom touches a flat one."""
+        types = self.model.geom_type
+        return np.select([types == SPHERE, types == CAPSULE], [1.0, 2.0], 4.0)
 
     @cached_property
     def free(self) -> np.ndarray:

@@ -88,6 +88,12 @@ def override(scene: Scene) -> Iterator[Finding]:
         message = "is on: all contacts have the option's solref, solimp and friction, whatever their geoms say"
         advice = for_option(scene, {}, 'take <flag override="enable"/> away: geoms count again')
         yield _whole(scene, "override", "o_solref", float(opt.o_solref[0]), message, advice)
+    said = scene.source.option("o_solimp") or scene.source.option("o_solref")
+    names = [name for name in said.attributes if name.startswith("o_")] if said else []
+    if names and not opt.enableflags & OVERRIDE:
+        message = 'counts nowhere without <flag override="enable"/>, and with it for all contacts'
+        advice = Advice((), "say it of the geoms whose contacts are meant")
+        yield _whole(scene, "override", names[0], float(getattr(opt, names[0])[0]), message, advice)
 
 
 def engine(scene: Scene) -> Iterator[Finding]:

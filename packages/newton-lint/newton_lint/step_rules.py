@@ -9,7 +9,8 @@ import numpy as np
 
 from newton_lint.advice import for_option
 from newton_lint.findings import Advice, Change, Finding
-from newton_lint.law import M
+from newton_lint.law import EULER, IMPLICITFAST, M
+from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import Scene
 from newton_lint.stepped import MOST_DOFS, Run, changed, contact_forces, free_joints, run, starts
 from newton_lint.target import Target
@@ -20,6 +21,8 @@ CALMER = 0.5
 """Share of it that is left where a change mends it."""
 OVERLAP_M, OVERLAP_SHARE = 1e-3, 0.05
 """Overlap at the start from which it is looked at, also as a share of the smaller geom."""
+SUNK = 0.2
+"""Share of half its thickness by which what lies is sunk."""
 FORCE = 100.0
 """Times the weight of all that moves from which a force between links of one robot is out of proportion."""
 LIMITED = 0.5
@@ -44,7 +47,8 @@ def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
         return [Finding("unstepped", "", (), "nv", float(scene.model.nv), None, "1", message, "note")]
     for index, each in enumerate(runs):
         overlaps = _overlapping(scene, each, len(runs) > 1)
-        for finding in (*_unstable(scene, target, each, index), *overlaps, *_sagging(scene, target, each, index)):
+        sags = _sagging(scene, target, each, index)
+        for finding in (*_unstable(scene, target, each, index), *overlaps, *_sunk(scene, each), *sags):
             found.setdefault((finding.rule, finding.shape, finding.against), finding)
     return [*found.values(), *_hulls(scene, target, runs[0])]
 
@@ -59,6 +63,7 @@ def _unstable(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[F
     half = 0.5 * opt.timestep
     more = {"iterations": max(3, 10 * opt.iterations)}
     ways: list[Way] = [(more, {"iterations": str(more["iterations"])})] if seen.at_limit > LIMITED else []
+    ways += [({"integrator": IMPLICITFAST}, {"integrator": "implicitfast"})] if opt.integrator == EULER else []
     ways += [({"timestep": half}, {"timestep": f"{half:g}"}), ({"timestep": 0.25 * opt.timestep}, {})]
     fast = float(seen.thrown_m_s.max(initial=0.0))
 
@@ -93,7 +98,7 @@ def _unstable(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[F
 
 def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Finding]:
     """Yield bodies that overlap at the start: as a warning where they are still jammed or thrown apart by it."""
-    model, body = scene.model, scene.model.body_weldid[scene.model.geom_bodyid]
+    model, body = scene.model, scene.model.geom_bodyid
     touching = np.sort(body[seen.data.contact.geom], axis=1)
     forces = contact_forces(model, seen.data, range(len(touching)))[:, 0] * (0.0 if seen.bad else 1.0)
     fast = dict(zip(model.jnt_bodyid[free_joints(model)].tolist(), seen.thrown_m_s.tolist(), strict=True))
@@ -107,11 +112,12 @@ def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Findi
     for bodies, (depth, pair) in worst.items():
         force = float(forces[(touching == bodies).all(axis=1)].sum())
         jammed = weight > 0.0 and force > FORCE * weight
-        thrown = max(fast.get(each, 0.0) for each in bodies)
+        thrown = max(fast.get(int(model.body_weldid[each]), 0.0) for each in bodies)
         hard = jammed or bool(seen.bad) or thrown > THROWN_M_S
         one_tree = model.body_rootid[bodies[0]] == model.body_rootid[bodies[1]] or not any(scene.free[list(bodies)])
         names = [scene.bodies[each] for each in bodies]
-        message = f"is how deep they overlap at {seen.start}"
+        margin = " with their margin" if model.geom_margin[list(pair)].any() or model.pair_margin.any() else ""
+        message = f"is how deep they overlap{margin} at {seen.start}"
         if jammed:
             message += f": {force:.3g} N press them apart, {force / weight:.3g} times the weight of all that moves"
         elif thrown > THROWN_M_S:
@@ -127,6 +133,25 @@ def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Findi
             element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
             advice=advice,
         )
+
+
+def _sunk(scene: Scene, seen: Run) -> Iterator[Finding]:
+    """Yield what lies and is pressed in by a share of its thickness, as what bears far more than its own weight is."""
+    model, data = scene.model, seen.data
+    sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
+    sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
+    speeds = np.linalg.norm(data.cvel[:, 3:], axis=1)
+    for index, (pair, distance) in enumerate(zip(data.contact.geom.tolist(), data.contact.dist.tolist(), strict=True)):
+        moves = 0.5 * seen.time_s * max(speeds[model.geom_bodyid[pair]])
+        rests = not seen.bad and min(pair) >= 0 and moves < -distance
+        thin, other = sorted(pair, key=lambda geom: sizes[geom])
+        if rests and -distance > SUNK * sizes[thin] and -distance > 2.0 * seen.first.get(tuple(pair), 0.0):
+            newtons, after = float(contact_forces(model, data, [index])[0, 0]), f"{seen.time_s:.2g} s from {seen.start}"
+            message = f"is how deep {newtons:.3g} N on a point press it in after {after}: a contact is only as stiff "
+            told = ("depth", scene.names[thin], (scene.names[other],), "depth", -M * distance, None, "mm")
+            advice = Advice((), "a shorter timeconst, a solimp nearer to 1, or masses nearer to each other")
+            element = scene.source.geom(thin)
+            yield Finding(*told, f"{message}as its lighter body is heavy", "note", element, advice)
 
 
 def _sagging(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:

@@ -118,11 +118,12 @@ def deepest_of(data: mujoco.MjData) -> float:
 
 
 def overlaps(data: mujoco.MjData) -> dict[tuple[int, int], float]:
-    """Return the deepest contact of each pair of geoms that overlap."""
+    """Return the deepest contact of each pair of geoms that press each other, from their margin on."""
     found: dict[tuple[int, int], float] = {}
-    for pair, distance in zip(data.contact.geom.tolist(), data.contact.dist.tolist(), strict=True):
-        if distance < 0.0 <= min(pair):
-            found[tuple(pair)] = max(-distance, found.get(tuple(pair), 0.0))
+    depths = data.contact.includemargin - data.contact.dist
+    for pair, depth in zip(data.contact.geom.tolist(), depths.tolist(), strict=True):
+        if depth > 0.0 <= min(pair):
+            found[tuple(pair)] = max(depth, found.get(tuple(pair), 0.0))
     return found
 
 
