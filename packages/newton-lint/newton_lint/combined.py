@@ -71,14 +71,14 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     first, second = np.where(swap[:, None], pairs[:, ::-1], pairs).T
     plain = named < 0
     outranked = (priority[:, 0] != priority[:, 1]) & plain
-    share = _share(model.geom_solmix[first], model.geom_solmix[second], outranked)
+    weights = share(model.geom_solmix[first], model.geom_solmix[second], outranked)
     solrefs = model.geom_solref[first], model.geom_solref[second]
-    mixed = share * solrefs[0] + (1.0 - share) * solrefs[1]
+    mixed = weights * solrefs[0] + (1.0 - weights) * solrefs[1]
     direct = (np.minimum(solrefs[0][:, :1], solrefs[1][:, :1]) <= 0.0) & (
         ~outranked[:, None] if engine == "mujoco" else True
     )
     solref = np.where(direct, np.minimum(*solrefs), mixed)
-    solimp = share * model.geom_solimp[first] + (1.0 - share) * model.geom_solimp[second]
+    solimp = weights * model.geom_solimp[first] + (1.0 - weights) * model.geom_solimp[second]
     larger = np.maximum(model.geom_friction[first], model.geom_friction[second])
     friction = np.where(outranked[:, None], model.geom_friction[first], larger)
     condim = np.where(
@@ -99,7 +99,8 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     )  # fmt: skip
 
 
-def _share(mix: np.ndarray, other: np.ndarray, outranked: np.ndarray) -> np.ndarray:
+def share(mix: np.ndarray, other: np.ndarray, outranked: np.ndarray) -> np.ndarray:
+    """Return what the first geom of each pair counts by solmix, all where it outranks the other."""
     mix, other = (np.where(each < mujoco.mjMINVAL, 0.0, each) for each in (mix, other))
     total = mix + other
     share = np.where(total > 0.0, mix / np.where(total > 0.0, total, 1.0), 0.5)

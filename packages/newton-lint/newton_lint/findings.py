@@ -41,14 +41,14 @@ class Finding:
 
     rule: str
     shape: str
-    """Body and shape that it is about, as ``cube/box``; empty for a buffer, and for what is said of the whole scene."""
+    """Body and shape that it is about, as ``cube/box``; empty for what is said of the whole scene."""
     against: tuple[str, ...]
     """The other shapes of the pairs that it is about; empty where it is about the shape alone."""
     parameter: str
     value: float
     """As authored, or as what is authored comes out."""
     used: float | None
-    """What is used instead; None where nothing is. Of a buffer what was needed, of a dampratio the critical one."""
+    """What is used instead; None where nothing is. Of a dampratio the critical one."""
     unit: str
     message: str
     severity: str = "warning"
@@ -65,15 +65,6 @@ class Group:
     against: str
     count: int
     """Pairs of shapes, or shapes where it is about these alone."""
-
-
-@dataclass(frozen=True)
-class Buffer:
-    """A buffer of the engine or of the collision pipeline, per world."""
-
-    name: str
-    capacity: int
-    peak: int
 
 
 def grouped(findings: Iterable[Finding]) -> list[Group]:

@@ -13,7 +13,7 @@ WORST = 5
 """Creeps that are shown."""
 LEAST_MM_S = 1e-3
 """Slower creep is told as being below it."""
-USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
+USED = {"dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
 """What ``used`` is called where it is not what the engine uses."""
 
 
@@ -78,7 +78,7 @@ def text_of(report: Report) -> Iterator[str]:
 def sentence(group: Sequence[Finding]) -> str:
     """Return findings that say the same, as a sentence."""
     finding = group[0]
-    unit = f" {finding.unit}" if finding.unit not in ("1", "count") else ""
+    unit = f" {finding.unit}" if finding.unit != "1" else ""
     said = f"{finding.parameter} {finding.value:.4g}{unit} {finding.message}"
     if finding.used is not None:
         said += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"

@@ -1,6 +1,5 @@
 """The lint: each rule on a model of two boxes, and all of them on the shake test as the solver really has it."""
 
-import mujoco
 import newton
 import numpy as np
 import pytest
@@ -9,13 +8,14 @@ from newton.solvers import SolverMuJoCo
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.simulation import Simulation
-from newton_lint.findings import Buffer
+from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
-from newton_lint.newton_models.contacts import DEFAULT_SOLREF, FORCE_SPACE, RAW, SOLIMP, Shapes, contacts_of
-from newton_lint.newton_models.rules import Engine, lint
+from newton_lint.newton_models.rules import CONVERTED, Shapes, lint
+from newton_lint.scene import Engine
 
 DT = 1.0 / 960.0
-ENGINE = Engine(DT)
+ENGINE = Engine(timestep_s=DT)
+FORCE_SPACE, RAW = range(CONVERTED)
 ShapeConfig = newton.ModelBuilder.ShapeConfig
 PAIR = ("body_0/box_0", "body_1/box_1")
 
@@ -49,36 +49,22 @@ def found(model: newton.Model, **options) -> list[tuple]:
             *(finding.rule, (finding.shape, *finding.against), finding.parameter, pytest.approx(finding.value)),
             finding.used if finding.used is None else pytest.approx(finding.used),
         )
-        for finding in lint(model, Engine(DT, **options))
+        for finding in lint(model, Engine(timestep_s=DT, **options))
     ]
 
 
 GAP = newton.ModelBuilder().rigid_gap
 STIFF = {"ke": 2.5e5, "kd": 1e3}
 UNREAD = {"restitution": 0.5, "mu_torsional": 0.1, "mu_rolling": 0.01}
+COMPILED = {"restitution": 0.5, "friction[1]": 0.1, "friction[2]": 0.01}
 FOUND = {
-    "what a higher priority overrules": (
-        *({"ke": 8e4, "mu": 0.3}, {"kd": 200.0}, {"geom_priority": (0, 2)}),
-        [("priority", PAIR, "ke", 8e4, 2.5e3), ("priority", PAIR, "mu", 0.3, 1.0)],
-    ),
-    "not what reaches the solver": ({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, {"geom_priority": (0, 0)}, []),
-    "nor what has the higher priority": ({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, {"geom_priority": (2, 0)}, []),
-    "nor what both say": ({"mu": 0.3}, {"mu": 0.3}, {"geom_priority": (0, 1)}, []),
-    "solimp entry by entry": (
-        *({}, {}, {"geom_priority": (0, 1), "geom_solimp": ((0.7, 0.95, 0.001, 0.5, 2.0), SOLIMP)}),
-        [("priority", PAIR, "solimp[0]", 0.7, SOLIMP[0])],
-    ),
-    "a solref of its own": (
-        *({}, {}, {"geom_priority": (0, 1), "solref_mode": (RAW, RAW), "solref": ((0.05, 1.0), (0.02, 1.0))}),
-        [("priority", PAIR, "solref[0]", 0.05, 0.02)],
-    ),
     "a gap left at the default beside one that was set": (
         *({"gap": None}, {"gap": 0.004}, {}, [("default-gap", PAIR[:1], "gap", GAP, GAP + 0.004)]),
     ),
     "two such gaps are no finding": ({"gap": None}, {"gap": None}, {}, []),
     "nor are two that were set": ({"gap": 0.002}, {"gap": 0.004}, {}, []),
     "a timeconst below two substeps": (STIFF, STIFF, {}, [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)]),
-    "a pair's is the mean of 2 ms and 20 ms": (STIFF, {}, {}, []),
+    "a pair's is the mean of 2 ms and 20 ms": (STIFF, {}, {}, [("one-sided", PAIR[:1], "solref", 2e-3, 11e-3)]),
     "a solref of its own takes the place of ke and kd": (
         *({"ke": 8e4}, {}, {"solref": ((1e-3, 1.0),) * 2, "solref_mode": (RAW, RAW), "geom_priority": (0, 1)}),
         [("timeconst", PAIR[::-1], "timeconst", 1e-3, 2 * DT)],
@@ -94,7 +80,7 @@ FOUND = {
         [("dampratio", PAIR, "dampratio", 0.02, 1.0)],
     ),
     "what no row of a contact reads": (
-        *(UNREAD, {}, {}, [("unused", PAIR[:1], name, value, None) for name, value in UNREAD.items()]),
+        *(UNREAD, {}, {}, [("unused", PAIR[:1], name, value, None) for name, value in COMPILED.items()]),
     ),
 }
 
@@ -103,42 +89,6 @@ FOUND = {
 def test_what_is_found_and_what_is_not(name):
     first, second, attributes, expected = FOUND[name]
     assert found(two_boxes(first, second, **attributes)) == expected
-
-
-CUBE_ON_FLOOR = """
-<mujoco>
-  <worldbody>
-    <geom name="floor" type="plane" size="1 1 1" solref="{floor}" priority="{priority}"/>
-    <body pos="0 0 0.09"><freejoint/><geom name="cube" type="box" size="0.1 0.1 0.1" {cube} priority="1"/></body>
-  </worldbody>
-</mujoco>
-"""
-
-
-@pytest.mark.parametrize(
-    ("floor", "cube", "lost"),
-    [
-        ("0.05 1", 'solref="0.02 0.7" solimp="0.8 0.9 0.002"', [("solref[0]", 0.05)]),
-        ("0.05 0.5", 'solref="0.03 0.7"', [("solref[0]", 0.05), ("solref[1]", 0.5)]),
-        ("-2500 -100", 'solref="-900 -60"', []),  # of which MuJoCo Warp takes the smaller, whatever their priority
-        ("0.05 1", "", [("solref[0]", 0.05)]),
-        ("0.02 1", 'solref="0.05 1"', []),
-    ],
-)
-def test_a_solref_of_lower_priority_is_none_that_mujoco_solves_with(floor, cube, lost):
-    xml = CUBE_ON_FLOOR.format(floor=floor, cube=cube, priority=0)
-    findings = [finding for finding in lint(read_mjcf(xml), ENGINE) if finding.rule == "priority"]
-    assert [(finding.parameter, pytest.approx(finding.value)) for finding in findings] == lost
-    engine = mujoco.MjModel.from_xml_string(xml)
-    data = mujoco.MjData(engine)
-    mujoco.mj_step(engine, data)
-    for finding in findings:
-        assert finding.shape == "floor" and len(data.contact.solref)
-        used = data.contact.solref[:, int(finding.parameter[-2])]
-        np.testing.assert_allclose(used, finding.used, rtol=1e-5)
-        assert not np.isclose(used, finding.value).any()
-    level = CUBE_ON_FLOOR.format(floor=floor, cube=cube, priority=1)
-    assert not [finding for finding in lint(read_mjcf(level), ENGINE) if finding.rule == "priority"]
 
 
 @pytest.mark.parametrize(("material", "parameter"), [({"ke": 1e5, "kd": 0.0}, "ke"), ({"ke": 0.0, "kd": 5.0}, "kd")])
@@ -155,12 +105,12 @@ def test_a_ke_without_kd_is_not_read(material, parameter):
 def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
     model = two_boxes({"kf": 50.0}, {})
     unread = [("kf", PAIR[:1], "kf", 50.0, None)]
-    assert found(model, contacts="newton", cone="pyramidal") == unread
-    assert found(model, contacts="mujoco", cone="elliptic") == unread
-    assert found(model, contacts="newton", cone="elliptic") == ([] if kf_is_read() else unread)
-    assert found(two_boxes({}, {}), contacts="newton", cone="elliptic") == []
+    assert found(model, name="newton", cone="pyramidal") == unread
+    assert found(model, name="mujoco", cone="elliptic") == unread
+    assert found(model, name="newton", cone="elliptic") == ([] if kf_is_read() else unread)
+    assert found(two_boxes({}, {}), name="newton", cone="elliptic") == []
     model = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
-    [(rule, shapes, _, _, used)] = found(model, contacts="newton", cone="elliptic", impratio=1.0)
+    [(rule, shapes, _, _, used)] = found(model, name="newton", cone="elliptic", impratio=1.0)
     if kf_is_read():  # a timeconst of 2 / (kf w) is two substeps
         weight = 2.0 / float(model.body_mass.numpy()[0])
         assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * weight)))
@@ -180,23 +130,22 @@ MJCF = """
 
 
 @pytest.mark.parametrize(
-    ("pair", "rules"), [("0.02 1", []), ("0.001 1", ["timeconst"]), ("0.02 0.01", ["dampratio"]), ("-100 -20", [])]
+    ("pair", "rules"),
+    [("0.02 1", []), ("0.001 1", ["timeconst"]), ("0.02 0.01", ["dampratio"]), ("-100 -20", ["depth"])],
 )
 def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
     model = read_mjcf(MJCF.format(geom=0.001, pair=pair))
     assert [rule for rule, *_ in found(model)] == rules
-    assert [rule for rule, *_ in found(model, contacts="newton")] == ["timeconst"]  # which know of no such pair
 
 
-def test_models_without_shapes_or_the_solvers_attributes_and_an_engine_without_refsafe():
+def test_models_without_shapes_or_the_solvers_attributes():
     builder = newton.ModelBuilder()
     assert lint(builder.finalize(device="cpu"), ENGINE) == []
     body = builder.add_body()
-    assert lint(builder.finalize(device="cpu"), ENGINE, buffers=[Buffer("contacts", 5, 5)]) == []
+    assert lint(builder.finalize(device="cpu"), ENGINE) == []
     builder.add_shape_box(body, cfg=ShapeConfig(ke=2.5e7, kd=1e4))
     builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
     assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
-    assert found(two_boxes(STIFF, STIFF), refsafe=False) == [], "nothing is clamped"
 
 
 def test_shapes_that_cannot_touch_are_left_alone():
@@ -214,8 +163,10 @@ def test_the_contacts_are_those_that_the_solver_has():
     """Contacts of the cube on the ground, where neither shape has priority, so that both sides mix."""
     simulation = Simulation([AS_SHIPPED], wp.get_device("cpu"))
     simulation.frame()
-    contacts = contacts_of(Shapes(simulation.model))
-    places = {frozenset(pair): index for index, pair in enumerate(zip(contacts.first, contacts.second, strict=True))}
+    scene = Shapes.of(simulation.model, Engine())
+    contacts, shapes = scene.contacts, scene.index
+    pairs = zip(shapes[contacts.first].tolist(), shapes[contacts.second].tolist(), strict=True)
+    places = {frozenset(pair): index for index, pair in enumerate(pairs)}
     data, geom_shapes = simulation.solver.mjw_data, simulation.solver.mjc_geom_to_newton_shape.numpy()[0]
     count = int(data.nacon.numpy()[0])
     geoms = geom_shapes[data.contact.geom.numpy()[:count]]
@@ -223,5 +174,5 @@ def test_the_contacts_are_those_that_the_solver_has():
     where = [places[frozenset(pair)] for pair in geoms.tolist()]
     np.testing.assert_allclose(contacts.solref[where], data.contact.solref.numpy()[:count], rtol=1e-5)
     np.testing.assert_allclose(contacts.solimp[where], data.contact.solimp.numpy()[:count], rtol=1e-5)
-    np.testing.assert_allclose(contacts.mu[where], data.contact.friction.numpy()[:count, 0], rtol=1e-5)
+    np.testing.assert_allclose(contacts.friction[where, 0], data.contact.friction.numpy()[:count, 0], rtol=1e-5)
     np.testing.assert_array_equal(contacts.condim[where], data.contact.dim.numpy()[:count])
