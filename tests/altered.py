@@ -227,8 +227,8 @@ SCENARIOS = (
     noisier("noise-x-60", 60.0),
     Scenario("failing", failing),
 )
-CHECKED = ("reversed", "failing")
-"""Scenarios whose site is built, with that of the newest release."""
+CHECKED = "reversed"
+"""The scenario whose site is built, with that of the newest release."""
 NEWEST = [release for release in Project(own_release()).releases if "+" not in release][-1]
 
 
@@ -297,10 +297,10 @@ def said_of(editions: Mapping[str, Edition], release: str) -> Said:
 def said(scenario: Scenario) -> tuple[Said, list[str]]:
     """What the pages of the own release say in a scenario, and what a check of its site, without drawings, finds."""
     own = own_release()
-    with project_of(scenario, [own, NEWEST] if scenario.name in CHECKED else [own]) as project:
+    with project_of(scenario, [own, NEWEST] if scenario.name == CHECKED else [own]) as project:
         derived = DerivedCache(project.root)
         found = said_of(editions_of(project, TEMPLATES, derived), own)
-        if scenario.name not in CHECKED:
+        if scenario.name != CHECKED:
             return found, []
         derived.keep({})
         with mock.patch("measured_report.site.pages.forked", _undrawn):  # most of the time goes into them

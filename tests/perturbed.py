@@ -129,8 +129,8 @@ class Perturbation:
         return PerturbedResults(**{each.name: getattr(tracked, each.name) for each in fields(tracked)} | changed)
 
 
-def of_editions(editions: Mapping[str, Edition], templates: Templates) -> Perturbation:
-    """Of what the results of some editions make."""
-    there = {release: contents(editions, templates, release) for release in editions}
+def of_editions(editions: Mapping[str, Edition], templates: Templates, told: Iterable[str]) -> Perturbation:
+    """Of what the results of some editions make, with the words of those that are told."""
+    there = {release: contents(editions, templates, release) for release in told}
     pages = {release: "".join(undrawn(content.parts) for content in found) for release, found in there.items()}
     return Perturbation({release: edition.chapters for release, edition in editions.items()}, templates, pages)

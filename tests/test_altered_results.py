@@ -1,30 +1,22 @@
-"""Properties of the report over altered results: of one number, of a record, of all editions.
+"""Properties of the report over altered results: of one number, of a record, of an edition.
 
 Whatever is measured, nothing ends in a traceback, no claims contradict each other (``templates/pairs.toml`` stops the
 build), no bound stands on the wrong side, and no number in words could be anything.
 """
 
-import json
 import random
 import re
-from argparse import Namespace
 from dataclasses import replace
 
 import pytest
 from altered import NEWEST, SCENARIOS, Said, said, said_of
-from altered_record import altered
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
-from measured_report.commands import page
 from measured_report.editions.project import own_release
-from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.parts.claim import HOLDS
 from measured_report.records.columns import REASON
 from measured_report.records.record import Record
-from measured_report.site.check import check_site
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
 from report.media.card import TITLE
@@ -66,7 +58,7 @@ def asserts(words: str) -> bool:
 
 @pytest.fixture(scope="module")
 def perturbation(editions) -> Perturbation:
-    return of_editions(editions, Templates(ROOT / "templates"))
+    return of_editions(editions, Templates(ROOT / "templates"), OWN_AND_NEWEST)
 
 
 def test_no_words_name_what_their_test_has_not_read(perturbation):
@@ -167,26 +159,3 @@ def test_a_damaged_record_takes_nothing_down(perturbation):
             # What did not hold before may fail by another number still.
             answers = {"unknown"} if claim.name in held else {"unknown", "fails"}
             assert claim.outcome.name in answers or not lost & claim.outcome.reads, place
-
-
-ROWS = [
-    {"case": "soft", "slip_mm": 6.3617, "dropped": False, "run_count": 3, "note": "as 1 of 2"},
-    {"case": "stiff", "slip_mm": 0.3124, "dropped": False, "run_count": 3, "note": "as 2 of 2"},
-    {"case": "off", "slip_mm": None, "slip_mm_reason": "it fell", "dropped": True, "run_count": 2, "note": None},
-]
-
-
-@settings(max_examples=12, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(chance=st.randoms(use_true_random=False))
-def test_an_altered_record_is_shown_as_it_is_or_named_in_one_line(toy, capsys, chance):
-    toy.measure(ROWS)
-    words, record = altered(json.loads(toy.record_path.read_text()), chance)
-    toy.record_path.write_text(json.dumps(record))
-    capsys.readouterr()
-    status = page.run(toy.project, Namespace(release=release_of("1.4.0"), address=""))
-    lines = capsys.readouterr().err.splitlines()
-    shown = toy.project.site / "data/newton-1.4.0/toy.json"
-    assert shown.is_file() != bool(lines), words
-    assert not shown.is_file() or shown.read_bytes() == toy.record_path.read_bytes(), words
-    assert status == len(lines) and all("newton-1.4.0/toy.json" in line for line in lines), words
-    assert [each for each in check_site(toy.project.site) if "no claim" not in each] == [], words

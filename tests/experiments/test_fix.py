@@ -7,7 +7,7 @@ import re
 import runpy
 import subprocess
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from multiprocessing import get_context
 from pathlib import Path
 from textwrap import indent
@@ -15,13 +15,12 @@ from types import SimpleNamespace
 
 import mujoco
 import newton
-import numpy as np
 import pytest
 import warp as wp
-from conftest import needs_boxes_in_c, program, tracked_mm
+from conftest import needs_boxes_in_c, tracked_mm
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS
+from experiments.facts.case import FIXED, STIFF_PADS
 from experiments.facts.fix_files import fix_files, without_patch
 from experiments.simulation.simulation import Simulation, run, simulate
 from measured_report.files.errors import ReportError
@@ -30,36 +29,21 @@ from measured_report.files.root import ROOT
 OPTIONS = "--viewer null --test --quiet --backend mujoco --json summary.json".split()
 FRAME_COUNT = 360
 """Of what a script must repeat. As shipped it slips enough by then to fail its test."""
-CASES = {"fixed_scene.py": STIFF_PADS, "scene_as_shipped.py": AS_SHIPPED}
-"""What a script is to be, of the scene of this report."""
 
 
-@dataclass(frozen=True)
-class Done:
-    """How a script ended."""
+def run_script(text: str, folder: Path) -> tuple[int, str]:
+    """Run a script alone in a folder and in a fork, which has the engine and its kernels; how it ends and what it says.
 
-    status: int
-    said: str
-    summary: dict
-
-
-@pytest.fixture(scope="module")
-def scripts(tmp_path_factory, kernels) -> dict[str, Done]:
-    """Both scripts through MuJoCo's C engine, each alone in a folder."""
-    return {name: run_script(fix_files()[name], tmp_path_factory.mktemp("fix")) for name in CASES}
-
-
-def run_script(text: str, folder: Path) -> Done:
-    """Run a scene alone in a folder and in a fork of this process, which has the engine and its kernels already."""
+    A scene goes through MuJoCo's C engine.
+    """
     (folder / "scene.py").write_text(text, encoding="utf-8")
-    process = get_context("fork").Process(target=_be_the_scene, args=(folder,))
+    process = get_context("fork").Process(target=_be_the_script, args=(folder,))
     process.start()
     process.join()
-    summary = json.loads((folder / "summary.json").read_text())
-    return Done(process.exitcode, (folder / "said").read_text(), summary)
+    return process.exitcode, (folder / "said").read_text()
 
 
-def _be_the_scene(folder: Path) -> None:
+def _be_the_script(folder: Path) -> None:
     os.chdir(folder)
     sys.argv = ["scene.py", *OPTIONS, "--num-frames", str(FRAME_COUNT)]
     newton.use_coord_layout_targets = False  # as where nothing else has run
@@ -67,24 +51,21 @@ def _be_the_scene(folder: Path) -> None:
     runpy.run_path("scene.py", run_name="__main__")
 
 
-@pytest.mark.slow
-@needs_boxes_in_c
-def test_the_fixed_scene_passes_its_own_test_and_the_shipped_one_fails(scripts):
-    fixed, shipped = scripts["fixed_scene.py"], scripts["scene_as_shipped.py"]
-    assert fixed.status == 0, fixed.said
-    assert shipped.status == 1
-    assert "the cube slipped" in shipped.said.splitlines()[-1]
-
-
-@pytest.mark.slow
-@needs_boxes_in_c
-@pytest.mark.parametrize("name", CASES)
-def test_a_script_is_the_scene_of_this_report(scripts, name):
-    summary, case = scripts[name].summary, CASES[name].name
-    slip_mm = tracked_mm(ROOT / "results/newton-1.4.0", case, FRAME_COUNT)
-    assert summary["slip_mm"] == pytest.approx(slip_mm, abs=0.03)
+def assert_slip_is_tracked(folder: Path, case: str, within_mm: float) -> None:
+    """The tracked run of this case had come as far by then."""
+    summary = json.loads((folder / "summary.json").read_text())
+    expected = tracked_mm(ROOT / "results/newton-1.4.0", case, FRAME_COUNT)
+    assert summary["slip_mm"] == pytest.approx(expected, abs=within_mm)
     assert summary["drift_mm_s"] > 0.0 and summary["dropped"] is False
     assert summary["cube_height_m"] == pytest.approx(0.22, abs=0.05)
+
+
+@pytest.mark.slow
+@needs_boxes_in_c
+def test_the_scene_as_shipped_is_that_of_this_report_and_fails_its_own_test(tmp_path):
+    status, said = run_script(fix_files()["scene_as_shipped.py"], tmp_path)
+    assert status == 1 and "the cube slipped" in said.splitlines()[-1]
+    assert_slip_is_tracked(tmp_path, "as-shipped", 0.03)
 
 
 def test_the_patch_makes_the_shipped_scene_the_fixed_one(tmp_path):
@@ -124,13 +105,14 @@ def fix_block(page: Path) -> str:
 @pytest.mark.slow
 @needs_boxes_in_c
 def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
+    """As the fixed scene does, which has the same two lines."""
     scene = (site / "download/scene_as_shipped.py").read_text(encoding="utf-8")
     block = fix_block(site / "index.html")
     assert scene.count(BEFORE) == 1
-    pasted = scene.replace(BEFORE, f"    builder = robot\n{indent(block, '    ')}{BEFORE}")
-    done = run_script(pasted, tmp_path)
-    assert done.status == 0, done.said
-    assert_as_said(site, done.summary["slip_mm"])
+    status, said = run_script(scene.replace(BEFORE, f"    builder = robot\n{indent(block, '    ')}{BEFORE}"), tmp_path)
+    assert status == 0, said
+    noise = json.loads((site / "data/values.json").read_text(encoding="utf-8"))["noise"]["slip_floor"]["value"]
+    assert_slip_is_tracked(tmp_path, "stiff-pads", noise)
 
 
 MJCF = """<mujoco><worldbody><body name="finger"><freejoint/><geom name="pad" type="box" size=".1 .1 .1" {}/></body>
@@ -150,41 +132,16 @@ def test_the_lines_of_the_front_page_reach_pads_that_were_imported(site, solref)
     assert solver.mj_model.geom_solref.tolist() == [pytest.approx([0.002, 1.0])]
 
 
-def test_the_smallest_file_runs_as_it_is_shown(site):
-    said = program("-c", fix_block(site / "fix.html"))
-    assert said.returncode == 0 and "[0.002" in said.stdout, said.stderr
+def test_the_smallest_file_runs_as_it_is_shown(site, tmp_path):
+    status, said = run_script(fix_block(site / "fix.html"), tmp_path)
+    assert status == 0 and "[0.002" in said, said
 
 
-def assert_as_said(site: Path, slip_mm: float) -> None:
-    """The run with stiff pads whose slip the page says had come as far by then."""
-    noise = json.loads((site / "data/values.json").read_text(encoding="utf-8"))["noise"]["slip_floor"]["value"]
-    assert slip_mm == pytest.approx(tracked_mm(site / "data/newton-1.4.0", "stiff-pads", FRAME_COUNT), abs=noise)
-
-
-class InMjcf(Simulation):
-    """The scene through MuJoCo's C engine, its pads as lines of MJCF have them."""
-
-    lines = ""
-
-    def _build_solver(self):
-        solver = super()._build_solver()
-        geoms = self.lines.replace("<geom", '<geom type="box" size="0.01 0.01 0.01"')
-        pads = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{geoms}</worldbody></mujoco>")
-        assert [pads.geom(name).priority[0] for name in ("left_pad", "right_pad")] == [1, 1]
-        model = solver.mj_model
-        fingers = [geom for geom in range(model.ngeom) if "finger" in model.body(model.geom_bodyid[geom]).name]
-        assert model.geom_solref[fingers] == pytest.approx(np.tile([0.02, 1.0], (8, 1)))
-        model.geom_solref[fingers] = pads.geom_solref[0]
-        return solver
-
-
-@pytest.mark.slow
-@needs_boxes_in_c
-def test_the_lines_of_mjcf_hold_the_cube_as_the_other_block_does(site, monkeypatch):
-    monkeypatch.setattr(InMjcf, "lines", block_with(site / "index.html", "left_pad"))
-    case = replace(AS_SHIPPED, backend="mujoco", frame_count=FRAME_COUNT)
-    [[trace]] = run([InMjcf([case], wp.get_device("cpu"))])
-    assert_as_said(site, metrics.slip_mm(metrics.displacement(trace)))
+def test_the_lines_of_mjcf_say_of_pads_what_the_other_block_does(site):
+    geoms = block_with(site / "index.html", "left_pad").replace("<geom", '<geom type="box" size="0.01 0.01 0.01"')
+    model = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{geoms}</worldbody></mujoco>")
+    for pad in map(model.geom, ("left_pad", "right_pad")):
+        assert pad.priority[0] == 1 and pad.solref == pytest.approx([0.002, 1.0])
 
 
 class Pasted(Simulation):

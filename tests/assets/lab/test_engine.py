@@ -23,15 +23,11 @@ QUERIES = {
     "stiff-pads": "ke=250000&kd=1000",
     "term": "term=on",
     "whole-cure": "term=centred&integrator=Euler&impratio=1000",
-    "as-shipped-10cm": "amplitude_mm=100",
     "stiff-pads-10cm": "ke=250000&kd=1000&amplitude_mm=100",
     "cone-pyramidal": "cone=pyramidal",
-    "impratio-1": "impratio=1",
-    "substeps-4": "substeps=4",
-    "hold": "amplitude_mm=0",
 }
 """What the page's address says for each tracked case."""
-RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "8"))
+RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "5"))
 """Settings that are tried; 1000 take some minutes."""
 NUMBERS = {
     "ke": (1e2, 1e7),
@@ -67,7 +63,7 @@ def test_it_slips_as_the_tracked_runs_and_ends_in_their_class():
         assert row["class"] == tracked[case]["class"], case
         if not tracked[case]["dropped"]:
             assert row["slip_mm"] == pytest.approx(tracked[case]["slip_mm"], rel=0.01, abs=0.02), case
-        if row["drift_mm_s"] and case in ("as-shipped", "stiff-pads", "stiff-pads-10cm", "substeps-4"):
+        if row["drift_mm_s"] and case in ("as-shipped", "stiff-pads", "stiff-pads-10cm"):
             assert row["predicted_drift_mm_s"] == pytest.approx(row["drift_mm_s"], rel=0.02), case
 
 

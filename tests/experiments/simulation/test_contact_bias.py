@@ -128,8 +128,8 @@ def test_the_kernel_is_the_rate_of_the_contact_velocity(tumble):
     assert dims == {1, 3, 4, 6}
 
 
-SHORT = replace(LEAN, frame_count=300, **ENGINES_AGREE)
-"""The set-up and 1.5 s of shake."""
+SHORT = replace(LEAN, cube_in_hand=True, frame_count=180, **ENGINES_AGREE)
+"""The lift's time in the hand and 1.5 s of shake."""
 BIAS = replace(SHORT, name="term", contact_bias=True)
 
 
@@ -146,8 +146,8 @@ def slips() -> dict[str, np.ndarray]:
 
 def test_each_world_has_the_term_that_its_case_asks_for_in_warp_as_in_c(slips):
     assert slips["lean"][0] > 0.5
-    assert 0.06 < -slips["term"][0] < 0.1
-    assert abs(slips["centred"][0]) < 0.06
+    assert 0.08 < -slips["term"][0] < 0.16
+    assert abs(slips["centred"][0]) < abs(slips["term"][0])
     for name in ("lean", "term"):
         assert slips[f"{name}-c"] == pytest.approx(slips[name], abs=0.02)
 

@@ -10,7 +10,7 @@ import mujoco_warp as mjw
 import numpy as np
 import pytest
 import warp as wp
-from stepping import take_steps
+from stepping import BALL, in_two_worlds, take_steps
 
 from experiments.simulation import contact_bias, contact_bias_c, contact_place
 
@@ -169,9 +169,6 @@ def test_bodies_that_turn_by_a_radian_while_their_contact_settles_get_nothing():
         assert subtracted(model, data) == pytest.approx(0.0, abs=1e-3)
 
 
-BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitfast"/><worldbody>
-  <geom type="plane" size="5 5 1"/><body pos="0 0 0.03"><freejoint/><geom type="sphere" size="0.03" mass="0.2"/></body>
-</worldbody></mujoco>"""
 STEP_COUNT = 500
 
 
@@ -179,7 +176,7 @@ def ball() -> tuple[mujoco.MjModel, mujoco.MjData]:
     """A ball that rolls at 1 m/s and spins at 20 rad/s."""
     model = mujoco.MjModel.from_xml_string(BALL)
     data = mujoco.MjData(model)
-    data.qvel[:] = 1.0, 0.0, 0.0, 0.0, 1.0 / 0.03, 20.0
+    data.qvel[:6] = 1.0, 0.0, 0.0, 0.0, 1.0 / 0.03, 20.0
     mujoco.mj_forward(model, data)
     return model, data
 
@@ -195,10 +192,10 @@ def in_c(control) -> np.ndarray:
 
 
 def in_warp(*installed: bool, **options) -> np.ndarray:
-    """Position of the ball in two worlds, of which some have the term; shape [2, 7]."""
+    """Position of the ball in two worlds, of which some have the term; shape [2, 8]."""
     model, data = ball()
     with wp.ScopedDevice("cpu"):
-        m, d = mjw.put_model(model), mjw.put_data(model, data, nworld=2, nconmax=4, njmax=16)
+        m, d = in_two_worlds(model, data)
         if installed:
             contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options)
         take_steps(m, d, STEP_COUNT)

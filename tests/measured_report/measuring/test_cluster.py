@@ -52,7 +52,8 @@ def plain_workers(monkeypatch):
 
 def started(plain: Path, count: int) -> subprocess.Popen:
     command, pipe = [sys.executable, "-c", SCHEDULER, str(count)], subprocess.PIPE
-    return subprocess.Popen(command, cwd=plain, stdin=pipe, stdout=pipe, text=True)
+    own = {**os.environ, "TMPDIR": str(plain)}  # and with it a lock of their own
+    return subprocess.Popen(command, cwd=plain, env=own, stdin=pipe, stdout=pipe, text=True)
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +74,7 @@ def scheduler(address) -> str:
 
 def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler, capsys):
     whole = section_of(toy, batches.plan(str(log), "abcdef", 0.2, exclusive="cf"))
-    mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 2))), "mortal")
+    mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
     doomed = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed")
     with cluster_pools(scheduler, "cpu", None, 1) as pools:
         assert not Loop([whole, mortal], *pools).run()
@@ -113,19 +114,14 @@ def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, 
     assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
 
 
-def test_workers_for_what_is_exclusive_are_asked_for(plain):
-    with started(plain, 2) as process:
-        lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
-        with lacks, cluster_pools(process.stdout.readline().strip(), "cpu", None, 1):
-            pass
-        process.kill()
-
-
 @pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(plain, toy, monkeypatch, stop):
     monkeypatch.setattr(cluster, "SILENT_S", 10.0)
-    with started(plain, 2) as process:
+    with started(plain, 1) as process:
         address = process.stdout.readline().strip()
+        lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
+        with lacks, cluster_pools(address, "cpu", None, 1):
+            pass
         gone = pytest.raises(ReportError, match="the scheduler is gone; what is finished is kept")
         with gone, connected(address, "cpu") as client:
             pools = [cluster.ClusterPool(client, resource) for resource in ("shared", "exclusive")]

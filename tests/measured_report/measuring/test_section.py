@@ -154,7 +154,8 @@ with host_pools(2) as pools:
 def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(toy, log, plain, sent):
     toy.record_path.unlink()
     command = [sys.executable, "-c", DRIVER, str(toy.project.root), str(log)]
-    driver = subprocess.Popen(command, cwd=plain, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    own = {**os.environ, "TMPDIR": str(plain)}  # and with it a lock of its own
+    driver = subprocess.Popen(command, cwd=plain, env=own, stderr=subprocess.PIPE, text=True, start_new_session=True)
     while "begin slow" not in log.read_text() or not toy.record_path.exists():
         assert driver.poll() is None, driver.stderr.read()
         time.sleep(0.02)

@@ -102,5 +102,5 @@ def test_the_search_for_inert_numbers_sees_passages(toy, place):
     text = "# A report\n" if place == "front.md.j2" else words
     toy.write(f"templates/{place}", f"{text}\n{PLAIN}\n\n{inert}\n")
     templates = Templates(toy.project.templates)
-    found = inert_passages(of_editions(editions_of(toy.project, templates), templates), "1.4.0")
+    found = inert_passages(of_editions(editions_of(toy.project, templates), templates, ["1.4.0"]), "1.4.0")
     assert found == {"toy.stands holds toy.json#/rows/0/slip_mm"}

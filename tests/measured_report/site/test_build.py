@@ -95,7 +95,7 @@ def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_s
     [
         ("raise OSError('no ink')", "report/sections/toy.py:12: OSError: no ink"),
         ("1 / 0", "report/sections/toy.py:12: ZeroDivisionError: division by zero"),
-        ("return trace.value", "it draws a pandas"),
+        ("return None", "it draws a builtins.NoneType"),
         ("axes.set_ylabel('x [m]')", r"its axis 'x \[m\]' has another unit than what it draws, mm"),
     ],
 )
