@@ -85,15 +85,12 @@ def make_clips(project: Project, device: wp.Device) -> None:
         rows=rows,
     )
     path = project.record_path(shown.CLIPS)
-    traces = {case: packed(path, case, readout_table(clip)) for case, clip in clips.items()}
+    traces = {}
+    for case, clip in clips.items():  # what is read out in each frame, over the clip's own time
+        table = pd.DataFrame(clip.readout()).round(5).assign(time_s=np.arange(len(clip.frames)) / FRAME_RATE)
+        traces[case] = packed(path, case, table)
     write_record(path, record, traces)
     print(f"{len(rows)} files in {record.measured['seconds']:.0f} s → {path}")
-
-
-def readout_table(clip: Clip) -> pd.DataFrame:
-    """Return what is read out in each frame, over the clip's own time."""
-    table = pd.DataFrame(clip.readout()).round(5)
-    return table.assign(time_s=np.arange(len(table)) / FRAME_RATE)
 
 
 def row_of(poses: Record, run: str) -> dict:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from measured_report.files.root import ROOT
 from measured_report.parts.section import Download, Section
 from measured_report.values.results import Results
-from report.sections.cure import bodies, budget, controls, hold, limits, tumbles, turntable
+from report.sections.cure import bodies, budget, controls, limits, tumbles, turntable
 from report.shared.arithmetic import joined
 
 order = 141
@@ -21,7 +21,7 @@ labels = {
     "ke-kd-#-#-#-plain": "pads' ke {1}, kd {0}, {2} substeps",
 }
 
-PARTS = (turntable, controls, hold, limits, bodies, tumbles, budget)
+PARTS = (turntable, controls, limits, bodies, tumbles, budget)
 """The modules of its parts; the last one reads what the limits are."""
 
 

@@ -1,9 +1,9 @@
-"""Controls: a straight shake, a grasp that only turns, and either form of the Jacobian in MuJoCo's C engine."""
+"""Controls: a straight shake, a grasp that only turns, either form of the Jacobian in C, and an arm held still."""
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import departure, extreme, largest_size
+from report.shared.arithmetic import departure, extreme, largest_size, ratio, share
 
 ENGINES = ("warp", "c")
 FAULTY = "4.0.0"
@@ -11,7 +11,7 @@ FAULTY = "4.0.0"
 
 
 def derive(results: Results) -> Section:
-    return Section(claims=[_only_turning_creeps(results), _sparse_is_dense(results)])
+    return Section(claims=[_only_turning_creeps(results), _sparse_is_dense(results), _compensation_helps(results)])
 
 
 def _only_turning_creeps(results: Results) -> Claim:
@@ -42,3 +42,18 @@ def _sparse_is_dense(results: Results) -> Claim:
     version = results.record.identity.packages["mujoco"]
     numbers = {"dense": dense, "sparse": sparse, "apart": apart, "version": version, "has_fault": version == FAULTY}
     return Claim("sparse_is_dense", outcome, numbers)
+
+
+def _compensation_helps(results: Results) -> Claim:
+    """Tell what creeps in a minute with the arm held still, with compensated positions and with the root cure."""
+    before, after, best = (results.row[case] for case in ("rounded", "kept", "best"))
+    kept = after.increment_final_mm
+    bound = results.chosen("creep_bound", "a millimetre or so in a minute", 0.02, unit="mm")
+    formula = "slip with positions rounded over that with compensated ones"
+    gain = ratio(results, "kept_gain", formula, before.slip_mm, after.slip_mm)
+    rest = share(results, "best_share", "of the former slip, that with the cure", best.slip_mm, before.slip_mm)
+    outcome = all_of(
+        at_most(kept, bound), at_least(gain, 2.0, why="less by half"), at_most(rest, 50.0, why="less by half")
+    )
+    numbers = {"slip": before.slip_mm, "slip_kept": after.slip_mm, "best": best.slip_mm}
+    return Claim("compensation_helps", outcome, numbers | {"duration": before.shake_duration_s})

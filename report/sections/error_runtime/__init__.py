@@ -7,7 +7,7 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
 from report.sections.error_runtime.claims import crossover_claim, setting_claims
 from report.sections.error_runtime.figures import LEAST_ERROR_MM, draw_numerical
-from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, assignment, is_clamped, points_of
+from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, is_clamped, points_of
 from report.shared.arithmetic import Column, table_of
 
 order = 155
@@ -45,5 +45,7 @@ def _front_table(points: Points) -> Table:
 
 
 def _settings(row: Row) -> Markup:
-    parts = [assignment(row, name) for name in ("substeps", *PARAMETERS) if name in row]
+    """Write the parameters as one sets them in the scene."""
+    values = {name: row[name] for name in ("substeps", *PARAMETERS) if name in row}
+    parts = (Markup("{}={}").format(name, getattr(value, "code", value)) for name, value in values.items())
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))

@@ -3,8 +3,6 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from markupsafe import Markup
-
 from experiments.facts.case import AS_SHIPPED
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
@@ -128,9 +126,3 @@ def is_clamped(row: Row) -> bool:
     """Tell whether MuJoCo raises the contacts' timeconst to two substeps."""
     cells = row.timeconst_ms.value, row.substep_ms.value
     return None in cells or cells[0] < 2.0 * cells[1]
-
-
-def assignment(row: Row, name: str) -> Markup:
-    """Write a parameter as one sets it in the scene."""
-    value = row[name]
-    return Markup("{}={}").format(name, value.code if isinstance(value, Quantity) else value)
