@@ -37,7 +37,11 @@ from measured_report.records.traces import load_trace, packed
 
 
 def main() -> int:
-    arguments = parse_arguments()
+    parser = argparse.ArgumentParser(prog="python -m experiments.media.render", description=__doc__.split(":")[0])
+    parser.add_argument("--newton", default=own_release(), help="release whose kept poses are shown")
+    parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
+    parser.add_argument("--profile", choices=PROFILES, default="full")
+    arguments = parser.parse_args()
     project = Project(arguments.newton, arguments.profile, own_release=own_release())
     try:
         if importlib.util.find_spec("av") is None:
@@ -47,14 +51,6 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 2
     return 0
-
-
-def parse_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m experiments.media.render", description=__doc__.split(":")[0])
-    parser.add_argument("--newton", default=own_release(), help="release whose kept poses are shown")
-    parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
-    parser.add_argument("--profile", choices=PROFILES, default="full")
-    return parser.parse_args()
 
 
 def make_clips(project: Project, device: wp.Device) -> None:

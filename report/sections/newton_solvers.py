@@ -99,11 +99,8 @@ def _steel_stays(results: Results, seen: Quantity) -> Claim:
 def _shake_table(rows: RowsBy) -> Table:
     """Say what each variant does in the shake, and in others how far the cube slips, if it is kept."""
     names = list(dict.fromkeys(variant for variant, _ in rows))
-    columns: dict[str, Column] = {
-        "slip": "slip_mm",
-        "creep": "creep_mm_per_cycle",
-        "along over normal force": "friction_share",
-    }
+    columns: dict[str, Column] = {"slip": "slip_mm", "creep": "creep_mm_per_cycle"}
+    columns |= {"along over normal force": "friction_share"}
     columns |= {"normal force": "normal_force_n", "penetration": "penetration_mm"}
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
         found = [rows[name, shake] for name in names]

@@ -13,8 +13,7 @@ from measured_report.parts.claim import Claim, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
-from report.shared import arithmetic
-from report.shared.arithmetic import DEVICES, departure, ratio
+from report.shared.arithmetic import DEVICES, by_case, departure, ratio, spread
 
 order = 10
 label = "the shake test"
@@ -51,7 +50,7 @@ def derive(results: Results) -> Section:
     slips, steady = _slips(results, shipped), _steady(results, shipped, results.trace("as-shipped"))
     there = [row for row in results.rows if "slip_mm" in row]
     return Section(
-        tables={"cases": arithmetic.by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})},
+        tables={"cases": by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})},
         claims=[slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)],
     )
 
@@ -110,7 +109,7 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     def apart(case: str, pads: str) -> Value:
         cells = [results.row[f"{case}{suffix}"].slip_mm for suffix in places]
         formula = f"largest less smallest slip of all engines and devices, with {pads} pads"
-        return arithmetic.spread(results, f"engine_difference_{pads}", formula, cells)
+        return spread(results, f"engine_difference_{pads}", formula, cells)
 
     shipped, stiff = apart("as-shipped", "shipped"), apart("stiff-pads", "stiff")
     formula = "the larger of the two differences between engines and devices, as shipped and with stiff pads"

@@ -5,7 +5,7 @@ from markupsafe import Markup
 from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.claims import crossover_claim, setting_claims
+from report.sections.error_runtime import claims
 from report.sections.error_runtime.figures import LEAST_ERROR_MM, draw_numerical
 from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, is_clamped, points_of
 from report.shared.arithmetic import Column, table_of
@@ -28,11 +28,12 @@ PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "inte
 
 def derive(results: Results) -> Section:
     points = points_of(results)
-    claims = [*setting_claims(points), crossover_claim(points)]
-    pays = next(claim.outcome == HOLDS for claim in claims if claim.name == "rk4_warp")
+    rk4 = claims.rk4_in_warp(points)
+    told = [claims.pads_decide(points), claims.c_is_cheapest(points), rk4, claims.rk4_with_stiff_pads(points)]
+    told += [claims.reference_converged(points), claims.solver_effort(points), claims.crossover(points)]
     errors = [row[ERROR] for row in points.settings]
-    numerical = Figure(lambda: draw_numerical(points), errors, {"rk4_warp": pays})
-    return Section(tables={"front": _front_table(points)}, figures={"numerical": numerical}, claims=claims)
+    numerical = Figure(lambda: draw_numerical(points), errors, {"rk4_warp": rk4.outcome == HOLDS})
+    return Section(tables={"front": _front_table(points)}, figures={"numerical": numerical}, claims=told)
 
 
 def _front_table(points: Points) -> Table:

@@ -1,7 +1,7 @@
 """Claims on engines, integrators, steps and knobs, on the model, and on the measurement."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -27,16 +27,7 @@ from report.shared.timing import resolution
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
 
-def setting_claims(points: Points) -> Iterator[Claim]:
-    yield _pads_decide(points)
-    yield _c_is_cheapest(points)
-    yield _rk4_in_warp(points)
-    yield _rk4_with_stiff_pads(points)
-    yield _reference_converged(points)
-    yield _solver_effort(points)
-
-
-def _pads_decide(points: Points) -> Claim:
+def pads_decide(points: Points) -> Claim:
     """Tell whether the grasp error as shipped stays when the model is solved to the end and is far less with stiff
     pads."""
     results, shipped = points.results, points[SHIPPED][GRASP]
@@ -54,7 +45,7 @@ def _pads_decide(points: Points) -> Claim:
     return Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
 
 
-def _c_is_cheapest(points: Points) -> Claim:
+def c_is_cheapest(points: Points) -> Claim:
     front = points.best(points.front)
     shipped, in_c = points[SHIPPED], points[SHIPPED_C]
     warp, c = shipped[TIME], in_c[TIME]
@@ -70,7 +61,7 @@ def _c_is_cheapest(points: Points) -> Claim:
     return Claim("c_is_cheapest", outcome, {**told(noise, {"c": c, "warp": warp}), "engine": engine})
 
 
-def _rk4_in_warp(points: Points) -> Claim:
+def rk4_in_warp(points: Points) -> Claim:
     results, cases = points.results, ("as-shipped/newton-rk4/substeps-4", SHIPPED)
     error, before = (points[case][ERROR] for case in cases)
     time, time_before = (points[case].time_ratio for case in cases)  # medians are of their own rounds
@@ -90,14 +81,14 @@ def _rk4_in_warp(points: Points) -> Claim:
     return Claim("rk4_warp", outcome.having_read(seen), numbers | {"seen": seen, "is_as_long": is_as_long})
 
 
-def _rk4_with_stiff_pads(points: Points) -> Claim:
+def rk4_with_stiff_pads(points: Points) -> Claim:
     coarse, with_steps = "stiff/c-rk4/substeps-4", with_shipped_steps("stiff", "c")
     few, shipped = points[coarse][ERROR], points[with_steps][ERROR]
     numbers = {"few": few, "shipped": shipped, "count": points[coarse].substeps, "many": points[with_steps].substeps}
     return Claim("rk4_with_stiff_pads", greater(few, shipped, noise=points.floors["stiff"]), numbers)
 
 
-def _reference_converged(points: Points) -> Claim:
+def reference_converged(points: Points) -> Claim:
     results, references = points.results, [row[ERROR] for row in points.references]
     plotted = [row[ERROR] for row in points.settings if counts(row)]
     formula = "largest distance between a reference and the same with twice the step"
@@ -110,7 +101,7 @@ def _reference_converged(points: Points) -> Claim:
     return Claim("reference_converged", at_least(margin, bound), numbers)
 
 
-def _solver_effort(points: Points) -> Claim:
+def solver_effort(points: Points) -> Claim:
     """Compare solver, iterations and line search with those shipped, and contacts made anew in each substep."""
     floor, rows = points.floors["as-shipped"], [row for row in points.settings if row["pads"] == "as-shipped"]
     knobs = [row for row in rows if row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")]
@@ -130,7 +121,7 @@ def _solver_effort(points: Points) -> Claim:
     return Claim("solver_effort", outcome, {"change": change, "floor": floor, "count": count, "tried": tried})
 
 
-def crossover_claim(points: Points) -> Claim:
+def crossover(points: Points) -> Claim:
     results, rows = points.results, points.worlds
     # From the times that it took in turn with each number of worlds: alone a core may run at another pace.
     formula = "simulated seconds of one world per second, MuJoCo C on one core, median of all comparisons"
