@@ -1,11 +1,10 @@
 """Find the release, commit or package that changed a claim or a value."""
 
-import argparse
 import math
 
 from measured_report.changes.bisect import Bisection, bisect, points_between
 from measured_report.commands.history import query_of
-from measured_report.commands.options import SHARED, shared
+from measured_report.commands.options import SHARED, Arguments, shared
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.measuring.machine import measuring_device
@@ -14,7 +13,7 @@ from measured_report.records.identity import sections
 OPTIONS = {**shared("claim", "value", "a", "b", "device"), "profile": {**SHARED["profile"], "default": "quick"}}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Find the first edition between A and B that the answer changes in, and which package did it."""
     device = measuring_device(arguments.device, "quick") or "cpu"
     query, ends = query_of(arguments), (arguments.a, arguments.b)

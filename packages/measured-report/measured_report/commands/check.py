@@ -1,10 +1,8 @@
 """Print every claim with its outcome, what can't be trusted first."""
 
-import argparse
-
 from measured_report.changes.alarm import check_text
 from measured_report.changes.compare import faults_of
-from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.commands.page import say_damage
 from measured_report.editions.project import Project
 from measured_report.pages.editions import editions_of
@@ -13,7 +11,7 @@ STRICT = {"action": "store_true", "help": "1: end with status 1 when anything ca
 OPTIONS = {**shared("edition", "profile", "format"), "strict": STRICT}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Print the claims; 1 where a record is damaged."""
     refuse_unmeasured(project, arguments.release.asked)
     edition = editions_of(project)[project.release]

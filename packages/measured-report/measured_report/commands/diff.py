@@ -1,10 +1,8 @@
 """Print which claims flipped and what moved between two editions, worst first."""
 
-import argparse
-
 from measured_report.changes.alarm import Rate, diff_text, rate_of, rate_text
 from measured_report.changes.compare import compare
-from measured_report.commands.options import refuse_itself, refuse_unmeasured, shared
+from measured_report.commands.options import Arguments, refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
 from measured_report.pages.cache import DerivedCache
@@ -14,7 +12,7 @@ from measured_report.site.build import inputs_digest
 OPTIONS = shared("a", "b", "profile", "format")
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Print what differs; 1 when one edition can't be trusted or a claim flipped."""
     refuse_itself(str(arguments.a), str(arguments.b))
     for release in (arguments.a, arguments.b):

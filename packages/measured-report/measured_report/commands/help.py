@@ -1,14 +1,14 @@
 """Print this."""
 
-import argparse
 from importlib import import_module
 
 from measured_report.commands.command_line import commands, help_of, options_of
+from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Print all commands with the variables that each takes, and what each variable is."""
     said: dict[str, str] = {}
     for name, module in ((name, import_module(place)) for name, place in commands().items()):

@@ -1,9 +1,7 @@
 """Print a claim or a value over all editions, or the headlines."""
 
-import argparse
-
 from measured_report.changes.query import Query, flip_history, history
-from measured_report.commands.options import shared
+from measured_report.commands.options import Arguments, shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
@@ -12,7 +10,7 @@ from measured_report.pages.editions import editions_of
 OPTIONS = shared("claim", "value", "profile")
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Print a claim or a value; without one, the numbers that say most and the claims that flip."""
     editions = editions_of(project)
     releases = {release: edition.chapters for release, edition in editions.items()}
@@ -28,7 +26,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     return 0
 
 
-def query_of(arguments: argparse.Namespace) -> Query:
+def query_of(arguments: Arguments) -> Query:
     """Return what CLAIM or VALUE asks."""
     if bool(arguments.claim) == bool(arguments.value):
         raise UsageError("one of CLAIM=SECTION.NAME and VALUE=SECTION.NAME is needed")

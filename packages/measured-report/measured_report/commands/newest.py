@@ -1,9 +1,8 @@
 """Print, for a workflow, the newest release in the index, or of one other package, if newer than all here."""
 
-import argparse
 from dataclasses import replace
 
-from measured_report.commands.options import EDITION
+from measured_report.commands.options import EDITION, Arguments
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import releases_of
 from measured_report.editions.status import records_of
@@ -11,7 +10,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Print what is new, a line each, as outputs of a step; nothing where nothing is new."""
     package = config().edition
     sides = (replace(project, profile=profile) for profile in PROFILES)

@@ -1,6 +1,7 @@
 """Options that several commands share. Each refuses what makes no sense, in one line."""
 
 import re
+from argparse import Namespace
 from functools import partial
 from typing import Any
 
@@ -11,6 +12,8 @@ from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.measuring.machine import DEVICES
 
+Arguments = Namespace
+"""What a command is given: its options by their names, and the ``release`` that is asked for."""
 SCHEDULER = re.compile(r"(tcp|tls)://[^\s/]+:[0-9]{1,5}")
 
 

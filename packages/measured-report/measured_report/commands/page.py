@@ -1,11 +1,10 @@
 """Build site/ from what is measured; measure nothing."""
 
-import argparse
 import gc
 import sys
 from collections.abc import Iterable
 
-from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.editions.status import NOT_SHOWN, State
 from measured_report.measuring.machine import gpus, needs_gpu
@@ -16,7 +15,7 @@ from measured_report.site.build import build
 OPTIONS = shared("edition", "profile", "address")
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Build the site; 1 where a record is damaged."""
     refuse_unmeasured(project, arguments.release.asked)
     return int(build_site(project, arguments.address)[0])

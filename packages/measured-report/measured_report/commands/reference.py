@@ -1,10 +1,10 @@
 """Write REFERENCE.md: what report.toml may say, what measuring, deriving and templates are given, and the units."""
 
-import argparse
 import ast
 from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
+from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
 from measured_report.records.columns import UNITS
 
@@ -27,7 +27,7 @@ TOLD = {
 """What is told of each module besides what it says itself."""
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Write it beside report.toml."""
     (project.root / FILE).write_text(reference(), encoding="utf-8")
     print(f"wrote {project.root / FILE}")

@@ -1,12 +1,11 @@
 """Measure an edition again, or take in a measurement by somebody else, and keep it as a replica."""
 
-import argparse
 import shutil
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
-from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.commands.report import device_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import records_of, states_of
@@ -23,7 +22,7 @@ FILE = {"default": "", "help": "somebody else's replica, a .tgz; without one it 
 OPTIONS = {"file": FILE, **shared("edition", "device", "cluster")}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Keep a replica beside the records of the edition."""
     refuse_unmeasured(project, arguments.release.asked)
     if arguments.file:

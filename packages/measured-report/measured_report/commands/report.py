@@ -1,10 +1,9 @@
 """Measure what is missing or stale, and build site/."""
 
-import argparse
 import sys
 from collections.abc import Sequence
 
-from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release
@@ -16,7 +15,7 @@ from measured_report.measuring.measure import measure
 OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Measure what is not fresh, where that may be done unasked, and build the site."""
     device = device_of(project, arguments)
     if not device:
@@ -44,7 +43,7 @@ def measure_what_can(
         return project, False
 
 
-def device_of(project: Project, arguments: argparse.Namespace) -> str | None:
+def device_of(project: Project, arguments: Arguments) -> str | None:
     """Return the device to measure on; hosts elsewhere have GPUs, unless a CPU is asked for."""
     if arguments.cluster not in (None, "local"):
         return arguments.device or "cuda"

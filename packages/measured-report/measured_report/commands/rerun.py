@@ -1,8 +1,6 @@
 """Measure one section, fresh or not, and build site/."""
 
-import argparse
-
-from measured_report.commands.options import shared
+from measured_report.commands.options import Arguments, shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import device_of
 from measured_report.editions.project import Project
@@ -15,7 +13,7 @@ SECTION = {"default": "", "help": "section to measure"}
 OPTIONS = {"section": SECTION, **shared("edition", "device", "cluster", "profile", "address")}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Measure the section and build the site."""
     section, names = arguments.section, sections()
     if section not in names:

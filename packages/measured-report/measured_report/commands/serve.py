@@ -1,6 +1,5 @@
 """Serve site/ at http://127.0.0.1:8000, rebuilt on every change."""
 
-import argparse
 import os
 import subprocess
 import sys
@@ -13,7 +12,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from itertools import chain
 from pathlib import Path
 
-from measured_report.commands.options import EDITION, refuse_unmeasured, shared
+from measured_report.commands.options import EDITION, Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError
 
@@ -21,7 +20,7 @@ PORT = {"type": int, "default": 8000, "help": "where to serve, 8000 if not given
 OPTIONS = {"port": PORT, **shared("edition", "profile")}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Serve the site until Ctrl-C, and build it again whenever something changes."""
     refuse_unmeasured(project, arguments.release.asked)
     server = Server(project.site, arguments.port)

@@ -1,10 +1,9 @@
 """List which sections are fresh, and what changed for the others."""
 
-import argparse
 from importlib import import_module
 
 from measured_report.commands.command_line import OWN, commands
-from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.editions.status import changes_text, states_of, status_matrix
 from measured_report.files.config import config
@@ -13,7 +12,7 @@ from measured_report.pages.replicas import replicas_text
 OPTIONS = shared("edition", "profile")
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Print the sections of all editions, and of one what changed; of the report's own commands what they make."""
     refuse_unmeasured(project, arguments.release.asked)
     own = (import_module(place) for place in commands().values() if place.startswith(OWN))

@@ -1,9 +1,8 @@
 """Run the tests; they need no GPU."""
 
-import argparse
 import subprocess
 
-from measured_report.commands.options import shared
+from measured_report.commands.options import Arguments, shared
 from measured_report.editions.environment import add_cluster, add_group, python_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import expected_packages
@@ -12,7 +11,7 @@ FAST = {"action": "store_true", "help": "1: only what a change of words or figur
 OPTIONS = {**shared("edition"), "fast": FAST}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Run pytest with one edition; return its exit status."""
     python = python_of(arguments.release, expected_packages(project), project.root)
     add_group("dev", project.root, python)

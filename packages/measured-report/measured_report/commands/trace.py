@@ -1,12 +1,11 @@
 """Show where a number comes from: page, rows, case and command."""
 
-import argparse
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
 from measured_report.changes.query import Query
-from measured_report.commands.options import SHARED, refuse_unmeasured, shared
+from measured_report.commands.options import SHARED, Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
@@ -19,7 +18,7 @@ ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
 OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "profile")}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Print the way of one value, from the page back to rows, cases and command."""
     refuse_unmeasured(project, arguments.release.asked)
     print(provenance(project, editions_of(project), arguments.value))

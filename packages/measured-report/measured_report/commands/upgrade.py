@@ -1,6 +1,5 @@
 """Measure the deciding sections of a release, in minutes, and say what changed."""
 
-import argparse
 import os
 import shlex
 import sys
@@ -12,7 +11,7 @@ from measured_report.changes.alarm import largest, power, settings_text, upgrade
 from measured_report.changes.compare import Comparison, Fault, compare
 from measured_report.changes.moves import few
 from measured_report.changes.query import Query
-from measured_report.commands.options import refuse_itself, shared
+from measured_report.commands.options import Arguments, refuse_itself, shared
 from measured_report.commands.page import build_site
 from measured_report.commands.report import measure_what_can
 from measured_report.editions.project import Project
@@ -31,7 +30,7 @@ SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compar
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
 
-def run(project: Project, arguments: argparse.Namespace) -> int:
+def run(project: Project, arguments: Arguments) -> int:
     """Measure the few sections that decide, say what changed, largest first, and build the site; 1 for an alarm."""
     device = measuring_device(arguments.device, project.profile)
     base = arguments.since or release_of(base_of(project) or project.own_release)

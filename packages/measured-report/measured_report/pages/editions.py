@@ -20,7 +20,7 @@ from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.pages.replicas import Measurements, floors_in, measurements_of
-from measured_report.pages.sections import FRONT, PAGES, LostError, Read, derive_section, file_of, outline_of
+from measured_report.pages.sections import FRONT, PAGES, Read, derive_section, file_of, outline_of
 from measured_report.parts.citations import refuse_contradictions
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.section import Section
@@ -289,7 +289,7 @@ def results_digest(results: Results) -> str:
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """Say why a section can't be shown; what is wrong with its code stops the build where the record is fresh."""
-    is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError | LostError)
+    is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError)
     if is_wrong and state.kind == "fresh" and project.is_own:
         raise error
     words = str(error) if isinstance(error, ReportError) else bug_of(error)

@@ -11,11 +11,7 @@ from measured_report.files.config import Page, config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
-from measured_report.values.results import Results
-
-
-class LostError(ReportError):
-    """Say, in one line, that from a record nothing of its section can be derived."""
+from measured_report.values.results import Results, ResultsError
 
 
 def _whole(page: Page) -> Page:
@@ -119,7 +115,7 @@ def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
     except (ImportError, NameError) as error:  # whatever was measured, this is none of it
         raise ReportError(bug_of(error)) from error
     except Exception as error:
-        raise LostError(bug_of(error)) from error
+        raise ResultsError(bug_of(error)) from error
     if not isinstance(section, Section):
         raise ReportError(f"{outline.source}: derive returns a {type(section).__name__}, and not a Section")
     return section

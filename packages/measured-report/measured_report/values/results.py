@@ -25,7 +25,7 @@ if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs
 
 
 class ResultsError(ReportError):
-    """Tells that a section module or its template names something that its results don't have."""
+    """Tells that from its results a section can't be derived, or can't be said, as by a name that they don't have."""
 
 
 @dataclass(frozen=True)
