@@ -126,12 +126,12 @@ def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(plain, toy, monkeyp
         with gone, connected(address, "cpu") as client:
             pools = [cluster.ClusterPool(client, resource) for resource in ("shared", "exclusive")]
             Loop([section_of(toy, batches.single(Batch("end", os.kill, (process.pid, stop))))], *pools).run()
-        process.kill()
-        process.wait()
         monkeypatch.setattr(cluster, "CONNECT_S", 0.5)
         unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
         with unreachable, connected(address, "cpu"):
             pass
+        process.kill()
+        process.wait()
 
 
 def test_finding_6_only_who_has_the_key_of_the_run_is_let_in():

@@ -14,6 +14,7 @@ from typing import Any
 
 import dask
 from distributed import Client, KilledWorker, Nanny, Scheduler, Security, SpecCluster
+from distributed.core import rpc
 
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import KILLED
@@ -53,13 +54,21 @@ def connected(asked: str, device: str, count: int = 1) -> Iterator[Client]:
                 if asked.startswith("tcp:"):
                     said = "whoever reaches that port may run code on its workers and here (docs/cluster.md)"
                     print(f"CLUSTER={asked}: {said}", file=sys.stderr, flush=True)
+                asyncio.run(asyncio.wait_for(_answer(asked), CONNECT_S))
                 client = Client(asked, timeout=CONNECT_S)
             stack.enter_context(client)
             client.wait_for_workers(1)
-        except (MemoryError, OSError, ValueError, RuntimeError) as error:  # what is no scheduler may name any size
+        except (MemoryError, OSError, ValueError, RuntimeError, asyncio.TimeoutError) as error:
+            # MemoryError: what is no scheduler may name any size.
             said = " ".join(str(error).split()) or type(error).__name__
             raise ReportError(f"CLUSTER={asked}: no workers could be started or reached: {said:.200}") from None
         yield client
+
+
+async def _answer(address: str) -> None:
+    """Wait for a scheduler to answer: a client waits without end for one that hangs."""
+    async with rpc(address, connection_args=Security().get_connection_args("client")) as scheduler:
+        await scheduler.identity()
 
 
 def _on_this_host(device: str, count: int) -> SpecCluster:
