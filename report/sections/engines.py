@@ -146,9 +146,8 @@ def _helps(line: Line, bound: Value) -> str:
 def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
     pairs = [(line.engine, line.walk, line.walk_law, walk_bound) for line in lines]
     pairs += [(line.engine, line.sink, line.sink_law, sink_bound) for line in lines]
-    there = [pair for pair in pairs if None not in (pair[1].value, pair[2].value)]
-    told = [(engine, both) for engine, *both, bound in there if abs(both[1].value) > bound.value]
-    seen, engines = [cell for _, both in told for cell in both], len({engine for engine, _ in told})
+    told = [(name, a, b) for name, a, b, seen in pairs if a.value is not None and abs(b.value or 0.0) > seen.number]
+    seen, engines = [cell for _, *both in told for cell in both], len({name for name, *_ in told})
 
     def largest_departure(*cells: float) -> float:
         return max(100 * abs(a / b - 1) for a, b in zip(cells[::2], cells[1::2], strict=True))
@@ -178,8 +177,8 @@ def _test_lets_through(results: Results) -> Claim:
     shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
     formula = "slip with less damped pads, of that as shipped"
     times = ratio(results, "soft_times", formula, soft.slip_mm, shipped.slip_mm)
-    far_more = at_least(times, 10.0, why="far more")
-    outcome = all_of(at_most(soft.slip_mm, bound), at_most(shipped.slip_mm, bound), far_more)
+    passes = (at_most(row.slip_mm, bound) for row in (soft, shipped))
+    outcome = all_of(*passes, at_least(times, 10.0, why="far more"))
     is_more = greater(soft.slip_mm, shipped.slip_mm).said
     numbers = {"slip": shipped.slip_mm, "kd": soft.pad_kd, "soft": soft.slip_mm, "is_more": is_more, "bound": bound}
     numbers |= {"amplitude": shipped.shake_amplitude_m, "frequency": shipped.shake_frequency_hz}

@@ -42,16 +42,14 @@ def derive(results: Results) -> Section:
     if not rows:
         return Section(tables=tables, claims=[offered], unmeasured=OF_STEEL)
     times = RowsBy(results, results.rows, "variant", "worlds")
-    amplitude = rows["steel", "10cm"].shake_amplitude_m
-    wide = results.value("amplitude_10cm", "in whole mm", lambda metres: round(1e3 * metres), amplitude, unit="mm")
     claims = [
         offered,
         _steel_stays(results, seen["%/s"]),
         _slips_less(rows),
-        _anchors_help(rows, wide),
+        _anchors_help(rows),
         _contacts_strain(results, rows),
         _rows_overflow(results, rows),
-        _fails_sooner(rows, wide),
+        _fails_sooner(rows),
         _costs_more(results, times),
     ]
     tables["shakes"] = _shake_table(rows)
@@ -114,13 +112,12 @@ def _slips_less(rows: RowsBy) -> Claim:
     return Claim("slips_less", greater(warp, steel), {"warp": warp, "steel": steel})
 
 
-def _anchors_help(rows: RowsBy, wide: Quantity) -> Claim:
+def _anchors_help(rows: RowsBy) -> Claim:
     """Tell whether friction that remembers where a contact began lets the cube slip less far, in either shake."""
-    shakes = ("3cm", "10cm")
-    near, far = (rows["steel-points", shake].slip_mm for shake in shakes)
-    pairs = zip((near, far), shakes, strict=True)
-    outcome = all_of(*(greater(points, rows["steel", shake].slip_mm) for points, shake in pairs))
-    return Claim("anchors_help", outcome, {"near": near, "wide": wide, "points": far})
+    points, anchors = ([rows[name, shake] for shake in ("3cm", "10cm")] for name in ("steel-points", "steel"))
+    outcome = all_of(*(greater(a.slip_mm, b.slip_mm) for a, b in zip(points, anchors, strict=True)))
+    near, far = points
+    return Claim("anchors_help", outcome, {"near": near.slip_mm, "points": far.slip_mm, "wide": far.shake_amplitude_m})
 
 
 def _contacts_strain(results: Results, rows: RowsBy) -> Claim:
@@ -143,13 +140,13 @@ def _rows_overflow(results: Results, rows: RowsBy) -> Claim:
     return Claim("rows_overflow", outcome, {"needed": needed})
 
 
-def _fails_sooner(rows: RowsBy, wide: Quantity) -> Claim:
+def _fails_sooner(rows: RowsBy) -> Claim:
     """Tell whether Steel loses the cube in a wide shake in which MuJoCo Warp keeps it; the other way round is the
     opposite."""
     lost = {name: bool(rows[name, "10cm"].dropped) for name in ("warp", "steel")}
     cells = [rows[name, "10cm"].wander_mm for name in lost]
     found = OPPOSITE if lost["warp"] and not lost["steel"] else decided(lost["steel"] and not lost["warp"], *cells)
-    return Claim("fails_sooner", found.having_read(*cells), {"wide": wide})
+    return Claim("fails_sooner", found.having_read(*cells), {"wide": rows["steel", "10cm"].shake_amplitude_m})
 
 
 def _costs_more(results: Results, times: RowsBy) -> Claim:

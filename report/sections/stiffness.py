@@ -11,12 +11,10 @@ from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.shared import drawing as colours
 from report.shared.arithmetic import (
     SETTLES,
-    Column,
     by_case,
     extreme,
     is_held,
@@ -67,18 +65,14 @@ def derive(results: Results) -> Section:
     numbers |= {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm}
     sweep = Figure(lambda: draw_sweep(plain, ke_alone, clamp.value), [row.slip_mm for row in held], numbers)
     rows = [results.row[case] for case in SHOWN]
-    columns: dict[str, Column] = {above: partial(_unless_lost, column) for above, column in COLUMNS.items()}
-    columns["reading"] = lambda row: _reading(results, row)
+    # A cube that was lost has other contacts than those with the pads.
+    columns = {above: ["" if row.dropped else row[name] for row in rows] for above, name in COLUMNS.items()}
+    columns["reading"] = [_reading(results, row) for row in rows]
     return Section(
         tables={"contacts": by_case(rows, columns)},
         figures={"sweep": sweep},
         claims=[cause(results), not_creep_under_load(results), ke_is_no_spring(results), alone, together],
     )
-
-
-def _unless_lost(column: str, row: Row) -> Quantity | str:
-    """Look up a cell; a cube that was lost has other contacts than those with the pads."""
-    return "" if row.dropped else row[column]
 
 
 def _reading(results: Results, row: Row) -> str:

@@ -104,9 +104,8 @@ def reference_converged(points: Points) -> Claim:
 def solver_effort(points: Points) -> Claim:
     """Compare solver, iterations and line search with those shipped, and contacts made anew in each substep."""
     floor, rows = points.floors["as-shipped"], [row for row in points.settings if row["pads"] == "as-shipped"]
-    knobs = [row for row in rows if row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")]
-    anew = [row for row in rows if row.case.endswith(f"newton-each-substep/substeps-{AS_SHIPPED.substeps}")]
-    runs = [*knobs, *anew]
+    runs = [row for row in rows if row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")]
+    runs += [row for row in rows if row.case.endswith(f"newton-each-substep/substeps-{AS_SHIPPED.substeps}")]
     errors = [row[ERROR] for row in runs if holds_cube(row) and not uses_all_iterations(row)]
     formula = "largest change of the numerical error by solver, iterations, line search or contacts in each substep"
     base = points[SHIPPED][ERROR]
@@ -115,8 +114,8 @@ def solver_effort(points: Points) -> Claim:
     )
     formula = "runs with other solver effort that hold the cube and converge"
     count = cell_count(points.results, "effort_count", formula, errors)
-    formula = "runs with other solver effort"
-    tried = cell_count(points.results, "effort_tried", formula, [row.substeps for row in runs])
+    cells = [row.substeps for row in runs]
+    tried = cell_count(points.results, "effort_tried", "runs with other solver effort", cells)
     outcome = all_of(within(change, floor), resolved(floor, base))
     return Claim("solver_effort", outcome, {"change": change, "floor": floor, "count": count, "tried": tried})
 
