@@ -62,7 +62,7 @@ def shorter_step(scene: Scene, timeconst_s: float) -> Advice:
     more = scene.option.timestep_s / step
     gain = f"the contact is as stiff as it says, for {more:.2g} times the steps"
     if more > MOST_SHORTER:
-        return Advice((), f'timestep="{step:.3g}": {gain}')
+        return Advice((), f'timestep="{step:.3g}": {gain}' if more <= FAR else "")
     return for_option(scene, {"timestep": f"{step:.3g}"}, gain)
 
 

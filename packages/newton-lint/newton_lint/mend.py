@@ -104,7 +104,8 @@ class Mending:
         counted = [each for each in self.report.findings if each.severity != "note" and ways_of(each.advice)]
         for rule in dict.fromkeys(each.rule for each in counted):
             findings = [each for each in counted if each.rule == rule]
-            first = {(one.element, one.subject): one for each in findings for one in ways_of(each.advice)[0].changes}
+            changes = [one for each in findings for one in ways_of(each.advice)[0].changes]
+            first = {(one.element or one.subject, one.attributes): one for one in changes}
             ways = [(findings, tuple(first.values()))] if len(first) > 1 else []
             ways += [([finding], way.changes) for finding in findings for way in ways_of(finding.advice)]
             yield from ((", ".join(map(str, changes)), meant, changes) for meant, changes in ways)
