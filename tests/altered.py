@@ -28,7 +28,6 @@ from measured_report.records.columns import REASON, column_of, is_number, units_
 from measured_report.records.record import Record, load_record, write_record
 from measured_report.site.build import build
 from measured_report.site.check import check_site
-from tests.inert import NUMBER
 from tests.perturbed import load_trace_once
 
 MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")
@@ -36,8 +35,6 @@ MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|c
 SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm")
 """Those of them that say in which direction."""
 PERCENTILE = re.compile("_p(5|95)$")
-ENDINGS = {"class", "classes", "dropped", "finite", "monotonic"}
-"""Columns that say how a run ended."""
 FAILURE = "the state was not finite in frame 300"
 SHARE = 0.1
 """Of the rows so many fail."""
@@ -158,31 +155,6 @@ def reversed_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
     return _moved(frame, lambda column, cells: factor * cells)
 
 
-def equal_rows(records: Records, place: Place) -> list[Row]:
-    """Every case gives what the first of its record gave, and ends as that ended."""
-    first: Row = {}
-    for row in records[place].rows:
-        first |= {column: value for column, value in row.items() if value is not None and column not in first}
-    return [
-        {column: first[column] if column in ENDINGS or column in measured(row) else row[column] for column in row}
-        for row in records[place].rows
-    ]
-
-
-def equal_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
-    """The first trace of its section; of a map, on both sides what was measured on the first."""
-    if "side" in frame:
-        sides = frame["side"].unique()
-        first = frame[frame["side"] == sides[0]]
-        return pd.concat([first.assign(side=side) for side in sides], ignore_index=True)
-    section = path.name.partition(".")[0]
-    first = load_trace_once(sorted(path.parent.glob(f"{section}.*.csv.gz"))[0])
-    if list(first) != list(frame) or len(first) < len(frame):
-        return frame
-    kept = frame[[column for column in frame if column in ("time_s", "frame")]]
-    return first.head(len(frame)).assign(**{column: kept[column] for column in kept})
-
-
 def noisier(name: str, times: float) -> Scenario:
     """Runs of one case are so many times as far apart, and so are a run's frames; ratios are known as badly."""
 
@@ -223,7 +195,6 @@ SCENARIOS = (
     moving("moving-x-0.05", 0.05),
     moving("moving-x-20", 20.0),
     moving("moving-x-minus-1", -1.0),
-    Scenario("all-equal", equal_rows, equal_frame),
     noisier("noise-x-60", 60.0),
     Scenario("failing", failing),
 )
@@ -267,35 +238,19 @@ def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]
 TEMPLATES = Templates(ROOT / "templates")
 """Of all scenarios, each parsed once."""
 CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
-CELL = re.compile("<td[^>]*>(.*?)</td>", re.DOTALL)
 
 
-@dataclass(frozen=True)
-class Said:
-    """What the pages of a release say."""
-
-    outcomes: Mapping[str, str]
-    """Of every claim, by section and name."""
-    words: frozenset[str]
-    """Those outside sentences: titles, headings, alternative texts and what else tables have than numbers."""
-
-
-def said_of(editions: Mapping[str, Edition], release: str) -> Said:
-    """What the pages of the release say."""
+def said_of(editions: Mapping[str, Edition], release: str) -> dict[str, str]:
+    """Return the outcome of every claim on the pages of the release, by section and name."""
     lost = [state for state in editions[release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
     parts = [part for content in contents(editions, TEMPLATES, release) for part in content.parts]
-    pages = undrawn(parts)
-    outcomes = {claim: "opposite" if is_opposite else outcome for claim, outcome, is_opposite in CLAIM.findall(pages)}
-    words = [text for part in parts for text in (part.title, *(heading for _, heading in part.headings))]
-    words += [figure.wording("alt", figure.numbers) for part in parts for figure in part.figures if figure.is_there]
-    words += CELL.findall(pages)
-    return Said(outcomes, frozenset(Markup(NUMBER.sub("#", word)).striptags() for word in words))
+    return {claim: "opposite" if is_other else said for claim, said, is_other in CLAIM.findall(undrawn(parts))}
 
 
 @cache
-def said(scenario: Scenario) -> tuple[Said, list[str]]:
-    """What the pages of the own release say in a scenario, and what a check of its site, without drawings, finds."""
+def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
+    """What claims of the own release say in a scenario, and what a check of its site, without drawings, finds."""
     own = own_release()
     with project_of(scenario, [own, NEWEST] if scenario.name == CHECKED else [own]) as project:
         derived = DerivedCache(project.root)
@@ -303,7 +258,7 @@ def said(scenario: Scenario) -> tuple[Said, list[str]]:
         if scenario.name != CHECKED:
             return found, []
         derived.keep({})
-        with mock.patch("measured_report.site.pages.forked", _undrawn):  # most of the time goes into them
+        with mock.patch("measured_report.site.pages.draw", _undrawn):  # most of the time goes into them
             editions = build(project)
         lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
         return found, [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)

@@ -27,10 +27,3 @@ def test_it_passes_its_own_tests_from_its_tracked_records(tmp_path):
         command, cwd=there, env={**os.environ, "PYTHONPATH": packages}, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
-
-
-def test_it_stays_small():
-    names = [name for name in TRACKED.split("\0") if name]
-    lines = sum(len((EXAMPLE / name).read_text().splitlines()) for name in names if name.endswith(".py"))
-    assert 300 < lines <= MOST_LINES
-    assert sum((EXAMPLE / name).stat().st_size for name in names if name.startswith("results/")) <= MOST_BYTES

@@ -40,20 +40,6 @@ def run_script(folder: Path, number: int, **settings: str) -> subprocess.Complet
 
 
 @pytest.mark.parametrize(
-    ("newton", "packages", "output"),
-    [
-        ("", "", "newton=1.9.0\nwith=\n"),
-        ("git+https://host/n.git@main", "", "newton=git+https://host/n.git@main\nwith=\n"),
-        ("1.8.0", "warp-lang==1.19.0", "newton=1.8.0\nwith=warp-lang==1.19.0\n"),
-    ],
-)
-def test_the_workflow_measures_what_was_asked_for_or_what_is_new(tmp_path, newton, packages, output):
-    assert run_script(tmp_path, 0, NEWTON=newton, WITH=packages).returncode == 0
-    assert (tmp_path / "output").read_text() == output
-    assert run_script(tmp_path, 0, NEWTON="", WITH="warp-lang==1.19.0").returncode == 1
-
-
-@pytest.mark.parametrize(
     ("answer", "status", "comment"),
     [("all is well", "0", "all is well"), ("it flips", "1", "it flips"), ("", "1", "It could not be")]
     + [("", "2", "It could")],

@@ -30,16 +30,6 @@ def run(*command: str | Path, cwd: Path) -> str:
     return done.stdout
 
 
-def test_a_section_takes_little_to_write():
-    sources = [line for name, text in files().items() if name.endswith(".py") for line in text.splitlines()]
-    told = files()["templates/sections/ball.md.j2"].splitlines()
-    assert len([line for line in sources if line.strip()]) <= MOST_PYTHON
-    assert len([line for line in told if line.strip()]) <= MOST_MARKDOWN
-    names = re.findall(r"from measured_report\S+ import (.+)", "\n".join(sources))
-    tags = set(re.findall(r"{% (\w+)", "\n".join(told)))
-    assert len(tags | {name for some in names for name in some.split(", ")}) <= MOST_NAMES
-
-
 @pytest.mark.slow
 @pytest.mark.skipif(not UV.exists(), reason="there is no uv to install a new report with")
 def test_the_document_works_line_by_line(tmp_path):

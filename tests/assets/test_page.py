@@ -1,11 +1,9 @@
 """The site of the tracked results in a real browser: on a screen and on a phone, in both colour schemes."""
 
-import csv
 import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from statistics import median
 
 import pytest
 
@@ -36,14 +34,6 @@ OUTSIDE = """[...document.querySelectorAll("svg text")].filter((text) => {
   return text.checkVisibility() && (box.left < drawing.left - 2 || box.right > drawing.right + 2
     || box.top < drawing.top - 2 || box.bottom > drawing.bottom + 2);
 }).map((text) => text.textContent)"""
-PROSE = """(() => {
-  const main = document.querySelector("main").cloneNode(true);
-  const others = "figure, details, nav, pre, .left-out, .sources, .anchor, button";
-  main.querySelectorAll(others).forEach((each) => each.remove());
-  document.body.append(main);
-  return main.innerText;
-})()"""
-"""The words of a page, without what is drawn, tabled, folded up or code."""
 PUT_IN = """drawings => {
   for (const picture of document.querySelectorAll("main picture")) {
     const [narrow, broad] = [picture.querySelector("source").srcset, picture.querySelector("img").getAttribute("src")];
@@ -133,20 +123,6 @@ def test_answers_come_first(site, tab, screens):
         assert tab.locator('[data-answer="fix"] pre').count() == 1
 
 
-@pytest.mark.slow
-def test_the_front_page_is_short_and_plain(site, tab):
-    textstat = pytest.importorskip("textstat", reason="there is no textstat to judge words with")
-    for path in site.glob("**/index.html"):
-        open_page(tab, path)
-        text = tab.evaluate(PROSE)
-        words = text.split()
-        numbers = [word for word in words if re.search(r"\d", word)]
-        lengths = [len(each.split()) for each in re.split(r"(?<=[.!?:])\s+|\n+", text) if each.strip()]
-        assert len(words) <= 900 and len(words) >= 25 * len(numbers), (path, len(words), numbers)
-        assert median(lengths) <= 16 and max(lengths) <= 35, (path, lengths)
-        assert textstat.flesch_reading_ease(text) >= 50, path
-
-
 def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
     open_page(tab, site / "replay.html")
     rows = json.loads((site / f"data/newton-{own_release()}/poses.json").read_text())["rows"]
@@ -170,27 +146,6 @@ def assert_drawn(tab) -> None:
     for image in images.all():
         image.scroll_into_view_if_needed()
         assert image.evaluate("image => image.decode().then(() => image.naturalWidth)") > 0
-
-
-@pytest.mark.parametrize("tab", [("desk", "dark"), ("phone", "light")], indirect=True, ids="-".join)
-def test_drawings_that_are_files_come_when_they_are_near_and_in_the_colours_of_the_page(site, tab):
-    fetched: list[str] = []
-    tab.on("request", lambda request: fetched.append(request.url))
-    path = max(site.glob("*.html"), key=lambda path: path.read_text().count("<picture>"))
-    open_page(tab, path)
-    count = tab.locator("main picture").count()
-    assert count > 1 and len({url for url in fetched if url.endswith(".svg") and "/figures/" in url}) < count
-    assert_drawn(tab)
-    is_narrow = tab.viewport_size["width"] < 600
-    assert all(url.endswith("-narrow.svg") == is_narrow for url in fetched if "/figures/" in url)
-    image = tab.locator("main picture img").first
-    image.scroll_into_view_if_needed()
-    while tab.locator(".scheme").inner_text() != "Colours: light":
-        tab.locator(".scheme").click()
-    light = image.screenshot()
-    tab.locator(".scheme").click()
-    image.scroll_into_view_if_needed()
-    assert image.screenshot() != light
 
 
 def test_no_markdown_is_left(site):
@@ -260,16 +215,6 @@ def test_tables_are_sorted_by_a_click(site, tab):
         assert numbers(table, column) == expected
 
 
-def test_tables_are_copied_as_csv(site, tab):
-    tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    table = open_table(tab, site)
-    table.locator("xpath=ancestor::figure").locator(".copy").click()
-    lines = tab.evaluate("navigator.clipboard.readText()").splitlines()
-    assert len(lines) == 1 + table.locator("tbody tr").count()
-    slips = [row[slip_column(table)] for row in csv.reader(lines)]
-    assert slips[0].endswith("[mm]") and float(slips[1]) == numbers(table, slip_column(table))[0]
-
-
 @pytest.mark.parametrize("tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join)
 def test_a_number_says_where_it_comes_from(site, tab):
     number = open_table(tab, site).locator(SLIPS).first
@@ -284,14 +229,3 @@ def test_a_number_says_where_it_comes_from(site, tab):
     assert (site / tab.locator("#origin a").get_attribute("href").partition("#")[0]).is_file()
     tab.keyboard.press("Escape")
     assert tab.locator("#origin").is_hidden()
-
-
-def test_the_colour_scheme_can_be_chosen_and_is_kept(site, tab):
-    open_page(tab, site / "index.html")
-    paper = tab.evaluate("getComputedStyle(document.body).backgroundColor")
-    tab.locator(".scheme").click()
-    tab.locator(".scheme").click()
-    assert tab.locator(".scheme").inner_text() == "Colours: dark"
-    assert tab.evaluate("getComputedStyle(document.body).backgroundColor") != paper
-    tab.reload()
-    assert tab.locator(".scheme").inner_text() == "Colours: dark"

@@ -25,23 +25,6 @@ def test_regularized_friction_carries_the_load_at_the_speed_that_its_law_gives()
     assert stribeck**3 * (10.0 - 15.0 * stribeck + 6.0 * stribeck**2) == pytest.approx(LOAD.share)
 
 
-def test_an_impulse_moves_the_place_where_it_acts_as_the_bodys_masses_say():
-    """By hand: 1/m + y²/I + z²/I along x."""
-    [along, *_] = laws.delassus(LOAD)[:, 0, 0]
-    assert along == pytest.approx(1.0 / 0.2 + (0.04**2 + 0.05**2) / 3e-4)
-    leaning = replace(LOAD, support_inverse_mass_1_kg=np.diag([5.0, 0.0, 0.0]))
-    assert laws.delassus(leaning)[0, 0, 0] == pytest.approx(along + 5.0)
-    assert laws.mixed(LOAD) == pytest.approx(1e-5 * 0.002 * 0.16 / 4 * along)
-
-
-def test_with_sap_contacts_share_the_load_until_one_of_them_slides():
-    w = np.linalg.norm(laws.delassus(LOAD)[0]) / 3.0
-    assert laws.sap(LOAD) == pytest.approx(1e-3 * w * 0.002 * 0.16 / 4)
-    uneven = replace(LOAD, contacts=[[*place[:3], normal] for place, normal in zip(FEET, (0.01, 1, 1, 1), strict=True)])
-    assert laws.sap(uneven) == pytest.approx(1e-3 * w * 0.002 * (0.16 - 0.01) / 3)
-    assert math.isinf(laws.sap(replace(LOAD, force_n=3.0)))
-
-
 def test_a_box_goes_along_the_tangent_unless_friction_pulls_it_back():
     assert laws.walk_per_s(laws.rigid, LOAD, 2.0, 0.2) == pytest.approx(0.004)
     assert laws.walk_per_s(laws.anchored, LOAD, 2.0, 0.2) == 0.0

@@ -1,16 +1,15 @@
 """Error against run time: the reference against the real scene."""
 
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 import pytest
 import warp as wp
 
 from experiments import error_runtime
-from experiments.error_runtime.settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
+from experiments.error_runtime.settings import FRAME_COUNT, PADS, native_of, setting, settings
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, FIXED
+from experiments.facts.case import FIXED
 from experiments.simulation.reference import NativeShake, pilot_at_shake
 
 
@@ -39,19 +38,6 @@ def test_warp_and_c_agree_from_the_same_state(shakes):
         assert (of_warp.phase == metrics.SHAKE).all()
         np.testing.assert_allclose(of_warp.poses[0, : of_c.poses.shape[1]], of_c.poses[0], atol=2e-5)
         assert error_runtime.distance_mm(of_warp, of_c) < 0.02
-
-
-def test_the_shipped_integrator_converges_to_the_reference_at_first_order(shakes):
-    _, starts = shakes
-
-    def run(point):
-        return NativeShake(point.case, starts["as-shipped"]).run()
-
-    points = [setting(replace(AS_SHIPPED, substeps=n), "as-shipped", "newton", "substeps") for n in (8, 16, 32)]
-    reference = run(reference_of(points[0], 64))
-    errors = [error_runtime.distance_mm(run(native_of(point)), reference) for point in points]
-    assert [a / b for a, b in pairwise(errors)] == pytest.approx([2.0, 2.0], rel=0.05)
-    assert error_runtime.distance_mm(run(reference_of(points[0], 32)), reference) < 1e-4 * errors[-1]
 
 
 def test_the_model_in_c_has_the_timeconst_of_the_pads_and_merged_links_where_they_were(shakes):

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, FIXED
+from experiments.facts.case import AS_SHIPPED
 from experiments.facts.classes import classify
-from experiments.facts.trace import FRAME_COLUMNS, Trace
 from experiments.simulation import limits
 from experiments.simulation.scene import CUBE_IN_HAND
 from experiments.simulation.simulation import simulate
@@ -36,16 +35,6 @@ def test_the_limits_are_as_by_hand():
     assert limits.exit_bound_m_s(slow) == pytest.approx(1e-3 / (0.95 / 30.0))
     assert closed_m(0.04, 12.008) == pytest.approx(AS_SHIPPED.finger_closed_m)
     assert MU == {"shake": SHAKE_MU, "grip": GRIP_MU}
-
-
-def test_demand_leaves_out_what_the_pads_carry_by_pressing():
-    time = np.arange(121) / 60.0
-    poses = np.zeros((121, 6, 7))
-    poses[:, :, 3] = 1.0  # half a turn about x: the tool points down
-    poses[:, metrics.TCP, 0] = 0.5 * 3.0 * time**2
-    poses[:, metrics.TCP, 1] = 0.5 * 50.0 * time**2
-    trace = Trace(1.0 / 60.0, np.full(121, metrics.SHAKE), poses, np.zeros((121, len(FRAME_COLUMNS))))
-    assert limits.demand_m_s2(replace(BASE, gravity_m_s2=4.0), trace) == pytest.approx(5.0, rel=1e-6)
 
 
 @pytest.fixture(scope="module")
@@ -86,11 +75,3 @@ def test_a_cube_starts_in_the_hand_with_its_grip_and_weight(extremes):
     assert np.linalg.norm(fingers[0] - fingers[1]) == pytest.approx(0.08, abs=1e-4)
     # 256 g need 2.5 N of friction, 24 N of grip give μ times as much: the tangential force is the weight.
     assert trace.column("tangential_force_n")[60] == pytest.approx(0.256 * 9.81, rel=0.02)
-
-
-def test_the_shake_from_the_hand_is_that_from_the_ground():
-    hand, ground = simulate([replace(FIXED, cube_in_hand=True, frame_count=152), replace(FIXED, frame_count=272)])
-    moved = [metrics.displacement(trace) for trace in (hand, ground)]
-    count = min(len(one.time_s) for one in moved)
-    difference = moved[0].vector_m[:count] - moved[1].vector_m[:count]
-    assert np.abs(difference).max() < 1e-5

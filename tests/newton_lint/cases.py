@@ -1,17 +1,12 @@
-"""Scenes in which something creeps, each predicted by the lint from the scene alone and measured in MuJoCo C.
-
-``python tests/newton_lint/cases.py`` prints them all; ``test_law.py`` runs a few of each kind.
-"""
+"""Scenes in which something creeps, each predicted by the lint from the scene alone and measured in MuJoCo C."""
 
 import math
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 
-from newton_lint.output import LEAST_MM_S
 from newton_lint.report import scene_of
 from newton_lint.settle import Work, held, settled, started
 from newton_lint.target import Target
@@ -165,27 +160,3 @@ def _settings(kind: str) -> Iterator[tuple[tuple[str, object], ...]]:
         )
     if kind == "pinch":
         yield from ((("mass", mass), ("grip", 10)) for mass in (0.1, 1, 2.2))
-
-
-def main() -> int:
-    """Print every case that this MuJoCo knows, and the share of those within a factor."""
-    release = tuple(int(each) for each in mujoco.__version__.split(".")[:2])
-    factors = []
-    for case in cases():
-        if release < case.since:
-            continue
-        predicted, measured = case.predicted_mm_s(), case.measured_mm_s()
-        if math.isinf(predicted) or measured > 50.0:
-            factor = 1.0 if math.isinf(predicted) and measured > 50.0 else math.inf
-        else:
-            factor = max(predicted, measured, LEAST_MM_S) / max(min(predicted, measured), LEAST_MM_S)
-        factors.append(factor)
-        mark = "" if factor <= 1.1 else ">" if factor <= 1.5 else "!!"
-        print(f"{mark:2} {factor:6.3f} {predicted:9.4f} {measured:9.4f}  {case}")
-    within = [sum(factor <= bound for factor in factors) for bound in (1.1, 1.5)]
-    print(f"MuJoCo {mujoco.__version__}: {len(factors)} cases, {within[0]} within 1.1, {within[1]} within 1.5")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -165,16 +165,6 @@ def test_folders_and_several_files(scene, tmp_path, capsys):
     assert main([target, "nowhere.xml"]) == 2
 
 
-def test_a_fix_edits_the_text_and_keeps_the_old(scene, tmp_path, capsys):
-    target = scene('solref="0.001 1"\n priority="1"', '<option gravity="0 0 -1"/><!-- kept -->')
-    old = (tmp_path / "scene.xml").read_text()
-    assert main([target, "--fix"]) == 1
-    new = (tmp_path / "scene.xml").read_text()
-    assert new == old.replace('solref="0.001 1"', 'solref="0.004 1"')
-    assert (tmp_path / "scene.xml.orig").read_text() == old
-    assert main([target]) == 0 and "written" in capsys.readouterr().err
-
-
 def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
     """With the files of the wheel and nothing else of the project."""
     package = ROOT / "packages/newton-lint"

@@ -22,19 +22,6 @@ def test_a_prediction_is_the_engines(case):
         assert predicted == pytest.approx(measured, rel=0.1, abs=1e-3)
 
 
-@pytest.mark.parametrize("slope", [0.6, 1.1])
-@pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
-def test_what_is_beyond_the_cone_slides(cone, slope):
-    case = Case("incline", (("cone", cone), ("slope", slope)))
-    assert math.isinf(case.predicted_mm_s()) == (slope > 1.0)
-
-
-@pytest.mark.parametrize(("integrator", "share"), [(0, -0.5), (1, 0.0), (2, -0.5), (3, -0.5), (4, 0.5)])
-def test_what_a_step_adds(integrator, share):
-    response = response_of(CONTACT, Option(0.004, integrator, "elliptic"))
-    assert response.acceleration_s == pytest.approx(0.0095 + share * 0.004)
-
-
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 def test_points_share_a_load_up_to_their_cones(cone):
     response = response_of(CONTACT, Option(0.002, cone=cone))

@@ -5,15 +5,11 @@ import os
 import random
 import shutil
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
-from experiments.facts.case import LEAN
 from experiments.facts.classes import CLASSES
-from experiments.simulation.reference import DoubleShake
 from measured_report.files.root import ROOT
 
 pytestmark = pytest.mark.skipif(not shutil.which("node"), reason="there is no node to run the page's engine with")
@@ -65,21 +61,6 @@ def test_it_slips_as_the_tracked_runs_and_ends_in_their_class():
             assert row["slip_mm"] == pytest.approx(tracked[case]["slip_mm"], rel=0.01, abs=0.02), case
         if row["drift_mm_s"] and case in ("as-shipped", "stiff-pads", "stiff-pads-10cm"):
             assert row["predicted_drift_mm_s"] == pytest.approx(row["drift_mm_s"], rel=0.02), case
-
-
-@pytest.mark.slow
-def test_it_plans_the_arm_as_python_does():
-    """Targets of all joints, over set-up and shake, of a shake that is not tracked."""
-    case = replace(LEAN, shake_amplitude_m=0.05, shake_frequency_hz=0.8, frame_count=250)
-    run = DoubleShake(case, has_midphase=False)
-    targets = []
-    frame = run.frame
-    run.frame = lambda: (frame(), targets.append(run.data.ctrl.copy()))
-    run.run()
-    [row] = rows_in_node(["amplitude_mm=50&frequency_hz=0.8"], 100, TARGETS="1")
-    count = min(len(targets), len(row["targets"]))
-    assert count > 240
-    assert np.abs(np.array(targets[:count]) - np.array(row["targets"][:count])).max() < 1e-4
 
 
 @pytest.mark.slow

@@ -1,13 +1,11 @@
 """The classifier on hand-made traces: each class, each border between two, and the order of the tests."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED
-from experiments.facts.classes import classify, creep_mm_s, drive_peak_m_s, is_energy_growing
+from experiments.facts.classes import classify, creep_mm_s
 from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
 
 FRAME_DT = 1.0 / 60.0
@@ -94,23 +92,6 @@ def test_each_class(place, failure, expected):
     trace = make_trace(place, failure)
     trace.poses[-1, 5, 6] = np.inf
     assert classify(AS_SHIPPED, trace, FLOOR_MM_S) == "non-finite", "one pose is enough"
-
-
-def test_the_speed_is_that_of_the_drive_of_the_case_and_of_the_shake_as_shipped_where_the_arm_is_held_still():
-    case = replace(AS_SHIPPED, shake_amplitude_m=0.06, shake_frequency_hz=2.0)
-    for factor, expected in ((9.99, "holding"), (10.01, "exploded")):
-        assert outcome(kicked_at(factor * 4.0 * DRIVE_PEAK_M_S), case=case) == expected
-    assert drive_peak_m_s(replace(AS_SHIPPED, shake_amplitude_m=0.0)) == pytest.approx(DRIVE_PEAK_M_S)
-
-
-# Twice the energy is 1.414 times the amplitude. The drive's peak is 0.325 m/s, so 0.0325 m/s must be reached:
-# at 5 Hz the root mean square of the speed is 22.2 1/s times the amplitude.
-@pytest.mark.parametrize(
-    ("before_m", "after_m", "growing"),
-    [(0.005, 0.0069, False), (0.005, 0.0073, True), (1e-4, 1.4e-3, False), (1e-4, 1.6e-3, True), (0.01, 0.005, False)],
-)
-def test_border_of_the_growing_energy(before_m, after_m, growing):
-    assert is_energy_growing(AS_SHIPPED, make_trace(swinging(before_m, after_m))) is growing
 
 
 def test_creep_is_the_change_over_the_last_period_or_all_of_a_short_shake():

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from experiments.facts import metrics
-from experiments.facts.classes import cycle_increments
 from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace, first_failure
 
 FRAME_DT = 1.0 / 60.0
@@ -59,14 +58,6 @@ def test_drift_is_the_slope_and_oscillation_the_root_mean_square_about_it(frame_
     moved = displacement(along_x(rate_mm_s * seconds + swing_mm * np.cos(2 * np.pi * seconds)))
     assert metrics.drift_mm_s(moved) == pytest.approx(rate_mm_s, abs=1e-2 if swing_mm else 1e-3)
     assert metrics.oscillation_mm(moved) == pytest.approx(swing_mm / np.sqrt(2), abs=1e-2 if swing_mm else 1e-3)
-
-
-@pytest.mark.parametrize(("frame_count", "swing_mm", "hz"), [(150, 1.0, 1.0), (121, 0.0, 1.7)])
-def test_cycle_increments_at_one_phase_and_between_frames(frame_count, swing_mm, hz):
-    seconds = np.arange(frame_count) * FRAME_DT
-    moved = displacement(along_x(0.3 * seconds + swing_mm * np.sin(2 * np.pi * seconds)))
-    expected = [0.3 / hz] * int(seconds[-1] * hz)
-    np.testing.assert_allclose(cycle_increments(moved.time_s, 1e3 * moved.along_m, hz), expected, atol=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -4,14 +4,12 @@ import re
 import shutil
 from pathlib import Path
 
-import numpy as np
 import pytest
 from conftest import link
 
 from experiments.facts.clip_record import CLIPS, FIRST, RUNS, clips_state
 from experiments.facts.kept import kept_run
-from experiments.media.clips import FRAME_RATE, LEAD_S, STAY_S, Clip, bodies
-from experiments.media.stage import Camera, Stage, display
+from experiments.media.clips import Clip
 from measured_report.editions.project import Project, own_release
 from measured_report.records.record import load_record, trace_path
 from measured_report.records.traces import load_trace
@@ -24,33 +22,6 @@ def clip(poses_path) -> Clip:
     rows = {row["case"]: row for row in load_record(poses_path).rows}
     left, right = (kept_run(rows[run], load_trace(trace_path(poses_path, run))) for run in RUNS[FIRST])
     return Clip((left, right), RUNS[FIRST])
-
-
-@pytest.mark.slow
-def test_the_readout_is_the_kept_displacement(clip, poses_path):
-    readout = clip.readout()
-    rows = {row["case"]: row for row in load_record(poses_path).rows}
-    for run in RUNS[FIRST]:
-        values = readout[f"{run}_mm"]
-        assert values[-1] == pytest.approx(rows[run]["slip_mm"], abs=1e-4)
-        assert np.isnan(values[readout["time_s"] < 0.0]).all() and np.isfinite(values[readout["time_s"] >= 0.0]).all()
-    moving = len(clip.frames) - round(STAY_S * FRAME_RATE)
-    np.testing.assert_allclose(np.diff(readout["time_s"][:moving]), 1 / FRAME_RATE)
-    assert readout["time_s"][0] == pytest.approx(-LEAD_S, abs=1 / FRAME_RATE)
-    assert (readout["time_s"][moving - 1 :] == readout["time_s"][-1]).all()
-
-
-@pytest.mark.slow
-def test_a_picture_has_each_cube_where_it_is(clip):
-    stage = Stage([(0.9, 0.1, 0.1), (0.1, 0.1, 0.9)], clip.runs[0].cube_edge_m, "cpu")
-    frame = clip.frames[-1]
-    stage.place([bodies(run, frame) for run in clip.runs])
-    cube = clip.runs[0].cube[frame, :3, 3]
-    camera = Camera(cube + np.array([0.3, -0.05, 0.02]), cube, 20.0)
-    red, blue = display(stage.picture(camera, 33, 25))[:, 12, 16]
-    assert red[0] > 2 * red[2] and blue[2] > 2 * blue[0]
-    away = Camera(cube + np.array([0.3, -0.05, 0.02]), cube + np.array([0.0, 0.2, 0.0]), 20.0)
-    assert np.ptp(display(stage.picture(away, 33, 25))[0, 12, 16]) < 0.2
 
 
 @pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments.facts.case import AS_SHIPPED, FIXED, Case
+from experiments.facts.case import AS_SHIPPED, Case
 from experiments.simulation import frame_benchmark
-from experiments.simulation.frame_benchmark import TIMED, Clone, WarmState, time_cases, warm_state
-from experiments.simulation.paired_timing import BATCH_COUNT
+from experiments.simulation.frame_benchmark import TIMED, WarmState, time_cases, warm_state
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import batch_invalid_reason
 
@@ -46,35 +45,6 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory():
     assert found["as-shipped"]["frame_ms"] > 0.0 and found["as-shipped"]["buffer_bytes_per_world"] > 0
     assert [found["small"][name] for name in TIMED] == [None] * len(TIMED)
     assert found["small"]["frame_ms_reason"] == OVERFLOW
-
-
-def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, warm):
-    """As where the memory has no room for more than one case beside the first."""
-    cpu, pairs = wp.get_device("cpu"), []
-
-    class Seen(Clone):
-        def __init__(self, of: Simulation):
-            super().__init__(of)
-            pairs.append((of, self))
-
-    monkeypatch.setattr(frame_benchmark, "SHARE_BUILT", -1.0)
-    monkeypatch.setitem(frame_benchmark.BUILD_COUNT, "cpu", 2)
-    monkeypatch.setattr(frame_benchmark, "Clone", Seen)
-    cases = [AS_SHIPPED, replace(AS_SHIPPED, name="unsynced", state_sync=False), replace(FIXED, name="other")]
-    found = time_cases(cases, 2, cpu, cap_s=0.0)
-    repeats = {name: row["repeat_count"] for name, row in found.items()}
-    assert repeats == {"as-shipped": 2 * BATCH_COUNT, "unsynced": BATCH_COUNT, "other": 2 * BATCH_COUNT}
-    for first, again in pairs:
-        first.vary(again.case)
-        for each in (first, again):
-            warm.put(each, again.case)
-        before = again.body_q.numpy().copy()
-        first.step()
-        assert np.array_equal(again.body_q.numpy(), before)
-        again.step()
-        assert np.array_equal(again.body_q.numpy(), first.body_q.numpy()) and not np.array_equal(
-            before, again.body_q.numpy()
-        )
 
 
 def refusing(error: Exception, most: int = 0) -> type[Simulation]:

@@ -55,11 +55,3 @@ def test_the_interval_has_the_ratio_in_it(case_count, correlation, share, drift)
     assert np.mean(covered) >= 0.95
     most = BATCH_COUNT << (LOOK_COUNT - 1)
     assert all(each.resolution <= 0.01 or len(each.times) == most for each in found)
-
-
-def test_quiet_times_are_looked_at_once_and_a_known_case_no_more():
-    quiet, loud = iter(np.exp(1e-4 * np.random.default_rng(1).normal(size=999))), noises(0.0, 0.05, 0.0, 2)
-    blocks = [lambda _: next(quiet), lambda _: next(quiet), lambda _: float(np.exp(next(loud)))]
-    reference, known, unknown = time_in_turn(blocks, cap_s=float("inf"))
-    assert (len(known.times), len(unknown.times)) == (BATCH_COUNT, BATCH_COUNT << (LOOK_COUNT - 1))
-    assert len(reference.times) == len(unknown.times) and reference.resolution == 0.0

@@ -12,7 +12,6 @@ from measured_report.changes.bisect import Bisection, first_change, points_betwe
 from measured_report.changes.compare import flips
 from measured_report.changes.query import Query, flip_history, history
 from measured_report.commands import bisect as command
-from measured_report.commands import history as history_command
 from measured_report.editions.release import release_of
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.pages.editions import editions_of
@@ -124,17 +123,6 @@ def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     said = {tuple(names): claim.outcome.said for names, claim in flip.said}
     assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "fails"}
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
-
-
-def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search):
-    for asked, near in (
-        ({"value": "nonsense"}, "no edition has nonsense"),
-        ({"value": "toy.sofd.slip_mm"}, "near it: toy.soft.slip_mm"),
-        ({"claim": "toy.help"}, "near it: toy.helps"),
-    ):
-        with pytest.raises(UsageError, match=near) as refused:
-            history_command.run(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
-        assert "\n" not in str(refused.value)
 
 
 def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(toy, search, monkeypatch, capsys):

@@ -9,10 +9,9 @@ from conftest import MODULE, ROWS, Toy, compared, derived
 from measured_report.changes.compare import flips_between
 from measured_report.commands import diff, page
 from measured_report.editions.release import release_of
-from measured_report.editions.status import status_matrix
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
-from measured_report.records.record import load_record, write_record
+from measured_report.records.record import load_record
 from measured_report.site.check import check_site
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
@@ -27,21 +26,6 @@ def newer(toy) -> Toy:
     newer = toy.of("1.8.0")
     newer.measure(BETTER)
     return newer
-
-
-def test_a_release_is_judged_without_being_installed(toy, newer):
-    assert newer.state().kind == "fresh"
-    write_record(newer.record_path, newer.record(BETTER, identity=toy.record().identity))
-    assert newer.state().notes == ("packages: newton 1.4.0 → 1.8.0",)
-
-
-def test_the_matrix_has_a_column_for_each_release(toy, newer):
-    assert status_matrix(toy.project).splitlines()[1].split() == ["toy", "fresh", "fresh"]
-    toy.of("1.5.0").project.results.mkdir()
-    newer.write("assets/robot.urdf", "<robot name='other'/>")
-    matrix = status_matrix(toy.project).splitlines()
-    assert matrix[0].split() == ["section", "newton", "1.4.0", "newton", "1.8.0"]
-    assert matrix[1].split() == ["toy", "stale:", "config", "stale:", "config"]
 
 
 def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for_is_first(toy, newer):

@@ -16,21 +16,6 @@ from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.measuring.batch import reason_of
-
-
-@pytest.mark.parametrize(
-    ("error", "reason"),
-    [
-        (OSError("no mesh was found"), "no mesh was found"),
-        (FileNotFoundError(2, "No such file or directory", "a.urdf"), "a.urdf: No such file or directory"),
-        (OSError(28, "No space left on device"), "No space left on device"),
-        (OSError(), "OSError"),
-        (RuntimeError("CPU kernel build failed with error code -1"), "its kernels can't be compiled by Warp "),
-    ],
-)
-def test_what_the_system_says_is_the_reason_and_names_a_file_only_where_it_has_one(error, reason):
-    assert reason_of(error).startswith(reason)
 
 
 def test_progress_does_not_run_into_an_answer_for_a_program():

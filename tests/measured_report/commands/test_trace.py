@@ -6,7 +6,6 @@ from measured_report.commands.trace import provenance
 from measured_report.files.errors import UsageError
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
-from measured_report.records.columns import changed_parameters
 
 ROWS = (
     {"case": "soft", "frame_count": 900, "slip_mm": 6.0, "slip_mm_p5": 5.9, "slip_mm_p95": 6.2, "dropped": False},
@@ -61,8 +60,3 @@ def test_what_is_no_number_names_those_near_it_in_one_line(toy, name, message):
     with pytest.raises(UsageError, match=message) as refused:
         text(toy, name)
     assert "\n" not in str(refused.value)
-
-
-def test_what_differs_from_the_scene_as_shipped():
-    row = {"case": "x", "backend": "warp", "cube_gap_m": 0.1, "shake_amplitude_m": 0.0, "slip_mm": 1.0}
-    assert changed_parameters(row) == {"shake_amplitude_m": 0.0}

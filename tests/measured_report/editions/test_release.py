@@ -3,7 +3,6 @@
 Packaging alone: a small repository that is named newton stands for a checkout, and nothing is simulated.
 """
 
-import json
 import os
 import shutil
 import subprocess
@@ -19,9 +18,7 @@ from measured_report.editions.environment import environment_of
 from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import read_label, release_of
 from measured_report.editions.status import expected_packages
-from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.root import ROOT
 from measured_report.measuring import machine, measure
 from measured_report.records import identity
 from measured_report.records.identity import package_versions
@@ -70,16 +67,6 @@ def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
         release_of(f"{checkout}@nothing")
 
 
-def test_a_wheel_is_called_after_its_content(tmp_path):
-    wheel = tmp_path / "newton-1.9.0.dev5-py3-none-any.whl"
-    wheel.write_bytes(b"one")
-    first = release_of(str(wheel))
-    assert str(first).startswith("1.9.0.dev5+w") and first.requirement == f"newton[sim] @ {wheel.as_uri()}"
-    wheel.write_bytes(b"two")
-    release_of.cache_clear()
-    assert str(release_of(str(wheel))) != str(first)
-
-
 def test_with_names_packages(tmp_path):
     release = release_of("1.8", "warp-lang==1.19.0 mujoco-warp==4.0.0")
     assert str(release) == "1.8.0+mujoco-warp-4.0.0+warp-1.19.0"
@@ -113,20 +100,6 @@ def test_a_measurement_refuses_what_is_not_installed():
             edition_of(other)
 
 
-def test_an_installed_checkout_says_its_commit(checkout, tmp_path, monkeypatch):
-    info = tmp_path / "site/newton-1.9.0.dev0.dist-info"
-    info.mkdir(parents=True)
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: newton\nVersion: 1.9.0.dev0\n")
-    said = {"url": checkout.as_uri(), "dir_info": {"editable": True}}
-    (info / "direct_url.json").write_text(json.dumps(said))
-    monkeypatch.syspath_prepend(info.parent)
-    commit = git(checkout, "rev-parse", "--short=7", "HEAD")
-    assert package_versions()["newton"] == f"1.9.0.dev0+g{commit}"
-    said = {"url": "https://example.org/newton.git", "vcs_info": {"vcs": "git", "commit_id": "1a2b3c4d" * 5}}
-    (info / "direct_url.json").write_text(json.dumps(said))
-    assert package_versions()["newton"] == "1.9.0.dev0+g1a2b3c4"
-
-
 def test_edited_code_is_stale(toy, checkout):
     (checkout / "newton/__init__.py").write_text("x = 2\n")
     release_of.cache_clear()
@@ -156,18 +129,6 @@ def test_one_machine_never_takes_the_place_of_another(toy, capsys):
         measure.kept_by(apart, "cpu", ["toy"])
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
     assert machine.machine_of(record) == "nvidia-h100-80gb-hbm3"
-
-
-def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages(monkeypatch):
-    missing = dict.fromkeys(package_versions(), identity.MISSING)
-    found = environment.requirements(ROOT, missing | {"newton": "1.8.0", "warp-lang": "1.19.0"})
-    assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
-    assert any(name.startswith("pandas") for name in found)
-    assert not any(name.startswith("mujoco") or "1.4.0" in name for name in found)
-    alone = replace(config(), changes=replace(config().changes, together=(("warp-lang",),)))
-    monkeypatch.setattr(environment, "config", lambda: alone)
-    asked = [name.partition("==")[0] for name in environment.requirements(ROOT, missing)]
-    assert [name for name in asked if name.startswith(("mujoco", "warp", "newton"))] == ["mujoco-warp", "mujoco"]
 
 
 def test_an_environment_is_made_once_and_whole_or_not_at_all(tmp_path, monkeypatch):

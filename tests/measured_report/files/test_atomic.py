@@ -17,7 +17,7 @@ from damage import FIELDS, RECORD_WAYS, TRACE_WAYS, damage
 from markupsafe import Markup
 
 from measured_report.editions.environment import requirements
-from measured_report.files.atomic import RecordError, locked, recover
+from measured_report.files.atomic import RecordError, recover
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
@@ -96,17 +96,6 @@ def test_a_record_that_does_not_fit_on_the_disk_changes_nothing(toy, monkeypatch
     with pytest.raises(OSError, match="No space left"):
         write_record(toy.record_path, toy.record([{**ROWS[0], "slip_mm": 1.0}]), {})
     assert {path.name: path.read_bytes() for path in toy.record_path.parent.iterdir()} == before
-
-
-def test_who_comes_second_waits_and_says_so(tmp_path):
-    code = "import sys; from pathlib import Path; from measured_report.files.atomic import locked\n"
-    command = [sys.executable, "-c", f"{code}with locked(Path(sys.argv[1])): pass", tmp_path]
-    with locked(tmp_path):
-        second = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
-        assert second.stderr.readline().startswith("waiting for another process")
-        assert second.poll() is None
-    assert second.wait() == 0
-    second.stderr.close()
 
 
 WORKERS = """

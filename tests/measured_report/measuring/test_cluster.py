@@ -88,16 +88,6 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler,
         assert all(other[1] <= begin or end <= other[0] for other in times.values()), "it was alone"
 
 
-def test_what_cannot_travel_fails_by_itself_and_nothing_waits_for_it(toy, scheduler, capsys):
-    there = section_of(toy, batches.single(Batch("there", batches.double, (lambda: None,))), "there")
-    back = section_of(toy, batches.single(Batch("back", batches.lines_of, (1,))), "back")
-    with cluster_pools(scheduler, "cpu", None, 1) as pools:
-        assert Loop([there, back], *pools).run()
-    said = capsys.readouterr().err
-    assert "there: measuring failed; what was there is kept: there: AttributeError: Can't pickle" in said
-    assert "back: measuring failed; what was there is kept: back: TypeError: cannot pickle" in said
-
-
 @pytest.mark.parametrize(
     ("device", "processor", "reason"),
     [

@@ -123,12 +123,6 @@ def handed(returned) -> Plan:
     return returned
 
 
-@pytest.mark.parametrize("names", ["aa", ""])
-def test_batches_need_names_of_their_own(toy, log, names, capsys):
-    assert fails(section_of(toy, batches.plan(str(log), names)))
-    assert "batches need names of their own" in capsys.readouterr().err
-
-
 DRIVER = """
 import batches
 import signal

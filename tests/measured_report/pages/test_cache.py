@@ -158,29 +158,6 @@ def test_a_section_reads_only_what_it_names_and_what_stands_before_it(toy):
     assert "report/sections/reader.py reads toy, which its line reads = (...) does not name" in left_out(toy)["reader"]
 
 
-WARM = """
-import sys
-from pathlib import Path
-import report.sections
-from measured_report.editions.project import Project
-from measured_report.site.build import build
-
-root = Path(sys.argv[1])
-report.sections.__path__ = [str(root / "report/sections"), *report.sections.__path__]
-build(Project("1.4.0", root=root))
-print(*({"pandas", "numpy", "matplotlib", "warp", "newton"} & set(sys.modules)))
-"""
-
-
-@pytest.mark.parametrize("change", [None, "a word of a claim"])
-def test_what_is_kept_takes_neither_numbers_nor_drawing(built, change):
-    if change:
-        CHANGES[change](built)
-    done = program("-c", WARM, built.project.root)
-    assert (done.stdout, done.stderr) == ("\n", "")
-    assert files(built.project.site) == from_nothing(built)
-
-
 def test_a_site_that_was_altered_is_built_again(built):
     before = files(built.project.site)
     built.page_path.write_text("altered")

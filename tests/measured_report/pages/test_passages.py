@@ -1,14 +1,10 @@
 """Passages: paragraphs stand only while the claims that they rest on do, with numbers of these alone."""
 
 import pytest
-from conftest import MODULE, TEMPLATE
+from conftest import MODULE
 
 from measured_report.files.errors import ReportError
-from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
 from measured_report.site.check import check_site
-from tests.inert import inert_passages
-from tests.perturbed import of_editions
 
 pytestmark = pytest.mark.words
 FALLEN = (("soft", 0.5), ("stiff", 0.3124))
@@ -54,22 +50,6 @@ def test_a_passage_falls_with_a_number_that_is_not_there(toy):
     assert "another" in page and "it fell" not in page
 
 
-def test_other_stories_rest_on_claims_too_and_a_part_of_a_line_can_be_a_passage(toy):
-    other = '{% passage needs="toy.helps fails" %}\nGain {{ toy.helps.gain }} is none.\n{% endpassage %}'
-    line = '# {% passage needs="toy.helps" %}It helps{% otherwise %}It does not help{% endpassage %}'
-    page = built(toy, OTHERWISE.replace("It is *another* story.", other), falls=True, before=line)
-    assert 'data-needs="toy.helps fails" data-outcome="holds">\n<p>Gain <data' in page
-    assert "<h1>It does not help</h1>" in page
-    assert '<h1><span class="passage" data-needs="toy.helps holds" data-outcome="holds">It helps' in built_again(
-        toy, line
-    )
-
-
-def built_again(toy, line: str) -> str:
-    toy.measure()
-    return built(toy, "", before=line)
-
-
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
@@ -87,20 +67,3 @@ def test_what_is_wrong_with_a_passage_stops_the_build(toy, old, new, message):
     typed = "{{ toy.helps.gain }}" if new == "5 mm" else old
     with pytest.raises(ReportError, match=message):
         built(toy, PLAIN.replace(typed, new))
-
-
-@pytest.mark.parametrize("place", ["front.md.j2", "sections/toy.md.j2"])
-def test_the_search_for_inert_numbers_sees_passages(toy, place):
-    """The gain moves the claim. The bound of the claim is another thing: where it is not compared it moves nothing."""
-    module = MODULE.replace("claims=[", 'claims=[Claim("stands", at_least(bound, bound), {"slip": soft.slip_mm}), ')
-    toy.write("report/sections/toy.py", module)
-    words = TEMPLATE.replace(
-        "{% claim helps", "{% claim stands %}{% holds %} A. {% fails %} B. {% asks %} c {% endclaim %}\n{% claim helps"
-    )
-    toy.write("templates/sections/toy.md.j2", words)
-    inert = PLAIN.replace("toy.helps.gain", "toy.stands.slip").replace('"toy.helps"', '"toy.stands"')
-    text = "# A report\n" if place == "front.md.j2" else words
-    toy.write(f"templates/{place}", f"{text}\n{PLAIN}\n\n{inert}\n")
-    templates = Templates(toy.project.templates)
-    found = inert_passages(of_editions(editions_of(toy.project, templates), templates, ["1.4.0"]), "1.4.0")
-    assert found == {"toy.stands holds toy.json#/rows/0/slip_mm"}

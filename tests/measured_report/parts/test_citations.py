@@ -36,16 +36,6 @@ def test_a_statement_says_that_it_is_not_measured_here(toy):
         toy.build()
 
 
-def test_a_sentence_requires_the_claims_of_sections_before_it(toy):
-    for name, said in (("helps", True), ("toy.helps", True), ("gap.not_the_cause", False)):
-        toy.write("templates/sections/toy.md.j2", TEMPLATE + f'\n{{% if holds("{name}") %}}So it is.{{% endif %}}\n')
-        toy.build()
-        assert ("So it is." in toy.page) == said
-    toy.write("templates/sections/toy.md.j2", TEMPLATE + '\n{% if holds("toy.helpz") %}So it is.{% endif %}\n')
-    with pytest.raises(ReportError, match="toy has no claim 'helpz'"):
-        toy.build()
-
-
 @pytest.mark.parametrize(
     ("pairs", "message"),
     [

@@ -8,8 +8,6 @@ from conftest import MODULE, TEMPLATE
 
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.pages.prose import Templates
-from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
 
 pytestmark = pytest.mark.words
 ASKS = "{% asks %} whether it helps\n"
@@ -40,20 +38,6 @@ def test_what_is_wrong_with_the_words_stops_the_build(toy, old, new, message):
     toy.write("report/sections/toy.py", MODULE.replace(old, new))
     with pytest.raises(ReportError, match=message):
         toy.build()
-
-
-def test_words_are_known_without_rendering(toy):
-    text = Templates(toy.project.templates).text("sections/toy.md.j2")
-    wording = text.words["claim", "helps"]
-    claim = Claim("helps", HOLDS, {"gain": "3"}, wording)
-    assert claim.text == "It helps 3 times."
-    assert str(claim.html("toy")).endswith("</span> Because it is stiff.")
-    for outcome, said in (
-        (FAILS, "It does not."),
-        (Outcome("unknown", "it fell"), "Whether it helps cannot be told (it fell)."),
-    ):
-        assert Claim("helps", outcome, {"gain": "3"}, wording).text == said
-    assert wording.names == {"gain"}
 
 
 def test_formulas_tables_sources_and_what_lies_in_static_are_on_the_page_and_drafts_are_not(toy):
@@ -102,10 +86,3 @@ def test_what_only_is_not_shown_is_not_said_to_be_otherwise(tmp_path, folder):
     fails = "It slips {{ slip }}. The solver matters: {{ slip }}. It is not shown that it sticks."
     (tmp_path / "toy.md.j2").write_text(f"{{% claim slips %}} {{% fails %}} {fails}\n{{% asks %}} x\n{{% endclaim %}}")
     assert overstated(tmp_path) == [("toy.md.j2: slips", "The solver matters")]
-
-
-def test_a_claim_may_have_words_for_the_opposite_alone(toy):
-    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("{% fails %}", "{% opposite %}"))
-    wording = Templates(toy.project.templates).text("sections/toy.md.j2").words["claim", "helps"]
-    assert Claim("helps", OPPOSITE, {"gain": "3"}, wording).text == "It does not."
-    assert Claim("helps", FAILS, {"gain": "3"}, wording).text == "Whether it helps is not shown."

@@ -11,7 +11,7 @@ import pytest
 
 from measured_report.files.root import ROOT
 from measured_report.records import identity as of_records
-from measured_report.records.code import files, roots_of, unchanged_files
+from measured_report.records.code import unchanged_files
 from measured_report.records.identity import identity_of, sections
 
 SOURCES = {
@@ -160,30 +160,6 @@ def test_no_record_is_stale_when_the_simulation_moves(copied):
         text = path.read_text(encoding="utf-8")
         path.write_text(re.sub(r"\bexperiments\.simulation\b", "experiments.elsewhere.deeper", text), encoding="utf-8")
     assert identities(copied) == before
-
-
-@pytest.mark.parametrize(
-    ("old", "new"),
-    [
-        ("(frame + 1) % PROGRESS_FRAMES", "(frame + 2) % PROGRESS_FRAMES"),
-        ("simulation.recorder.keep_contact_rows(frame)", "simulation.recorder.keep_contact_rows(frame_count)"),
-    ],
-)
-def test_what_simulates_is_stale_after_a_change_of_the_run_and_nothing_else(tmp_path, old, new):
-    for name in ("packages", "assets", "report"):
-        (tmp_path / name).symlink_to(ROOT / name)
-    shutil.copytree(ROOT / "experiments", tmp_path / "experiments", ignore=shutil.ignore_patterns("__pycache__"))
-    path = tmp_path / "experiments/simulation/simulation.py"
-    text = path.read_text(encoding="utf-8")
-    assert text.count(old) == 1
-    path.write_text(text.replace(old, new), encoding="utf-8")
-    before, after = tracked(), identities(tmp_path)
-    with unchanged_files():
-        graph = files().graph(roots_of(ROOT))
-        node = (str(ROOT / "experiments/simulation/simulation.py"), "run")
-        simulating = {name for name in before if node in graph.reached(f"experiments.{name}.measure")}
-    assert {name for name in before if before[name] != after[name]} == simulating
-    assert len(before) - 12 < len(simulating) < len(before)
 
 
 def test_the_generator_never_counts():

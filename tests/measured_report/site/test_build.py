@@ -49,12 +49,6 @@ def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch)
     )
 
 
-def test_a_missing_template_is_named(toy):
-    (toy.project.templates / "sections/toy.md.j2").unlink()
-    with pytest.raises(ReportError, match=r"^there is no templates/sections/toy.md.j2$"):
-        toy.build()
-
-
 END = "{% endtable %}\n"
 
 
@@ -148,15 +142,6 @@ def test_a_figure_links_only_the_data_that_is_there_and_is_one_line_without(toy)
     assert "<svg" not in toy.page
     assert str(toy.project.root) not in toy.page
     assert check_site(toy.project.site) == []
-
-
-def test_quick_results_are_shown_as_such(toy):
-    quick = replace(toy, project=replace(toy.project, profile="quick"))
-    quick.measure()
-    quick.build()
-    assert "quick profile" in quick.page
-    assert "make rerun SECTION=toy PROFILE=quick" in quick.page
-    assert check_site(quick.project.site) == []
 
 
 BARE = """

@@ -9,7 +9,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from measured_report.parts.figures import draw_svgs, new_figure, write
-from measured_report.values.format import THIN_SPACE, format_least, format_most, format_number, format_short, label_of
+from measured_report.values.format import THIN_SPACE, format_least, format_most, format_number, label_of
 from measured_report.values.format import read_number as read
 from measured_report.values.quantities import Quantity
 
@@ -73,13 +73,6 @@ def test_what_was_typed_is_written_as_it_was(digits, power):
     typed = Decimal(digits).scaleb(power)
     assume(typed == 0 or typed.adjusted() < 12)
     assert read(format_number(float(typed), noise=0.0)) == typed
-
-
-@pytest.mark.parametrize(
-    ("value", "text"), [(0.004, "<.01"), (0.014, ".01"), (0.096, "0.1"), (9.94, "9.9"), (9.96, "10"), (42.4, "42")]
-)
-def test_short_numbers(value, text):
-    assert format_short(value) == text
 
 
 def test_a_drawing_says_where_its_numbers_are_from():

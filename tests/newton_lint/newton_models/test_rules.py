@@ -148,17 +148,6 @@ def test_models_without_shapes_or_the_solvers_attributes():
     assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
 
 
-def test_shapes_that_cannot_touch_are_left_alone():
-    builder = builder_of_the_solver()
-    body = builder.add_body(label="body")
-    for priority in (0, 1):
-        builder.add_shape_box(
-            body, cfg=ShapeConfig(ke=8e4 * (1 + priority), kd=0.0, kf=5.0, restitution=0.5),
-            custom_attributes={"mujoco:geom_priority": priority},
-        )  # fmt: skip
-    assert lint(builder.finalize(device="cpu"), ENGINE) == []
-
-
 def test_the_contacts_are_those_that_the_solver_has():
     """Contacts of the cube on the ground, where neither shape has priority, so that both sides mix."""
     simulation = Simulation([AS_SHIPPED], wp.get_device("cpu"))

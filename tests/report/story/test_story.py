@@ -6,7 +6,6 @@ from dataclasses import replace
 import pytest
 from conftest import contents
 
-from experiments.simulation.task import FRAME_RATE
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import Edition
 from measured_report.pages.prose import Templates
@@ -15,7 +14,6 @@ from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.site.check import check_site
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
-from report.sections.reproduction import SCENE
 from report.shared.arithmetic import Found
 from report.story.frontier import advice
 from report.story.story import _advice
@@ -158,10 +156,6 @@ def test_a_run_that_failed_is_not_one_that_was_not_measured(editions):
     failed = Results(record, chapter.results.path, chapter.results.others)
     chapters["1.8.0"]["reproduction"] = replace(chapter, results=failed)
     assert {claim.name: claim.outcome for claim in story_of(chapters, "1.4.0").claims}["fine_since"].name == "unknown"
-
-
-def test_the_frame_rate_that_is_told_is_that_of_the_simulation():
-    assert {name: value for name, value, _ in SCENE}["frame_rate"] == FRAME_RATE
 
 
 def test_without_the_shake_test_there_is_a_title_alone(toy):
