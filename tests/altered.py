@@ -258,7 +258,7 @@ def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
         if scenario.name != CHECKED:
             return found, []
         derived.keep({})
-        with mock.patch("measured_report.site.pages.draw", _undrawn):  # most of the time goes into them
+        with mock.patch("measured_report.site.pages.forked", _undrawn):  # most of the time goes into them
             editions = build(project)
         lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
         return found, [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)

@@ -3,7 +3,6 @@
 import os
 import signal
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -67,11 +66,6 @@ def is_running(process: int) -> bool:
         return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
-
-
-def lines_of(count: int) -> Iterator[str]:
-    """A generator, which can't travel."""
-    yield from "a" * count
 
 
 def double(rows: list) -> dict:

@@ -58,10 +58,3 @@ def test_a_solver_that_a_release_adds_is_measured_unless_it_is_excused(monkeypat
     )
     assert set(box.solver_classes()) == {*names, *box.EXCUSED}
     assert "SolverBase" not in names and "SolverNotifyFlags" not in names
-
-
-def test_a_box_that_creeps_on_a_slope():
-    time_s = np.arange(21) * box.SAMPLE_S
-    path = np.stack([0.2 + 0.003 * time_s, 0.004 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert box.columns("slope", path) == {"stays": True, "creep_mm_s": pytest.approx(5.0)}
-    assert not box.columns("slope", path - [[0.0, 0.0, 0.02 * at] for at in time_s])["stays"]

@@ -73,8 +73,6 @@ class Case:
 
     kind: str
     changes: tuple[tuple[str, object], ...]
-    since: tuple[int, ...] = (3, 2)
-    """MuJoCo's release from which on it can be asked for."""
 
     def __str__(self) -> str:
         return f"{self.kind} {', '.join(f'{name}={value}' for name, value in self.changes)}"
@@ -119,10 +117,6 @@ def cases() -> Iterator[Case]:
     """All of them, by what they vary."""
     for kind in ("incline", "pinch", "turn"):
         yield from (Case(kind, changes) for changes in _settings(kind))
-        discrete = (("integrator", "discrete"),)
-        for more in ((), (("dt", 0.005),), (("dt", 0.01), ("solref", "0.004 1")), (("cone", "pyramidal"),)):
-            yield Case(kind, discrete + more, since=(3, 13))
-        yield Case(kind, (("flags", '<flag diagexact="enable"/>'),), since=(3, 10))
 
 
 def _settings(kind: str) -> Iterator[tuple[tuple[str, object], ...]]:

@@ -81,10 +81,8 @@ GEOMS = """
     [
         ('solref="0.05 0.5" friction="0.3 0.1 0.2"', 'solimp="0.5 0.6 0.01 0.3 3" condim="6"', ""),
         ('solref="0.05 1" solmix="3"', 'solmix="0" condim="1"', ""),
-        ('solmix="0" solref="0.04 1"', 'solmix="0"', ""),
         ('solref="-100 -10"', 'solref="0.01 1"', ""),
         ('solref="-100 -10" priority="1"', 'solref="-50 -20" friction="2"', ""),
-        ('priority="1"', 'solref="-50 -20" friction="0"', ""),
         ('friction="0"', 'friction="0"', ""),
         ("", 'solref="0.01 1"', '<flag override="enable"/>'),
     ],

@@ -30,21 +30,6 @@ def compared(case_count: int, correlation: float, share: float, drift: float, se
     return time_in_turn([block(1.0), *(block(RATIO) for _ in range(case_count - 1))], cap_s=float("inf"))
 
 
-def test_what_differs_from_state_to_state_is_no_noise():
-    found = []
-    for seed in range(RUN_COUNT):
-        generator = np.random.default_rng(seed)
-        states = np.exp(generator.permutation(np.linspace(-0.1, 0.1, BATCH_COUNT)))
-
-        def block(ratio, states, generator=generator):
-            return lambda number: ratio * states[number % BATCH_COUNT] * float(np.exp(5e-3 * generator.normal()))
-
-        found += time_in_turn([block(1.0, np.ones(BATCH_COUNT)), block(RATIO, states)], cap_s=float("inf"))[1:]
-    assert np.mean([abs(np.log(each.ratio / RATIO)) <= np.log1p(each.resolution) for each in found]) >= 0.95
-    assert all(each.resolution <= 0.01 for each in found)
-    assert np.median([len(each.times) for each in found]) <= 4 * BATCH_COUNT
-
-
 @pytest.mark.parametrize(
     ("case_count", "correlation", "share", "drift"),
     [(2, 0.0, 0.02, 0.0), (4, 0.5, 0.005, 1e-4), (2, 0.9, 0.02, 1e-4), (4, 0.9, 0.005, 0.0), (4, 0.9, 0.02, 1e-4)],

@@ -27,7 +27,7 @@ from dask import config
 from distributed import Nanny, Scheduler, SpecCluster
 
 own = {"host": "127.0.0.1", "dashboard": False, "dashboard_address": "127.0.0.1:0"}
-kinds = [{"shared": 1}, {"shared": 1}, {"exclusive": 1}][: int(sys.argv[1])]
+kinds = [{"shared": 1}, {"exclusive": 1}][: int(sys.argv[1])]
 options = [{**own, "nthreads": 1, "memory_limit": 0, "silence_logs": 50, "resources": kind} for kind in kinds]
 workers = {number: {"cls": Nanny, "options": each} for number, each in enumerate(options)}
 if __name__ == "__main__":
@@ -58,8 +58,8 @@ def started(plain: Path, count: int) -> subprocess.Popen:
 
 @pytest.fixture(scope="module")
 def address(plain):
-    """Address of a cluster of two workers for what is shared and one for the rest, as somebody may have started it."""
-    with started(plain, 3) as process:
+    """Address of a cluster of a worker for what is shared and one for the rest, as somebody may have started it."""
+    with started(plain, 2) as process:
         yield process.stdout.readline().strip()
         process.communicate()
 
@@ -68,7 +68,7 @@ def address(plain):
 def scheduler(address) -> str:
     """The same address, once all workers are there: those that a test killed take a while to come back."""
     with Client(address) as client:
-        client.wait_for_workers(3)
+        client.wait_for_workers(2)
     return address
 
 

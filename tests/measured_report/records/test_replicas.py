@@ -73,13 +73,6 @@ def test_sections_of_other_code_are_left_out_and_named(project, capsys):
     assert "left out: other code (gap)" in capsys.readouterr().out
 
 
-def test_a_later_change_of_a_section_costs_that_section_alone(project):
-    kept(project, *(again(project, section) for section in SECTIONS))
-    changed = again(project, "gap", code=sha256(b"later").hexdigest())
-    (found,) = replicas_of(project, {"gap": changed, "frames": load_record(project.record_path("frames"))}).values()
-    assert list(found) == ["frames"]
-
-
 @pytest.mark.parametrize("kind", ["code", "packages"])
 def test_one_of_other_code_or_packages_is_refused_in_a_line(project, kind):
     packages = load_record(project.record_path("gap")).identity.packages

@@ -7,7 +7,7 @@ import pytest
 
 from measured_report.editions.project import Project
 from measured_report.records.record import load_record
-from measured_report.values.scatter import apart, chance_of, discoveries, key_of, quantile
+from measured_report.values.scatter import apart, key_of, quantile
 
 
 def records(count, sigma, seed=0, size=40, column="slip_mm", outlier=0.0):
@@ -66,10 +66,3 @@ def test_a_run_that_one_measurement_loses_is_at_the_edge():
     rows = [{**row, "dropped": place == 3} for place, row in enumerate(other.rows)]
     found = apart([replace(one, rows=[{**row, "dropped": False} for row in one.rows]), replace(other, rows=rows)])
     assert found.edge == {key_of({"case": "c3"})}
-
-
-def test_chances_are_those_of_the_tables():
-    assert chance_of(1.0, 10) == pytest.approx(0.001, rel=0.01)
-    assert chance_of(2.0, 10) < 1e-5
-    assert discoveries([0.001, 0.012, 0.2, 0.9]) == 0.012  # at 5 % of four: 0.0125, 0.025, 0.0375, 0.05
-    assert discoveries([0.5, 0.6]) == 0.0

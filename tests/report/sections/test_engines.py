@@ -7,25 +7,7 @@ from measured_report.editions.project import Project
 from measured_report.records.record import load_record
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.sections.engines import Line, _as_their_laws_say, _helps
-
-
-@pytest.mark.parametrize(
-    ("law", "walk", "short", "said"),
-    [
-        ("mujoco", 3.5, 3.7, "the term"),
-        ("step", 0.4, 0.2, "shorter step"),
-        ("step", 0.4, 0.4, "not known"),
-        ("tamsi", 0.42, 0.22, "shorter step, smaller vₛ"),
-        ("stribeck", 0.11, None, "smaller vₛ"),
-        ("anchored", 0.001, 0.001, "nothing to help"),
-        ("", None, 0.7, "not known"),
-    ],
-)
-def test_a_shorter_step_helps_where_that_was_seen(law, walk, short, said):
-    seen, halved, unknown = (Value(number, "%/s", "") for number in (walk, short, None))
-    line = Line("", "", "", law, seen, unknown, halved, unknown, unknown)
-    assert _helps(line, Value(0.002, "%/s", "")) == said
+from report.sections.engines import Line, _as_their_laws_say
 
 
 @pytest.mark.words

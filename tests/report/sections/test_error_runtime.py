@@ -2,13 +2,9 @@
 
 from dataclasses import replace
 
-import numpy as np
-import pytest
-
 from measured_report.files.root import ROOT
 from measured_report.records.record import load_record, units_of
 from measured_report.values.results import Results
-from report.sections.error_runtime.claims import crossing
 from report.sections.error_runtime.runs import ERROR, TIME, front
 
 PATH = ROOT / "results/newton-1.4.0/error_runtime.json"
@@ -22,14 +18,3 @@ def test_a_front_has_the_settings_that_no_other_of_their_kind_beats():
     assert front(results.rows) == {"0", "1", "3", "4"}
     assert front(results.rows, "backend") == {"0", "1", "3", "4", "6"}
     assert front([]) == frozenset()
-
-
-@pytest.mark.parametrize(
-    ("level", "worlds"),
-    [(49.9, 5), (20.0, 2), (1e3, None), (5.0, None)],
-    ids=["between two", "at one", "never", "from the start"],
-)
-def test_the_crossover_is_where_the_speed_is_first_reached(level, worlds):
-    # Of a straight line in logarithms from (4, 40) to (16, 160), 50 is reached at 5 worlds.
-    found = crossing(level, (1, 2, 4, 16), (10.0, 20.0, 40.0, 160.0))
-    assert (None if np.isnan(found) else found) == worlds

@@ -4,7 +4,7 @@ import gzip
 import io
 import tarfile
 import zlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
@@ -58,10 +58,10 @@ def read_replica(path: Path) -> Records:
     return {Path(name).stem: read_record(text, path.parent / name) for name, text in sorted(files.items())}
 
 
-def measurements_beside(path: Path) -> list[Record]:
-    """Return the record at ``path``, and those of the replicas beside it that measured the same."""
+def measurements_beside(path: Path, read: Callable[[Path], Records]) -> list[Record]:
+    """Return the record at ``path``, and those of the replicas beside it, as ``read``, that measured the same."""
     tracked = read_record(read_own_file(path, BYTE_LIMIT), path)
-    found = (read_replica(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
+    found = (read(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
     return [tracked, *(record for record in found if record and not unlike(tracked, record))]
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from measured_report.files.config import config
 from measured_report.pages.sections import labels_of
-from measured_report.records.replicas import measurements_beside
+from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.format import (
     format_code,
     format_least,
@@ -137,6 +137,7 @@ class Data:
     def __init__(self, folder: Path):
         self.folder = folder
         self.file, self._floors, self._apart = cache(self._read), cache(self._floors_beside), cache(self._apart_in)
+        self._replica = cache(read_replica)  # which is of all sections
 
     def _read(self, name: str) -> Any:
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
@@ -161,7 +162,7 @@ class Data:
         return floors_of(self.file(noise)["rows"], self.file(noise)["units"])
 
     def _apart_in(self, name: str) -> Apart:
-        records = measurements_beside(self.folder / name)
+        records = measurements_beside(self.folder / name, self._replica)
         return apart(records) if len(records) > 1 else Apart()
 
     @cached_property
