@@ -88,6 +88,16 @@ def test_a_direct_solref_that_is_too_stiff_for_the_step_is_an_error(solref, stat
     assert main([str(path)]) == 0
 
 
+def test_a_default_of_many_is_changed_once_and_by_no_tiny_time_step(tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    more = '<body pos="1 0 0.05"><freejoint/><geom size="0.05"/></body></worldbody>'
+    path.write_text(STIFF.format(solref="1e-7 1").replace("</worldbody>", more))
+    assert main([str(path), "--dry-run"]) == 1
+    out, err = capsys.readouterr()
+    [line] = [line for line in err.splitlines() if line.endswith(": can be written")]
+    assert line.count('solref="0.02 1"') == 1 and "timestep=" not in out
+
+
 def test_what_moves_in_too_many_ways_is_said(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("newton_lint.stepped.MOST_DOFS", 5)
     (tmp_path / "many.xml").write_text(STIFF.format(solref="0.02 1"))
