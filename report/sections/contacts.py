@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from measured_report.parts.claim import Claim, all_of, at_most, decided, greater
+from measured_report.parts.claim import Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
@@ -30,6 +30,7 @@ def derive(results: Results) -> Section:
         "in the rows": [row.slide_mm for row in left_out],
         "in the rows, term put back": [row.slide_mm for row in restored],
     }
+    ends = _term_restored(results, left_out, restored)
     return Section(
         tables={
             "rows": table_of("row", [row.row for row in shown], ROWS, shown),
@@ -39,8 +40,8 @@ def derive(results: Results) -> Section:
             _far_inside_cone(results, run),
             *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
             _slide_accounts(results, run),
-            _missing_term(results, left_out),
-            _term_restored(results, left_out, restored),
+            _missing_term(results, left_out, ends.outcome),
+            ends,
         ],
     )
 
@@ -76,7 +77,7 @@ def _slide_accounts(results: Results, run: Row) -> Claim:
     return Claim("slide_accounts", at_most(off, bound), numbers)
 
 
-def _missing_term(results: Results, rows: list[Row]) -> Claim:
+def _missing_term(results: Results, rows: list[Row], ends: Outcome) -> Claim:
     formula = "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter"
     name = "missing_term_departure"
     cells = ((f"{name}_{row.case}", row.predicted_slide_mm, row.slide_mm) for row in rows)
@@ -84,7 +85,7 @@ def _missing_term(results: Results, rows: list[Row]) -> Claim:
     largest = results.value(name, "larger of both departures", max, *departures, unit="%")
     bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
     numbers = {"predicted": rows[0].predicted_slide_mm, "slide": rows[0].slide_mm, "departure": largest}
-    return Claim("missing_term", at_most(largest, bound), numbers)
+    return Claim("missing_term", at_most(largest, bound), numbers, effect=ends)
 
 
 def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:

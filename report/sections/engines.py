@@ -79,7 +79,7 @@ def derive(results: Results) -> Section:
         "half the step": _shown([line.short_walk for line in lines], walk_bound),
         "sinks by law": _shown([line.sink_law for line in lines], sink_bound),
         "sinks": _shown([line.sink for line in lines], sink_bound),
-        "what helps": [_helps(line, walk_bound) for line in lines],
+        "what should help": [_helps(line, walk_bound) for line in lines],
         "law of the walk": [LAWS[line.law] for line in lines],
     }
     long = results.chosen("step", "given: the time step", 2.0, unit="ms")

@@ -159,4 +159,6 @@ def _costs_more(results: Results, times: RowsBy) -> Claim:
     )
     known = resolution(results, "resolution", times.values())
     outcome = all_of(greater(alone, 0.0, noise=known, why="none"), greater(many, 0.0, noise=known, why="none"))
-    return Claim("costs_more", outcome, {"alone": alone, "many": many, "worlds": ends[1].worlds})
+    return Claim(
+        "costs_more", outcome, {"alone": ends[0].frame_ratio, "many": ends[1].frame_ratio, "worlds": ends[1].worlds}
+    )

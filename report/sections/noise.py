@@ -50,7 +50,7 @@ def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) 
 
 def _noise_is_small(results: Results, first: Sequence[Row], floors: Mapping[str, Value]) -> Claim:
     def of_mean(floor: float, *found: float) -> float:
-        return 100 * floor / fmean(found)
+        return 100 * floor / abs(fmean(found))
 
     shares = {}
     for metric, floor in floors.items():

@@ -124,7 +124,7 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
     outcome = at_least(gain, results.chosen("stiff_least", "less than half", 2.0))
-    return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "gain": gain})
+    return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "before": shipped.slip_mm, "gain": gain})
 
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:

@@ -50,7 +50,11 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     bound = results.chosen("cheap_bound", "a frame no longer than this many times that of one world", 2.0)
     formula = "most worlds with which, as with all fewer, a frame takes no longer than so many times that of one"
     cheap = results.value("cheap_worlds", formula, cheap_count, bound, *times)
-    return Claim("first_worlds_are_cheap", at_least(cheap, rows[1].worlds), {"cheap": cheap, "bound": bound})
+    return Claim(
+        "first_worlds_are_cheap",
+        at_least(cheap, rows[1].worlds),
+        {"cheap": cheap, "bound": bound, "next": rows[1].worlds},
+    )
 
 
 def _beside_benchmark(results: Results) -> tuple[Table, Claim]:

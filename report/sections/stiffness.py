@@ -82,7 +82,9 @@ def _reading(results: Results, row: Row) -> str:
         return "lost" if row.dropped else ""
     if row.slip_mm.value < bound.value:
         return "holds"
-    return "slips less" if row.slip_mm.value < 0.9 * shipped.value else "slips as far"
+    if row.slip_mm.number > 1.1 * shipped.number:
+        return "slips farther"
+    return "slips less" if row.slip_mm.number < 0.9 * shipped.number else "slips as far"
 
 
 def has_slip(results: Results) -> Outcome:

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import Claim, Outcome, all_of, decided
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
@@ -68,7 +68,9 @@ WAYS = (
     Way("the term", PATCH, _cure("implicitfast-50-shipped", "term-rounded"), "cure_cost/term", TERM),
     Way("the term, RK4", PATCH, _cure("rk4-50-shipped", "term-rounded"), "cure_cost/term-rk4", TERM, "s"),
     Way("the root cure", PATCH, _cure("euler-400-shipped", "full-kept"), "cure_cost/best", CURE),
-    Way("the same, stiff pads", PATCH, _cure("implicitfast-400-stiff", "centred-kept"), "cure_cost/firm", CURE, "D"),
+    Way(
+        "the root cure, stiff pads", PATCH, _cure("implicitfast-400-stiff", "centred-kept"), "cure_cost/firm", CURE, "D"
+    ),
     Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, IN_C),
     Way("C, stiff pads", ARGUMENT, "solver/stiff-pads-mujoco-c", "error_runtime/stiff/c/substeps-16", STIFF, IN_C),
 )
@@ -82,17 +84,21 @@ def figure(found: Found) -> Figure:
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(found), *ratios.values())]
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
+    def times(ratios: dict[int, Quantity]) -> list[float]:
+        return [ratio.number * shipped[count].frame_ms.number / count for count, ratio in ratios.items()]
+
     def draw() -> Drawing:
         drawing, axes = new_figure(7.2, 5.0)
         for way, ratios in ways.items():
-            x = [ratio.number * shipped[count].frame_ms.number / count for count, ratio in ratios.items()]
+            x = times(ratios)
             style = {"marker": way.marker, "markevery": 1, "linestyle": ":", "linewidth": 0.8}
             axes.plot(x, [way.creep_mm(found)] * len(x), label=way.name, color=way.colour, **style)
         axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="creep [mm/cycle]")
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
         return drawing
 
-    return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many})
+    is_right = all(each[0] >= each[-1] for each in map(times, ways.values()) if each)
+    return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many, "is_right": is_right})
 
 
 def advice(found: Found) -> list[Claim]:
@@ -104,18 +110,23 @@ def advice(found: Found) -> list[Claim]:
 def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     """Choose among the ways in Newton that keep the slip below the bound: an argument before a patch, and of those that
     take as much the fastest."""
-    timed = [way for way in WAYS if way.slip(found).value is not None and ALONE in way.ratios(found)]
-    kept = [way for way in timed if bound.value and way.slip(found).number < bound.value and way.marker != IN_C]
-    none = absent("1", bound.reason or "what holds the cube was not timed")
+    tests = {way: at_most(way.slip(found), bound) for way in WAYS if way.marker != IN_C}
+    kept = [way for way, test in tests.items() if test == HOLDS]
+    effort = min((way.effort for way in kept), default=PATCH)
+    timed = [way for way in kept if way.effort == effort and ALONE in way.ratios(found)]
+    near = [test for way, test in tests.items() if test.is_inconclusive and way.effort < PATCH == effort]
+    untimed = "what holds the cube was not timed" if kept else "nothing that was tried is seen to"
+    none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "bound": bound}
-    if not kept:
-        return Claim(name, Outcome("unknown", none.reason), numbers | dict.fromkeys(FLAGS, False))
-    way = min(kept, key=lambda way: (way.effort, way.ratios(found)[ALONE].number))
+    if near or not timed:
+        return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
+    way = min(timed, key=lambda way: way.ratios(found)[ALONE].number)
     ratios = way.ratios(found)
     numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, none)}
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
     told = way.effort == ARGUMENT, way.run.startswith(STEEL), MANY in ratios, is_longer
-    read = [cell for each in timed for cell in (each.slip(found), each.ratios(found)[ALONE])]
+    read = [way.slip(found) for way in tests if way.slip(found).value is not None]
+    read += [each.ratios(found)[ALONE] for each in timed]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
     return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, told, strict=True)))

@@ -170,15 +170,19 @@ def _still_needed(every: Mapping[str, Found], bound: Quantity) -> Claim:
 
 def _with_mujoco(found: Found, bound: Quantity) -> Claim:
     before, after = _slips(found, MUJOCO)
-    less = greater(before, after, noise=found.value("noise", "slip_floor", "mm"))
-    return Claim("with_mujoco", all_of(at_least(before, bound), less), {"before": before, "after": after})
+    return Claim(
+        "with_mujoco", all_of(at_least(before, bound), _halved(before, after)), {"before": before, "after": after}
+    )
 
 
 def _with_both(found: Found) -> Claim:
     cases, column = (f"{pads}/c/cone-pyramidal" for pads in ("as-shipped", "stiff")), "grasp_error_mm_per_cycle"
     before, after = (found.cell("error_runtime", case, column, "mm/cycle") for case in cases)
-    is_half = None not in (before.value, after.value) and 2.0 * after.value <= before.value
-    return Claim("with_both", decided(is_half, before, after), {"before": before, "after": after})
+    return Claim("with_both", _halved(before, after), {"before": before, "after": after})
+
+
+def _halved(before: Quantity, after: Quantity) -> Outcome:
+    return decided(None not in (before.value, after.value) and 2.0 * after.number <= before.number, before, after)
 
 
 def _coarser_moves(found: Found) -> Claim:

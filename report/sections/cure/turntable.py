@@ -71,7 +71,8 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
     largest = extreme(results, "law_off", "largest of the departures from the law", max, shares)
     numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest}
     numbers |= {"count": cell_count(results, "fast_count", "runs for which it gives more", shares)}
-    return Claim("follows_law", at_most(largest, 0.5, why="the same growth"), numbers)
+    outward = at_least(numbers["growth"], resolution)
+    return Claim("follows_law", all_of(at_most(largest, 0.5, why="the same growth"), outward), numbers)
 
 
 def _by_hand(results: Results, plain: Value) -> Claim:

@@ -200,10 +200,10 @@ def long(results: Results) -> Claim:
     columns |= {"last": "increment_last_mm_per_cycle"}
     cells = {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
     bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
-    formula = "creep per cycle in the first tenth times that bound"
-    allowed = results.value("long_creep_allowed", formula, lambda a, b: a * b, cells["first"], bound, unit="mm/cycle")
+    formula = "creep per cycle in the last tenth over that in the first"
+    growth = ratio(results, "long_growth", formula, cells["last"], cells["first"])
     is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
-    also = HOLDS if is_lost else at_most(cells["last"], allowed)
+    also = HOLDS if is_lost else at_most(growth, bound)
     return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
 
 

@@ -52,7 +52,7 @@ def passes(row: Row) -> bool | None:
             return row.failure is not None and f"the {row.case.split('-')[1]} buffer" in row.failure
         case "long":  # creeps no faster in the end than in the beginning
             first, last = row.increment_first_mm_per_cycle.value, row.increment_last_mm_per_cycle.value
-            return is_stable(row) and last <= GROWTH_LARGEST * first
+            return is_stable(row) and abs(last) <= GROWTH_LARGEST * abs(first)
         case "mass" | "gravity":
             return row.finite
     raise LookupError(f"nothing says when a run of {row.family} passes")

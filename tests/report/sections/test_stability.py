@@ -40,7 +40,12 @@ JUDGED = {
     ),
     "long": (
         "class increment_first_mm_per_cycle increment_last_mm_per_cycle",
-        [("creeping", 1.0, 1.1, True), ("creeping", 1.0, 1.2, False), ("dropped", None, None, False)],
+        [
+            ("creeping", 1.0, 1.1, True),
+            ("creeping", 1.0, 1.2, False),
+            ("creeping", -1.0, -1.1, True),
+            ("dropped", None, None, False),
+        ],
     ),
 }
 """By family, columns, and cells with what is said of them."""

@@ -67,7 +67,10 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
         ("stiffness", "cause", "leave out that the arm turns"),
         ("stiffness", "cause", "A turning arm accelerates"),
         ("reproduction", "stiff_pads_hold", "shape_material_ke"),
-        ("speed", "stiff_pads_only_same_time", "Next to nothing"),
+        ("reproduction", "stiff_pads_hold", "Where these lines go"),
+        ("drift_law", "follows", "the law of the creep, how we know"),
+        ("contacts", "term_restored", "[story-mechanism]"),
+        ("speed", "stiff_pads_only_same_time", "next to nothing"),
         ("friction", "not_the_cause", "None moves the slip"),
     ],
 )
@@ -121,6 +124,7 @@ RK4 = "newton-rk4-50-stiff-3cm-plain-rounded"
             ("fails", "the root cure"),
         ),
         ({RK4: 0.05}, ("holds", "stiff pads"), ("holds", "RK4, stiff pads")),
+        ({"as-shipped": 0.05}, ("holds", "as shipped"), ("holds", "as shipped")),
     ],
 )
 def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hold(editions, slips, advised, ends):
@@ -128,6 +132,36 @@ def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hol
     for name in ("reproduction", "cure"):
         found[name] = with_cells(found[name], "slip_mm", slips)
     assert [(claim.outcome.name, claim.numbers["way"]) for claim in advice(Found(found))] == [advised, ends]
+
+
+def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told_apart(editions):
+    found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
+    untimed = found | {"speed": with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": None})}
+    untimed["cure"] = with_cells(found["cure"], "slip_mm", {RK4: 5.0})
+    assert advice(Found(untimed))[0].outcome.reason == "what holds the cube was not timed"
+    far = dict.fromkeys((row["case"] for row in found["cure"].record.rows), 5.0)
+    none = found | {"cure": with_cells(found["cure"], "slip_mm", far)}
+    assert advice(Found(none))[1].outcome.reason == "nothing that was tried is seen to"
+    near = with_cells(found["cure"], "slip_mm", {RK4: 0.101})
+    near = found | {"cure": replace(near, floors=found["cure"].floors)}
+    assert advice(Found(near))[1].outcome.is_inconclusive
+
+
+def test_with_nothing_to_change_nothing_is_to_be_taken(editions, templates):
+    found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
+    found["reproduction"] = with_cells(found["reproduction"], "slip_mm", {"as-shipped": 0.05})
+    words = templates.text("story.md.j2").words
+    for claim in advice(Found(found)):
+        assert "take" not in replace(claim, wording=words["claim", claim.name]).text
+
+
+@pytest.mark.parametrize(("slip", "outcome"), [(0.3, "holds"), (6.0, "fails")])
+def test_a_slip_that_hardly_falls_is_no_help(editions, slip, outcome):
+    chapters = {"1.4.0": dict(editions["1.4.0"].chapters)}
+    chapter = chapters["1.4.0"]["upgrade"]
+    altered = with_cells(chapter.results, "slip_mm", {"stiff-pads-mujoco-contacts": slip})
+    chapters["1.4.0"]["upgrade"] = replace(chapter, results=altered)
+    assert {claim.name: claim.outcome.name for claim in story_of(chapters, "1.4.0").claims}["with_mujoco"] == outcome
 
 
 @pytest.mark.parametrize(
