@@ -70,7 +70,7 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
         ("reproduction", "stiff_pads_hold", "Where these lines go"),
         ("drift_law", "follows", "the law of the creep, how we know"),
         ("contacts", "term_restored", "[story-mechanism]"),
-        ("speed", "stiff_pads_only_same_time", "next to nothing"),
+        ("speed", "stiff_pads_only_same_time", "change a frame of one world"),
         ("friction", "not_the_cause", "None moves the slip"),
     ],
 )
