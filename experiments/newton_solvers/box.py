@@ -17,6 +17,7 @@ from newton import solvers
 
 from experiments.cure.turntable import SAMPLE_S, SETTLE_S, growth_per_s
 from experiments.engines.scenes import FOOT_M, GRAVITY_M_S2, turntable
+from experiments.simulation.simulation import captured
 from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
@@ -155,15 +156,22 @@ def run(variant: Variant, scene: str, step_s: float, seconds: float, device: str
         stepper = getattr(solvers, variant.solver)(model, **options)
         pipeline = newton.CollisionPipeline(model, rigid_contact_max=4, **variant.pipeline)
         contacts = pipeline.contacts()
-        path = [states[0].body_q.numpy()[1, :3].copy()]
-        for _ in range(round(seconds / SAMPLE_S)):
+
+        def sample() -> None:
             for number in range(round(SAMPLE_S / step_s)):
                 here, there = states[:: 1 - 2 * (number % 2)]
                 if number % (variant.steps_between_contacts or 1) == 0:
                     pipeline.collide(here, contacts)
                 here.clear_forces()
                 stepper.step(here, there, control, contacts, step_s)
+
+        path = [states[0].body_q.numpy()[1, :3].copy()]
+        advance = sample  # the first time compiles, which must not happen inside a capture
+        for _ in range(round(seconds / SAMPLE_S)):
+            advance()
             path.append(states[0].body_q.numpy()[1, :3].copy())
+            if advance is sample and model.device.is_cuda:
+                advance = captured(sample)
         return np.array(path, dtype=float)
 
 
