@@ -21,7 +21,7 @@ ROOTS = re.compile(rb"<(mujoco|robot)[\s>/]")
 """One of them is in a file that a folder is searched for; ``<mujocoinclude>`` is no root."""
 INCLUDE = re.compile(rb"""<include\s[^>]*file\s*=\s*["']([^"']+)""")
 READER = "newton_lint.newton_models.reader"
-NEEDS_NEWTON = "takes Newton, which does not come with the lint: pip install 'newton-lint[newton]'"
+NEEDS_NEWTON = "takes Newton and what it reads meshes and USD with: pip install 'newton-lint[newton]'"
 
 
 @dataclass(frozen=True)
@@ -194,11 +194,9 @@ def newtons(target: str, module: str, function: str, *given: Any) -> Any:
         TargetError: Newton is not installed, or fails.
     """
     try:
-        part = importlib.import_module(module)
+        return getattr(importlib.import_module(module), function)(*given)
     except ImportError as error:
         raise TargetError(f"{target}: {NEEDS_NEWTON} ({_line(error)})") from error
-    try:
-        return getattr(part, function)(*given)
     except Exception as error:  # whatever the importers meet in a file that is none of theirs
         raise TargetError(f"{target}: cannot be read: {type(error).__name__}: {_line(error)}") from error
 
