@@ -3,7 +3,7 @@
 import json
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Any
 
 from measured_report.changes.compare import Comparison, compare, faults_of
@@ -234,19 +234,19 @@ def rate_of(edition: Edition) -> Rate:
 
 
 def _rate(project: Project, measured: Sequence[Records], out: int, several: Sequence[str]) -> Rate:
-    shown, single = measured[0], {**measured[0], **measured[out]}
+    asked = [name for name in several if name in measured[out]]
+    single = {**measured[0], **measured[out]}
     rest = [each for place, each in enumerate(measured) if place != out]
-    first = {name: record for each in reversed(rest) for name, record in each.items()}
-    left = ({name: record for name, record in each.items() if first[name] is not record} for each in rest)
-    before, after = _edition(project, {**shown, **first}, [*filter(None, left)]), _edition(project, single, [])
-    found = compare(before, after)
-    return sum(_counted(found, [name for name in several if name in measured[out]], before), Rate())
+    first = {**measured[0], **{name: record for each in reversed(rest) for name, record in each.items()}}
+    left = [{name: each[name] for name in asked if name in each and each[name] is not first[name]} for each in rest]
+    before, after = _edition(project, first, left, asked), _edition(project, single, [], asked)
+    return sum(_counted(compare(before, after), asked, before), Rate())
 
 
-def _edition(project: Project, records: Records, replicas: Sequence[Records]) -> Edition:
+def _edition(project: Project, records: Records, replicas: Sequence[Records], asked: Collection[str]) -> Edition:
     measurements = compared(project, records, replicas)
     chapters: dict[str, Chapter] = {}
-    for name, (results, section) in derive_bare(project, records, measurements.apart).items():
+    for name, (results, section) in derive_bare(project, records, measurements.apart, asked).items():
         said = measurements.confirmed(name, section)
         chapters[name] = Chapter(State(name, "fresh", results.record), results, said, {}, None, outline_of(name).page)
     return Edition(project, chapters, [], measurements=measurements)

@@ -1,6 +1,6 @@
 """Measurements of an edition: how far replicas are from what is shown, and what each says to every claim."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from inspect import getfile
@@ -87,11 +87,10 @@ def compared(project: Project, shown: Records, replicas: Sequence[Records]) -> M
     }
     said: dict[str, dict[str, list[Outcome]]] = {}
     for each in replicas:
-        for name, (_, section) in derive_bare(project, {**shown, **each}, parts).items():
-            if name in each:
-                for claim in section.claims:
-                    bare = replace(claim.outcome, reads=frozenset(), bounds=())
-                    said.setdefault(name, {}).setdefault(claim.name, []).append(bare)
+        for name, (_, section) in derive_bare(project, {**shown, **each}, parts, each).items():
+            for claim in section.claims:
+                bare = replace(claim.outcome, reads=frozenset(), bounds=())
+                said.setdefault(name, {}).setdefault(claim.name, []).append(bare)
     return Measurements(parts, said, {name: _kinds(records) for name, records in several.items()})
 
 
@@ -106,11 +105,14 @@ def floors_in(records: Records) -> Mapping[str, Floor]:
     return floors_of(records[NOISE].rows, records[NOISE].units) if NOISE in records else {}
 
 
-def derive_bare(project: Project, records: Records, parts: Mapping[str, Apart]) -> Derived:
-    """Derive sections from these records, without words; what compares editions, or can't be derived, is left out."""
+def derive_bare(project: Project, records: Records, parts: Mapping[str, Apart], asked: Collection[str]) -> Derived:
+    """Derive these sections, without words; what compares editions, or can't be derived, is left out."""
     floors = floors_in(records)
     found: dict[str, tuple[Results, Section]] = {}
-    for name in sorted(records, key=lambda name: outline_of(name).order):
+    needed, ordered = set(asked), sorted(records, key=lambda name: outline_of(name).order)
+    for name in reversed(ordered):  # what a section reads stands before it
+        needed.update(outline_of(name).reads if name in needed else ())
+    for name in filter(needed.__contains__, ordered):
         outline = outline_of(name)
         others = {other: found[other][0] for other in outline.reads if other in found}
         path, record = project.record_path(name), records[name]
@@ -120,7 +122,7 @@ def derive_bare(project: Project, records: Records, parts: Mapping[str, Apart]) 
         with suppress(ReportError):
             if not outline.compares:
                 found[name] = results, derive_section(results, {})
-    return found
+    return {name: each for name, each in found.items() if name in asked}
 
 
 def replica_files(project: Project) -> list[Path]:
