@@ -153,6 +153,7 @@ SERVO = """
 </body></worldbody><actuator><position joint="a" kp="5000" kv="100"/></actuator><keyframe><key qpos="0.3"/></keyframe>
 <worldbody>
 """
+WELDED = PART.format(z=1, geom="") + '</worldbody><equality><weld body1="part" solref="1 1"/></equality><worldbody>'
 STARTS = {
     "an exclude is of the bodies that overlap": (TORSO, "overlap: thigh/", 'body1="torso" body2="thigh"'),
     "a margin presses": (
@@ -171,6 +172,7 @@ STARTS = {
         "masses nearer",
     ),
     "a servo stiffer than the step": (SERVO, "error unstable", 'integrator="implicitfast"'),
+    "a weld that is soft": (WELDED, "note weld: equality_0: gap", "shorter timeconst"),
     "an o_solimp without its flag": ("", "warning override: o_solimp 0.5 counts nowhere", "of the geoms"),
 }
 """Bodies over a floor, what is said of them, and the advice."""
@@ -191,8 +193,7 @@ def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(question, tmp_p
 
 def test_what_could_be_gripped_is_a_note_that_a_grip_confirms(tmp_path, capsys):
     path = tmp_path / "scene.xml"
-    scene = TIPS.replace('cone="elliptic" impratio="100"', "").replace("0.0195 0.1 0.01", "0.0195 0.1 0.1")
-    scene = scene.replace('pos="0 0.02 0"', "").replace('condim="3"', "")
+    scene = TIPS.replace('cone="elliptic" impratio="100"', "").replace("0.1 0.01", "0.1 0.1").replace("0.02 0", "0 0")
     path.write_text(scene.replace("0.03 0 0", "0.05 0 0").replace("30 30", "0 0"))
     assert main([str(path), "--json"]) == 0
     [found] = [each for each in json.loads(capsys.readouterr().out)["findings"] if each["rule"] == "slip"]
@@ -202,6 +203,25 @@ def test_what_could_be_gripped_is_a_note_that_a_grip_confirms(tmp_path, capsys):
     assert found["value"] == pytest.approx(measured(str(path), "creep"), rel=0.15)
     main([str(path)])
     assert "warning slip" in (out := capsys.readouterr().out) and "if gripped" not in out
+
+
+def test_the_thickness_that_is_named_stops_a_fall(tmp_path, capsys):
+    path, thick_mm = tmp_path / "scene.xml", "20"
+    for status in (1, 0):
+        wall = f'<geom type="box" size="1 1 {float(thick_mm) / 2e3}"/><body pos="0 0 6"><freejoint/><geom size="0.01"/>'
+        path.write_text(f"<mujoco><worldbody>{wall}</body></worldbody></mujoco>")
+        assert main([str(path)]) == status
+        thick_mm = capsys.readouterr().out.splitlines()[2].split()[0]
+
+
+def test_a_grip_bears_the_acceleration_that_is_named(tmp_path, capsys):
+    path, option = tmp_path / "scene.xml", 'cone="elliptic" impratio="100" gravity="0 0 -{}"'
+    path.write_text(PINCH.format(**BESIDE | {"mass": 0.45, "option": option.format(9.81)}))
+    main([str(path)])
+    more = float(capsys.readouterr().out.partition(": acceleration ")[2].split()[0])
+    for share, slips in ((0.95, False), (1.3, True)):
+        path.write_text(PINCH.format(**BESIDE | {"mass": 0.45, "option": option.format(9.81 + share * more)}))
+        assert (measured(str(path), "creep") > 100.0) == slips
 
 
 PUSHED = """

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 from newton_lint.findings import Advice, Change
 from newton_lint.law import clamped
@@ -36,25 +36,13 @@ def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice
     return Advice((Change("option", tuple(attributes.items()), element),), gain)
 
 
-@dataclass(frozen=True)
-class Ways(Advice):
-    """Several ways, of which one is enough, the mildest first; one that tells no gain is not said."""
-
-    others: tuple[Advice, ...] = ()
-
-    def __str__(self) -> str:
-        return "; or ".join([super().__str__(), *(str(other) for other in self.others if other.gain)])
-
-
 def ways_of(advice: Advice | None) -> tuple[Advice, ...]:
     """Return each way of an advice that changes something."""
-    ways = (advice, *(advice.others if isinstance(advice, Ways) else ())) if advice else ()
-    return tuple(way for way in ways if way.changes)
+    return tuple(way for way in (advice, *advice.others) if way.changes) if advice else ()
 
 
 def either(first: Advice, *others: Advice) -> Advice:
-    more = (*(first.others if isinstance(first, Ways) else ()), *others)
-    return Ways(first.changes, first.gain, more)
+    return replace(first, others=(*first.others, *others))
 
 
 def shorter_step(scene: Scene, timeconst_s: float) -> Advice:

@@ -26,13 +26,16 @@ class Change:
 
 @dataclass(frozen=True)
 class Advice:
-    """Advice: changes, and what they gain and cost."""
+    """Advice: changes, what they gain and cost, and other ways of which one is enough, the mildest first."""
 
     changes: tuple[Change, ...]
     gain: str
+    others: tuple["Advice", ...] = ()
+    """One that tells no gain is not said."""
 
     def __str__(self) -> str:
-        return f"{', '.join(map(str, self.changes))}: {self.gain}" if self.changes else self.gain
+        own = f"{', '.join(map(str, self.changes))}: {self.gain}" if self.changes else self.gain
+        return "; or ".join([own, *(str(other) for other in self.others if other.gain)])
 
 
 @dataclass(frozen=True)
@@ -54,38 +57,6 @@ class Finding:
     severity: str = "warning"
     element: Element | None = field(default=None, compare=False)
     advice: Advice | None = field(default=None, compare=False)
-
-
-@dataclass(frozen=True)
-class Group:
-    """Findings that say the same of the same body."""
-
-    first: Finding
-    subject: str
-    against: str
-    count: int
-    """Pairs of shapes, or shapes where it is about these alone."""
-
-
-def grouped(findings: Iterable[Finding]) -> list[Group]:
-    """Return the findings with those put together that only differ in the shapes of the bodies they are about."""
-    groups: dict[object, list[Finding]] = {}
-    for finding in findings:
-        subject = body_of(finding.shape)
-        groups.setdefault((subject, replace(finding, shape="", against=())), []).append(finding)
-    return [
-        Group(
-            first=members[0],
-            subject=subject or members[0].parameter,
-            against=", ".join(dict.fromkeys(body_of(other) for finding in members for other in finding.against)),
-            count=sum(max(1, len(finding.against)) for finding in members),
-        )
-        for (subject, _), members in groups.items()
-    ]
-
-
-def body_of(shape: str) -> str:
-    return shape.split("/", 1)[0]
 
 
 def alike(findings: Iterable[Finding]) -> list[list[Finding]]:

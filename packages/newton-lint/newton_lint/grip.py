@@ -13,7 +13,7 @@ import mujoco
 import numpy as np
 
 from newton_lint.advice import either, for_geom, for_option
-from newton_lint.findings import Finding
+from newton_lint.findings import Advice, Finding
 from newton_lint.law import M, response_of, settled_impedance, shared_slide_m_s
 from newton_lint.scene import Scene
 from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, pair_indices, predicted_hold, touches_of
@@ -31,6 +31,8 @@ MOST_BODIES = 20
 """Bodies that are looked at closely, those with the most friction first."""
 FIRM = 2.0
 """Times the least force that holds a body with which it is taken to be gripped."""
+WEAK_M_S2 = 100.0
+"""A grip that bears less acceleration is said to."""
 CLOSES = 0.7
 """Cosine to each other up to which the ways of two fingers close."""
 MOST_FINGERS = 40
@@ -59,7 +61,7 @@ def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Findi
 
 def _is_between(touches: Sequence[Touch]) -> bool:
     normals = np.array([touch.normal for touch in touches])
-    return float((normals @ normals.T).min()) < OPPOSE
+    return float((normals @ normals.T).min()) < OPPOSE and len({touch.geoms for touch in touches}) > 1
 
 
 def _burdened(scene: Scene, run: Run) -> list[int]:
@@ -88,7 +90,7 @@ def _found(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, s
     normals = np.array([touch.normal for touch in touches])
     between, one_sided = _is_between(touches), float((normals @ normals.T).min()) > -OPPOSE
     if between:
-        yield from _turns(scene, hold, start)
+        yield from (*_turns(scene, hold, start), *_bears(scene, hold, start))
     least_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
     least_n *= AGREES if between else LEAST
     if not (between or one_sided) or hold.slides or not hold.rests or hold.load_n < least_n:
@@ -186,6 +188,16 @@ def _turns(scene: Scene, hold: Hold, start: str) -> Iterator[Finding]:
             element=scene.source.authored(pad, "condim"),
             advice=for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]"),
         )
+
+
+def _bears(scene: Scene, hold: Hold, start: str) -> Iterator[Finding]:
+    index, contacts = pair_indices(scene), scene.contacts
+    most_n = sum(contacts.friction[index[touch.geoms], 0] * touch.normal_n for touch in hold.touches)
+    more = float(most_n - hold.load_n) / float(scene.model.body_subtreemass[hold.body])
+    if hold.rests and not hold.slides and more < WEAK_M_S2:
+        message = f"is what the grip bears besides its load, from {start}: a hand that accelerates by more loses it"
+        told = ("grip", hold.name, _names(scene, hold), "acceleration", more, None, "m/s²", message, "note")
+        yield Finding(*told, advice=Advice((), "press harder, or accelerate less; --lift predicts"))
 
 
 def _names(scene: Scene, hold: Hold) -> tuple[str, ...]:

@@ -11,48 +11,32 @@ from newton_lint.source import Element
 
 @dataclass(frozen=True)
 class Hits:
-    """Hits of a rule on one parameter; arrays of one length."""
+    """Hits of a rule on one parameter, of which all say the same; arrays of one length."""
 
     rule: str
     parameter: str
-    unit: str
     shape: np.ndarray
     other: np.ndarray | None
     """The other shape of a pair; None where it is about shapes alone."""
     value: np.ndarray
-    used: np.ndarray
-    """NaN where nothing is used."""
-    say: Callable[[int], str]
-    """The message of the hit at an index."""
+    used: np.ndarray | float
+    """One of all, or of each; NaN where nothing is used."""
+    message: str
+    unit: str = "1"
     severity: str = "warning"
     element: Callable[[int], Element | None] = lambda _: None
     advise: Callable[[int], Advice | None] = lambda _: None
-
-
-def hits(
-    rule: str,
-    parameter: str,
-    shape: np.ndarray,
-    other: np.ndarray | None,
-    value: np.ndarray,
-    used: np.ndarray | float,
-    message: str | Callable[[int], str],
-    unit: str = "1",
-    **more,
-) -> Hits:
-    """Return hits of which all say the same, or each what a function says of its index."""
-    say = message if callable(message) else lambda _: message
-    return Hits(rule, parameter, unit, shape, other, value, np.broadcast_to(used, len(shape)), say, **more)
 
 
 def findings_of(found: Hits, names: Sequence[str]) -> Iterator[Finding]:
     """Yield a finding for each shape and each value that it has and gets, in the order in which they were hit."""
     if not len(found.shape):
         return
-    first, which = alike(found.shape, found.value, np.nan_to_num(found.used, nan=np.inf))
+    all_used = np.broadcast_to(found.used, len(found.shape))
+    first, which = alike(found.shape, found.value, np.nan_to_num(all_used, nan=np.inf))
     members = np.split(np.argsort(which, kind="stable"), np.cumsum(np.bincount(which))[:-1])
     for index, hit in sorted(zip(first.tolist(), members, strict=True), key=lambda each: each[0]):
-        used = float(found.used[index])
+        used = float(all_used[index])
         yield Finding(
             rule=found.rule,
             shape=names[found.shape[index]],
@@ -61,7 +45,7 @@ def findings_of(found: Hits, names: Sequence[str]) -> Iterator[Finding]:
             value=float(found.value[index]),
             used=None if np.isnan(used) else used,
             unit=found.unit,
-            message=found.say(index),
+            message=found.message,
             severity=found.severity,
             element=found.element(index),
             advice=found.advise(index),

@@ -18,7 +18,7 @@ from newton_lint.advice import (
     whole_solref,
 )
 from newton_lint.findings import Advice, Finding
-from newton_lint.grouping import Hits, findings_of, hits
+from newton_lint.grouping import Hits, findings_of
 from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import engine, gap, lost, override, pyramid, unread
@@ -48,7 +48,7 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
     own = scene.model.geom_solref
     shape = np.flatnonzero(scene.counts & ((own[:, 0] > 0.0) != (own[:, 1] > 0.0)))
     message = "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used"
-    yield hits(
+    yield Hits(
         *("solref-format", "solref[1]", shape, None, own[shape, 1], DEFAULT_SOLREF[1], message),
         severity="error",
         element=lambda index: scene.source.authored(int(shape[index]), "solref"),
@@ -76,7 +76,7 @@ def solimp(scene: Scene) -> Iterator[Hits]:
     }
     for name, (wrong, values, used, message) in faults.items():
         shape = geoms[wrong]
-        yield hits(
+        yield Hits(
             *("solimp", name, shape, None, values[wrong], used[wrong], message),
             element=lambda index, shape=shape: scene.source.authored(int(shape[index]), "solimp"),
             advise=lambda index, shape=shape: in_order(scene, int(shape[index])),
@@ -94,7 +94,7 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         below = np.flatnonzero((taken > 0.0) & (ratio > 0.0) & (taken < limit * (1.0 - SAME)))
     shape, other = _stiffer_first(scene, below)
     said = "one step over the dampratio" if option.discrete else "two steps"
-    yield hits(
+    yield Hits(
         *("timeconst", "timeconst", shape, other, taken[below], limit[below]),
         f"is below {said}, which the engine clamps it to",
         unit="s",
@@ -115,7 +115,7 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     there = np.flatnonzero((first <= 0.0) & (second <= 0.0) & (far >= STIFF) & (not scene.option.discrete))
     shape, other = _stiffer_first(scene, there)
     message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe leaves it alone"
-    yield hits(
+    yield Hits(
         *("stiff", "solref[1]", shape, other, second[there], np.nan, message),
         severity="error",
         element=lambda index: _says(scene, int(there[index]), int(shape[index]), "solref"),
@@ -137,7 +137,7 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
     ):
         there = np.flatnonzero(far)
         shape, other = _stiffer_first(scene, there)
-        yield hits(
+        yield Hits(
             *("dampratio", "dampratio", shape, other, ratio[there], 1.0, said),
             severity=severity,
             element=lambda index, there=there, shape=shape: _says(
@@ -159,7 +159,7 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     alone = (own > 0.0) & (own * FAR <= DEFAULT_SOLREF[0]) & (stiffest > 2.0 * own) & np.isfinite(stiffest)
     shape = np.flatnonzero(alone)
     message = "is stiff on this side only: the other geom's soft solref is mixed in, in every pair"
-    yield hits(
+    yield Hits(
         *("one-sided", "solref", shape, None, own[shape], stiffest[shape], message),
         unit="s",
         element=lambda index: scene.source.authored(int(shape[index]), "solref"),
@@ -176,7 +176,7 @@ def friction(scene: Scene) -> Iterator[Hits]:
         np.minimum.at(least, side[plain], contacts.friction[plain, 0])
     shape = np.flatnonzero((own * FAR <= least) & np.isfinite(least) & (own != DEFAULT_FRICTION[0]))
     rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
-    yield hits(
+    yield Hits(
         *("friction", "friction", shape, None, own[shape], least[shape]),
         "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority",
         element=lambda index: scene.source.authored(int(shape[index]), "friction"),
@@ -211,7 +211,7 @@ def depth(scene: Scene) -> Iterator[Hits]:
         said = f"{M * deep_m[pair]:.3g} → {M * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
         return for_contact(scene, pair, lambda solref: new or f"{less:.3g} {solref[1]:g}", said)
 
-    yield hits(
+    yield Hits(
         *("depth", "depth", own[there], other[there], M * deep_m[there], np.nan),
         "is how deep its weight presses it in, whatever its mass: stiffness grows with mass; solref and solimp decide",
         unit="mm",
@@ -233,7 +233,7 @@ def unused(scene: Scene) -> Iterator[Hits]:
         values = model.geom_friction[:, column]
         authored = ~np.isclose(values, DEFAULT_FRICTION[column], rtol=SAME) & (values != 0.0)
         shape = np.flatnonzero((largest > 0) & (largest < least) & authored)
-        yield hits(
+        yield Hits(
             *("unused", f"friction[{column}]", shape, None, values[shape], np.nan),
             f"against {kind} has no rows in its contacts: their condim is below {least}",
             severity="note",

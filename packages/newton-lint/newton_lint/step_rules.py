@@ -1,6 +1,7 @@
 """Rules on what a scene does when it is stepped; each change that they name has been measured."""
 
 import contextlib
+import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 
@@ -9,9 +10,11 @@ import numpy as np
 
 from newton_lint.advice import for_option
 from newton_lint.findings import Advice, Change, Finding
-from newton_lint.law import EULER, IMPLICITFAST, M
+from newton_lint.law import EULER, IMPLICITFAST, M, response_of
 from newton_lint.pairs import HFIELD, PLANE
+from newton_lint.rules import DEEP_M
 from newton_lint.scene import Scene
+from newton_lint.scene_rules import WEIGHTLESS
 from newton_lint.stepped import MOST_DOFS, Run, changed, contact_forces, free_joints, run, starts
 from newton_lint.target import Target
 
@@ -31,10 +34,13 @@ DIFFERS_M = 1e-3
 """What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
 SAG, HELD, AGREES = 5e-3, 0.99, 0.7
 """Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
+MOST_FLYING, LATEST_S, STOPS_S = 20, 2.0, 0.1
+"""Bodies whose flight is followed, how late they may hit, and time in which what they hit stops them."""
 MANY, FEW = 1000, 64
 """Vertices of a convex hull that are many, and as many as do."""
 HINGE, MESH = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtGeom.mjGEOM_MESH)
-DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
+DRY_FRICTION, EQUALITY = map(int, (mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF, mujoco.mjtConstraint.mjCNSTR_EQUALITY))
+WELDS = int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD)
 Way = tuple[dict[str, float], dict[str, str]]
 """Options of the model, and how they are written."""
 
@@ -45,10 +51,9 @@ def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
     if not runs:
         message = f"move, and more than {MOST_DOFS} are not stepped"
         return [Finding("unstepped", "", (), "nv", float(scene.model.nv), None, "1", message, "note")]
-    for index, each in enumerate(runs):
-        overlaps = _overlapping(scene, each, len(runs) > 1)
-        sags = _sagging(scene, target, each, index)
-        for finding in (*_unstable(scene, target, each, index), *overlaps, *_sunk(scene, each), *sags):
+    rules = (_unstable, _tunnels, _overlapping, _sunk, _sagging, _open)
+    for (index, each), rule in itertools.product(enumerate(runs), rules):
+        for finding in rule(scene, target, each, index):
             found.setdefault((finding.rule, finding.shape, finding.against), finding)
     return [*found.values(), *_hulls(scene, target, runs[0])]
 
@@ -96,7 +101,7 @@ def _unstable(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[F
             )
 
 
-def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Finding]:
+def _overlapping(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
     """Yield bodies that overlap at the start: as a warning where they are still jammed or thrown apart by it."""
     model, body = scene.model, scene.model.geom_bodyid
     touching = np.sort(body[seen.data.contact.geom], axis=1)
@@ -125,7 +130,7 @@ def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Findi
         own = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
         exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), own)
         advice = exclude if one_tree else Advice((), f"move one by {M * depth:.3g} mm")
-        is_note = not hard or (has_keyframes and seen.start == "the start")
+        is_note = not hard or (model.nkey and seen.start == "the start")
         geoms = [scene.names[geom] for geom in pair]
         yield Finding(
             *("overlap", geoms[0], (geoms[1],), "overlap", M * depth, None, "mm", message),
@@ -135,11 +140,9 @@ def _overlapping(scene: Scene, seen: Run, has_keyframes: bool) -> Iterator[Findi
         )
 
 
-def _sunk(scene: Scene, seen: Run) -> Iterator[Finding]:
+def _sunk(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
     """Yield what lies and is pressed in by a share of its thickness, as what bears far more than its own weight is."""
-    model, data = scene.model, seen.data
-    sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
-    sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
+    model, data, sizes = scene.model, seen.data, _thin(scene.model)
     speeds = np.linalg.norm(data.cvel[:, 3:], axis=1)
     for index, (pair, distance) in enumerate(zip(data.contact.geom.tolist(), data.contact.dist.tolist(), strict=True)):
         moves = 0.5 * seen.time_s * max(speeds[model.geom_bodyid[pair]])
@@ -152,6 +155,68 @@ def _sunk(scene: Scene, seen: Run) -> Iterator[Finding]:
             advice = Advice((), "a shorter timeconst, a solimp nearer to 1, or masses nearer to each other")
             element = scene.source.geom(thin)
             yield Finding(*told, f"{message}as its lighter body is heavy", "note", element, advice)
+
+
+def _thin(model: mujoco.MjModel) -> np.ndarray:
+    """Return half the thickness of each geom where it is thinnest; infinite of what has no other side [m]."""
+    sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
+    sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
+    return sizes
+
+
+def _tunnels(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+    """Yield what flies or falls through a geom that is too thin to stop it."""
+    model, step_s, sizes = scene.model, scene.model.opt.timestep, _thin(scene.model)
+    data = list(starts(model, target))[index][1]
+    mujoco.mj_forward(model, data)
+    weight = model.opt.gravity * (not model.opt.disableflags & WEIGHTLESS)
+    for body in model.jnt_bodyid[free_joints(model)[:MOST_FLYING]].tolist():
+        begin, flies = data.xipos[body], data.cvel[body, 3:]
+        way = flies if np.linalg.norm(flies) > THROWN_M_S else weight
+        ahead = way / max(float(np.linalg.norm(way)), mujoco.mjMINVAL)
+        far, pair, own, wall = _met(scene, data, body, ahead)
+        first = float(flies @ ahead)
+        speed = math.sqrt(max(first**2 + 2.0 * far * float(weight @ ahead), 0.0))
+        time_s = 2.0 * far / max(first + speed, mujoco.mjMINVAL)
+        if pair < 0 or time_s > LATEST_S or seen.bad:
+            continue
+        inverse_b = response_of(scene.contacts.contact(pair), scene.option).acceleration_s + 0.5 * step_s
+        deep = speed * max(step_s, 2.0 * inverse_b / math.e)  # of a contact that is critically damped
+        if deep > sizes[wall] + sizes[own]:
+            after = _again(target, model, index, time_s + STOPS_S).data.xipos[body]
+            if float((after - begin) @ ahead) > far + 2.0 * sizes[wall] + sizes[own]:
+                after_it = f"after {time_s:.2g} s from {seen.start}"
+                message = f"is how fast it goes through {M * 2.0 * sizes[wall]:.3g} mm {after_it}"
+                told = ("tunnel", scene.names[own], (scene.names[wall],), "speed", speed, None, "m/s", message, "error")
+                stops = f"{M * 2.2 * (deep - sizes[own]):.3g} mm stop it, or a shorter time step and timeconst"
+                yield Finding(*told, scene.source.geom(wall), Advice((), stops))
+
+
+def _met(scene: Scene, data: mujoco.MjData, body: int, ahead: np.ndarray) -> tuple[float, int, int, int]:
+    """Return how far ahead of a body the first geom is that it can touch, their pair, its own geom and that one."""
+    body_of, contacts, hit, far = scene.model.geom_bodyid, scene.contacts, np.zeros(1, dtype=np.int32), 0.0
+    for _ in range(MOST_FLYING if ahead.any() else 0):
+        more = mujoco.mj_ray(scene.model, data, data.xipos[body] + far * ahead, ahead, None, 1, body, hit)
+        if more < 0.0:
+            break
+        far += more + 1e-9
+        for own, other in itertools.permutations((contacts.first, contacts.second)):
+            for pair in np.flatnonzero((other == hit[0]) & (body_of[own] == body)).tolist():
+                return far, pair, int(own[pair]), int(hit[0])
+    return far, -1, -1, -1
+
+
+def _open(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+    """Yield welds and connects that what they hold pulls open."""
+    model, data = scene.model, seen.data
+    held = data.efc_type == EQUALITY
+    for index in () if seen.bad else np.unique(data.efc_id[held]).tolist():
+        open_m = float(np.linalg.norm(data.efc_pos[held & (data.efc_id == index)][:3]))
+        if model.eq_type[index] in WELDS and open_m > DEEP_M:
+            solref = " ".join(f"{each:g}" for each in model.eq_solref[index])
+            message = f"is how far it is open after {seen.time_s:.2g} s from {seen.start}, with a solref of {solref}"
+            told = ("weld", model.eq(index).name or f"equality_{index}", (), "gap", M * open_m, None, "mm", message)
+            yield Finding(*told, "note", None, Advice((), "a shorter timeconst, a solimp nearer to 1"))
 
 
 def _sagging(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from newton_lint.combined import Contacts, contacts_of, share
 from newton_lint.findings import Finding
-from newton_lint.grouping import Hits, findings_of, hits
+from newton_lint.grouping import Hits, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read, make_solver
 from newton_lint.rules import SAME
@@ -85,7 +85,7 @@ def default_gap(scene: Shapes) -> Iterator[Hits]:
         np.maximum.at(largest, one[plain], authored[other[plain]])
     left = np.flatnonzero(is_left & (largest > -np.inf))
     message = "is the builder's default although its neighbours' gaps were set; gaps of a pair add"
-    yield hits("default-gap", "gap", left, None, gap[left], gap[left] + largest[left], message, "m")
+    yield Hits("default-gap", "gap", left, None, gap[left], gap[left] + largest[left], message, "m")
 
 
 def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
@@ -97,7 +97,7 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
     for name, other, used in (("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2), ("kd", "ke", 2.0 / timeconst_s)):
         alone = np.flatnonzero(made & (both[name] > 0.0) & (both[other] <= 0.0))
         message = f"is not read: {other} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is"
-        yield hits("ke-without-kd", name, alone, None, both[name][alone], used, message)
+        yield Hits("ke-without-kd", name, alone, None, both[name][alone], used, message)
 
 
 def friction_gain(scene: Shapes) -> Iterator[Hits]:
@@ -106,7 +106,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
-        yield hits("kf", "kf", unread, None, kf[unread], np.nan, f"{NOT_READ} {reason}")
+        yield Hits("kf", "kf", unread, None, kf[unread], np.nan, f"{NOT_READ} {reason}")
         return
     first, second = contacts.first, contacts.second
     solmix = scene.model.geom_solmix
@@ -114,13 +114,13 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mixed, mu = mix * kf[first] + (1.0 - mix) * kf[second], contacts.friction[:, 0]
     lost = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
     message = "is not read: kf is 0, which takes the friction away"
-    yield hits("kf", "mu", first[lost], second[lost], mu[lost], np.nan, message)
+    yield Hits("kf", "mu", first[lost], second[lost], mu[lost], np.nan, message)
     dmax = contacts.solimp[:, 1]
     most = 1.0 / (opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax))
     own = authored[first] | authored[second] & ~contacts.outranked
     hit = np.flatnonzero(own & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME)))
     message = "asks for a friction timeconst below two steps, which the engine clamps it to"
-    yield hits("kf", "kf", first[hit], second[hit], mixed[hit], most[hit], message)
+    yield Hits("kf", "kf", first[hit], second[hit], mixed[hit], most[hit], message)
 
 
 def kf_unread(scene: Scene) -> str:
@@ -136,4 +136,4 @@ def restitution(scene: Shapes) -> Iterator[Hits]:
     """Yield restitution, which no contact reads."""
     values = scene.of_geoms("shape_material_restitution")
     bounces = np.flatnonzero(scene.counts & (values != 0.0))
-    yield hits("unused", "restitution", bounces, None, values[bounces], np.nan, NOT_READ, severity="note")
+    yield Hits("unused", "restitution", bounces, None, values[bounces], np.nan, NOT_READ, severity="note")
