@@ -253,7 +253,8 @@ def _chapter(
         own = replace(results, derived={})
         return derive_section(own, releases), own.derived
 
-    given = [digest, repr(sorted(results.floors.items())), results.apart.digest, *_digests({"": before, **releases})]
+    noise = [repr(sorted(results.floors.items())), edition.measurements.digest]
+    given = [digest, *noise, *_digests({"": before, **releases})]
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")

@@ -15,9 +15,8 @@ from measured_report.pages.cache import DerivedCache
 from measured_report.pages.sections import Read, derive_section, outline_of
 from measured_report.parts.claim import Claim, Outcome
 from measured_report.parts.section import Section
-from measured_report.records.code import digest_of
 from measured_report.records.identity import files_digest
-from measured_report.records.record import Record, record_text
+from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, is_copy, read_replica, unlike
 from measured_report.values.noise import NOISE, Floor, floors_of
 from measured_report.values.results import Results
@@ -35,6 +34,8 @@ class Measurements:
     said: Mapping[str, Mapping[str, Sequence[Outcome]]] = field(default_factory=dict)
     kinds: Mapping[str, str] = field(default_factory=dict)
     """By section on how many kinds of processor it was measured, in words; empty for one."""
+    digest: str = ""
+    """Covers the replicas."""
 
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims can't tell where measurements differ, and say how many agree where not."""
@@ -61,7 +62,8 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
     """Return what replicas tell of an edition, kept from before or found now; RecordError for a damaged one."""
 
     def find() -> Measurements:
-        return compared(project, tracked, list(replicas_of(project, tracked).values()))
+        found = compared(project, tracked, list(replicas_of(project, tracked).values()))
+        return replace(found, digest=files_digest(replica_files(project), project.results))
 
     return kept(project, tracked, cache, "replicas", find) if replica_files(project) else Measurements()
 
@@ -81,10 +83,7 @@ def compared(project: Project, shown: Records, replicas: Sequence[Records]) -> M
     """Compare the measurement that is shown with its replicas, and ask each for every claim."""
     of = {name: [record, *(each[name] for each in replicas if name in each)] for name, record in shown.items()}
     several = {name: records for name, records in of.items() if len(records) > 1}
-    parts = {
-        name: replace(apart(records), digest=digest_of([*map(record_text, records)]))
-        for name, records in several.items()
-    }
+    parts = {name: apart(records) for name, records in several.items()}
     said: dict[str, dict[str, list[Outcome]]] = {}
     for each in replicas:
         for name, (_, section) in derive_bare(project, {**shown, **each}, parts, each).items():

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
-from functools import cache
+from functools import cache, cached_property
 from importlib import import_module
 from itertools import chain
 from typing import Any, TypeGuard
@@ -44,7 +44,7 @@ class Column(Told):
     """The range of the numbers that are believed."""
     kinds: frozenset[str]
 
-    @property
+    @cached_property
     def is_setting(self) -> bool:
         """Tell whether it was set before a run: a parameter of a case, or how much was run."""
         return not self.kinds.isdisjoint(("parameter", "setting"))
@@ -55,7 +55,7 @@ class Column(Told):
         ends = [end for end, unit in UNITS.items() if unit == self.unit != PLAIN and self.name.endswith(f"_{end}")]
         return self.name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
 
-    @property
+    @cached_property
     def is_exact(self) -> bool:
         """Tell whether it holds what was set, or made from that alone, and so has no noise."""
         return self.is_setting or "given" in self.kinds

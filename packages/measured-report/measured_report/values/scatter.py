@@ -78,8 +78,6 @@ class Apart:
     columns: Mapping[str, Scatter] = field(default_factory=dict)
     edge: frozenset[Key] = frozenset()
     """Rows that were lost in one measurement and not in another, or are text otherwise: which of both is chance."""
-    digest: str = ""
-    """Covers the measurements."""
 
     def noise(self, column: str, row: Row) -> float | None:
         """Return the noise of a number of a row; None where the measurements tell none."""
