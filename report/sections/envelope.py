@@ -8,6 +8,7 @@ import pandas as pd
 
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Figure, Section, Table
+from measured_report.records.columns import LOST
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
 from report.shared.arithmetic import Column, noise_floor, resolved, table_of
@@ -42,8 +43,10 @@ def _shakes(results: Results, trace: Series) -> Table:
     apart = (frame["shake_frequency_hz"] - scene.shake_frequency_hz.value).abs()
     near = frame[apart == apart.min()]
 
-    def cells(side: str, column: str, unit: str) -> list[Value]:
-        def cell(at: int) -> Value:
+    def cells(side: str, column: str, unit: str) -> list[Value | str]:
+        def cell(at: int) -> Value | str:
+            if column == "slip_mm" and str(frame["dropped"][at]) == "True":
+                return LOST
             formula = f"{column} in line {at} of the map"
             return results.value(f"{column}_{at}", formula, lambda frame: frame[column][at], trace, unit=unit)
 

@@ -4,7 +4,7 @@ from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, a
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, share, table_of
+from report.shared.arithmetic import Column, cell_or_lost, share, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, resolution
 
 order = 188
@@ -101,8 +101,7 @@ def _shake_table(rows: RowsBy) -> Table:
     columns |= {"along over normal force": "friction_share"}
     columns |= {"normal force": "normal_force_n", "penetration": "penetration_mm"}
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
-        found = [rows[name, shake] for name in names]
-        columns[above] = ["lost" if row.dropped else row.slip_mm for row in found]
+        columns[above] = [cell_or_lost(rows[name, shake], "slip_mm") for name in names]
     return table_of("solver", map(_label, names), columns, [rows[name, "3cm"] for name in names])
 
 

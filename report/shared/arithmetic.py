@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section, Table
+from measured_report.records.columns import LOST
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 
@@ -162,11 +163,17 @@ def table_of(
 
     def cells(column: Column) -> list:
         if isinstance(column, str):
-            return [row[column] for row in rows]
+            return [cell_or_lost(row, column) for row in rows]
         return list(map(column, rows) if callable(column) else column)
 
     found = {above: cells(column) for above, column in columns.items()}
     return Table(pd.DataFrame(found, index=pd.Index(list(names), name=heading), dtype=object), numbers)
+
+
+def cell_or_lost(row: Row, column: str) -> Any:
+    """Return a cell of a table, in words where the cube was lost."""
+    cell = row[column]
+    return LOST if row.plain.get("dropped") and getattr(cell, "value", cell) is None else cell
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:
@@ -183,7 +190,7 @@ def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it wa
 def is_held(row: Row) -> bool:
     """Tell whether a run keeps the cube. One that comes to its shake too late to go through a cycle of it has shown
     nothing: a hand that trembles takes seconds longer to close and to lift."""
-    return row.slip_mm.value is not None and not row.dropped and row.cycle_count.value is not None
+    return None not in (row.slip_mm.value, row.cycle_count.value)
 
 
 def joined(parts: Sequence[Section]) -> Section:

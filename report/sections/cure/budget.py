@@ -4,10 +4,8 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, rows_with, share, table_of
+from report.shared.arithmetic import cell_count, cell_or_lost, rows_with, share, table_of
 
-GRASP_MM = 80.0
-"""Distance from where it was beyond which a cube is out of the grasp."""
 SHIPPED = "newton-implicitfast-50-shipped-{}-plain-rounded"
 STIFF = "newton-implicitfast-50-stiff-{}-plain-rounded"
 TERM = "newton-implicitfast-50-shipped-{}-term-rounded"
@@ -54,7 +52,7 @@ def derive(results: Results) -> Section:
 def _use_table(results: Results) -> Table:
     cases = [case for case in NAMES if case != KF_OFF or results.row[case.format("3cm")]]
     columns = {
-        above: ["lost" if row.dropped else row.slip_mm for row in (results.row[case.format(shake)] for case in cases)]
+        above: [cell_or_lost(results.row[case.format(shake)], "slip_mm") for case in cases]
         for above, shake in (("shaken 30 mm", "3cm"), ("shaken 100 mm", "10cm"), ("held still", "held"))
     }
     return table_of("what is done", [NAMES[case] for case in cases], columns)
@@ -81,7 +79,7 @@ def _budget_closes(results: Results) -> Claim:
     least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, unit="mm")
     most = results.chosen("remainder_share", "as good as the law", 5.0, unit="%")
     runs = [row for row in rows_with(results, "kind", "pads", "shake") if row.kind == "run"]
-    kept = [row for row in runs if row.slip_mm.value is not None and row.slip_mm.value < GRASP_MM]
+    kept = [row for row in runs if row.slip_mm.value is not None]
 
     def count_closed(least: float, most: float, *found: float) -> int:
         return sum(rest <= max(least, 0.01 * most * slip) for rest, slip in zip(found[::2], found[1::2], strict=True))

@@ -8,6 +8,7 @@ from measured_report.editions.project import Project
 from measured_report.records.record import load_record
 from measured_report.values.quantities import absent
 from measured_report.values.results import Results
+from report.sections import reproduction
 from report.shared import arithmetic
 
 
@@ -39,3 +40,18 @@ def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
     assert is_held_with()
     assert not is_held_with(cycle_count=None, cycle_count_reason="the shake is shorter than one cycle")
     assert not is_held_with(dropped=True)
+
+
+def test_a_cube_that_was_lost_has_not_slipped():
+    path = Project("1.4.0").record_path("poses")
+    poses = Results(load_record(path), path)
+    lost, kept = poses.row["as-shipped-10cm"], poses.row["stiff-pads-10cm"]
+    assert lost.plain["slip_mm"] > 100.0 and lost.slip_mm.value is None
+    assert arithmetic.cell_or_lost(lost, "slip_mm") == "lost"
+    assert arithmetic.cell_or_lost(lost, "cube_height_m") == lost.cube_height_m
+    assert arithmetic.cell_or_lost(kept, "slip_mm") == kept.slip_mm
+    path = Project("1.4.0").record_path("reproduction")
+    record = load_record(path)
+    rows = [row | ({"dropped": True} if row["case"] == "as-shipped" else {}) for row in record.rows]
+    claims = {claim.name: claim for claim in reproduction.derive(Results(replace(record, rows=rows), path)).claims}
+    assert {claims[name].outcome.reason for name in ("slips", "stiff_pads_hold")} == {"as shipped: lost"}

@@ -31,6 +31,8 @@ class Told:
     """The column that says how long it added up; in a longer run it is noisier in proportion."""
     trials: str = ""
     """The column that says of how many trials this many, or this share, succeeded: its noise is binomial."""
+    unless: str = ""
+    """The column that says of what was lost, so that there is no such number: what fell has not slipped."""
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,8 @@ NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle
 """Units of numbers that have no sign."""
 PERCENTILE = re.compile(r"_p[0-9]+$")
 REASON = "_reason"
+LOST = "lost"
+"""The reason of what was lost."""
 UNBELIEVED = "the measurement gave "
 """How the reason begins of a number that was measured and that no record may hold, such as one that is not finite."""
 TEXT_LIMIT = 4096
@@ -103,6 +105,11 @@ def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameters of a row's case that differ from their defaults."""
     default = parameters()
     return {name: cell for name, cell in row.items() if default.get(name, MISSING) not in (MISSING, cell)}
+
+
+def number_of(column: str, row: Mapping[str, Any]) -> Any:
+    """Return a cell of a row, None for a number that what was lost does not have."""
+    return None if row.get(column_of(column).unless) else row[column]
 
 
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:

@@ -11,6 +11,7 @@ from typing import Any
 
 from measured_report.files.config import config
 from measured_report.pages.sections import labels_of
+from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.format import (
     format_code,
@@ -152,6 +153,7 @@ class Data:
             return kept, None
         place, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), place)
+        kept = number_of(column, row)
         known = cell_noise(column, row, self._floors(name.rpartition("/")[0])), self._apart(name).noise(column, row)
         return kept, max((noise for noise in known if noise is not None), default=None)
 

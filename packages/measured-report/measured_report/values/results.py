@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import REASON, column_of, is_unit
+from measured_report.records.columns import LOST, REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
 from measured_report.values.format import label_of
@@ -69,10 +69,10 @@ class Row:
             if not self._lack and not any(column in row for row in self._record.rows):
                 raise ResultsError(f"{self._record.section}: {case} has no column {column}")
             return ""
-        value = self.plain[column]
+        value = number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
             return value
-        said = (self.label, self.plain.get(f"{column}_reason")) if value is None else ()
+        said = (self.label, self.plain.get(f"{column}_reason") or LOST) if value is None else ()
         reason = ": ".join(filter(None, said))
         apart = self._results.apart
         known = cell_noise(column, self.plain, self._results.floors), apart.noise(column, self.plain)
