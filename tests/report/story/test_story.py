@@ -46,6 +46,13 @@ def test_every_release_answers_in_order_and_tells_the_story_of_its_data(editions
         assert ("A turning arm accelerates" in found["story"]) == (release == "1.4.0")
 
 
+@pytest.mark.parametrize("name", ["cure", "fix", "lab", "scenes"])
+def test_a_page_is_told_without_the_section_of_its_name(editions, templates, name):
+    there = {other: chapter for other, chapter in editions["1.8.0"].chapters.items() if other != name}
+    lacking = {**editions, "1.8.0": replace(editions["1.8.0"], chapters=there)}
+    assert contents(lacking, templates, "1.8.0")
+
+
 @pytest.fixture(scope="module")
 def before(editions, templates) -> dict[str, str]:
     return texts(editions, templates, "1.4.0")

@@ -308,8 +308,8 @@ def _things(own: str, sections: Mapping[str, Section]) -> dict[str, Callable[...
             outline_of(name)  # for a name that no section has
             return None
         claims = {each.name: each for each in sections[name].claims}
-        if claim not in claims and claim not in sections[name].unmeasured:
-            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        if claims and claim not in claims and claim not in sections[name].unmeasured:
+            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims)}")
         return claims.get(claim)
 
     def holds(asked: str) -> bool:
