@@ -104,7 +104,13 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts, unit="mm/s")
     formula = "noise of the drift, of the fastest"
     noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
+    formula = "noise of the drift, of that of the law, that nine in ten runs do not exceed"
+    laws = [row.predicted_drift_mm_s for row in runs]
+    floor = noise_floor(results, "drift_floor")
+    scatter = results.value("law_noise", formula, _noise_of_most, floor, *laws, unit="%", is_noise=True)
     outcome = all_of(at_most(within["most"], bound), resolved(noise, bound)).having_read(width, distinct)
+    if outcome == FAILS and (told := resolved(scatter, within["most"])) != HOLDS:
+        outcome = told.having_read(width, distinct)
     numbers: dict[str, Quantity] = {**within, "bound": bound, "width": width, "distinct": distinct}
     numbers["count"] = cell_count(results, "count_kept", "runs that keep the cube, positions compensated", offs)
     numbers["tried"] = cell_count(results, "tried_count", "runs that were tried", [row.pad_ke for row in results.rows])
@@ -116,6 +122,10 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
         outcome = Outcome("unknown", reason).having_read(width)
         numbers = {name: absent(number.unit, reason) for name, number in numbers.items()}
     return Claim("follows", outcome, numbers | {"is_wide": is_wide == HOLDS})
+
+
+def _noise_of_most(floor: float, *laws: float) -> float:
+    return quantile(MOST, *(100 * floor / abs(law) for law in laws))
 
 
 def _draw(runs: Sequence[Row]) -> Drawing:

@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from statistics import fmean
 
 from measured_report.editions.project import Project
 from measured_report.records.record import load_record
 from measured_report.values.results import Results
-from report.sections import cure, noise
+from report.sections import cure, drift_law, noise
 
 
 def results_of(section: str, change: Callable[[dict], Mapping] = dict, others: Mapping = {}) -> Results:
@@ -38,3 +39,23 @@ def test_noise_is_a_share_of_the_size_of_a_drift():
     backward = results_of("noise", lambda row: {"drift_mm_s": -row["drift_mm_s"]} if row.get("of") else {})
     noise.derive(backward)
     assert backward.derived["drift_floor_share"].value > 0.0
+
+
+def follows_the_law(noisier: float, faster: float) -> str:
+    """What is said of the law where runs of one case are so many times as far apart, and all drift so much faster."""
+    runs: dict[str, list[float]] = {}
+    for row in results_of("noise").record.rows:
+        runs.setdefault(row.get("of", ""), []).append(row.get("drift_mm_s", 0.0))
+
+    def apart(row: dict) -> Mapping:
+        mean = fmean(runs[row.get("of", "")])
+        return {"drift_mm_s": mean + noisier * (row["drift_mm_s"] - mean)} if "of" in row else {}
+
+    noise.derive(found := results_of("noise", apart))
+    drifts = results_of("drift_law", lambda row: {"drift_mm_s": faster * (row["drift_mm_s"] or 0.0)}, {"noise": found})
+    return next(claim for claim in drift_law.derive(drifts).claims if claim.name == "follows").outcome.said
+
+
+def test_what_noise_takes_off_a_law_tells_nothing_of_it():
+    found = [follows_the_law(*each) for each in ((1.0, 1.0), (1.0, 1.1), (20.0, 1.1), (20.0, 2.0))]
+    assert found == ["holds", "fails", "cannot tell", "fails"]
