@@ -29,6 +29,7 @@ LAWS = {
     "anchored": "none",
 }
 """Laws of the walk. Each gives the sinking as well, by the same v."""
+MUJOCO = ("mujoco", "discrete")
 HELPS = {"mujoco": "the term", **dict.fromkeys(("tamsi", "lagged", "stribeck"), "smaller vₛ")}
 """Remedies that a law of the walk names, beside a shorter step."""
 GOES_WITH_STEP = 0.75
@@ -55,7 +56,7 @@ class Line:
     """A contact model with its numbers: walk [%/s] and sinking [µm/s], measured and by its law, at a step of 2 ms."""
 
     name: str
-    engine: str
+    """Begins with that of the engine."""
     release: str
     law: str
     walk: Value
@@ -71,7 +72,6 @@ def derive(results: Results) -> Section:
     walk_bound = results.chosen("walk_bound", why, 2e-3, unit="%/s")
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
     lines = list(_lines(results))
-    told = [line for line in lines if line.law != "discrete"]
     columns: dict[str, Column] = {
         "release": [line.release for line in lines],
         "walk by law": _shown([line.walk_law for line in lines], walk_bound),
@@ -84,7 +84,7 @@ def derive(results: Results) -> Section:
     }
     long = results.chosen("step", "given: the time step", 2.0, unit="ms")
     said: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
-    claims = [_as_their_laws_say(results, told, walk_bound, sink_bound), _walks_most_in_mujoco(results, told)]
+    claims = [_as_their_laws_say(results, lines, walk_bound, sink_bound), _walks_most_in_mujoco(results, lines)]
     engines = table_of("engine", [line.name for line in lines], columns, **said)
     return Section(tables={"engines": engines}, claims=[*claims, _test_lets_through(results)])
 
@@ -97,7 +97,7 @@ def _lines(results: Results) -> Iterator[Line]:
         walks = [turntable(f"plain-{engine}", column) for column in ("growth_per_s", WALK_LAW)]
         walks.append(turntable(f"half-step-{engine}", "growth_per_s"))
         sinks = [capsule(f"within-pads-{engine}", column) for column in ("steady_creep_mm_s", SINK_LAW)]
-        yield _line(results, engine, (name, name, newton), "mujoco", walks, sinks)
+        yield _line(results, engine, (name, newton), "mujoco", walks, sinks)
     for model, (name, law) in MODELS.items():
         step = "0ms" if law == "stribeck" else LONG
         long, short, pinch = (
@@ -108,16 +108,11 @@ def _lines(results: Results) -> Iterator[Line]:
             laws = turntable("plain-c", WALK_LAW), capsule("within-pads-c", SINK_LAW)
         halved = absent("1/s", "continuous time has no step") if law == "stribeck" else short.growth_per_s
         walks, sinks = [long.growth_per_s, laws[0], halved], [pinch.creep_mm_s, laws[1]]
-        yield _line(results, model.replace("-", "_"), (name, long.engine, long.release), law, walks, sinks)
+        yield _line(results, model.replace("-", "_"), (name, long.release), law, walks, sinks)
 
 
 def _line(
-    results: Results,
-    key: str,
-    named: tuple[str, str, str],
-    law: str,
-    walks: Sequence[Quantity],
-    sinks: Sequence[Quantity],
+    results: Results, key: str, named: tuple[str, str], law: str, walks: Sequence[Quantity], sinks: Sequence[Quantity]
 ) -> Line:
     """Derive a line from walks [1/s], measured, by law and with half the step, and sinkings [mm/s]."""
     shown = []
@@ -144,10 +139,10 @@ def _helps(line: Line, bound: Value) -> str:
 
 
 def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
-    pairs = [(line.engine, line.walk, line.walk_law, walk_bound) for line in lines]
-    pairs += [(line.engine, line.sink, line.sink_law, sink_bound) for line in lines]
+    pairs = [(line.name, line.walk, line.walk_law, walk_bound) for line in lines]
+    pairs += [(line.name, line.sink, line.sink_law, sink_bound) for line in lines]
     told = [(name, a, b) for name, a, b, seen in pairs if a.value is not None and abs(b.value or 0.0) > seen.number]
-    seen, engines = [cell for _, *both in told for cell in both], len({name for name, *_ in told})
+    seen, engines = [cell for _, *both in told for cell in both], len({name.partition(",")[0] for name, *_ in told})
 
     def largest_departure(*cells: float) -> float:
         return max(100 * abs(a / b - 1) for a, b in zip(cells[::2], cells[1::2], strict=True))
@@ -163,7 +158,7 @@ def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Valu
 def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     """Tell whether it walks nowhere else as fast, and half the step does not help; MJX ran where the others did."""
     mine = next(line for line in lines if line.name == "MJX")
-    others = [line.walk for line in lines if line.law != "mujoco" and line.walk.value is not None]
+    others = [line.walk for line in lines if line.law not in MUJOCO and line.walk.value is not None]
     worst = results.value("worst_other", "fastest walk in another engine", max, *others, unit="%/s")
     times = ratio(results, "times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk, worst)
     formula = "walk in MuJoCo's MJX with half the step, of that with the whole"

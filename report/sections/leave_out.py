@@ -150,7 +150,7 @@ def cost_table(timed: Timed, differences: Mapping[str, Value], known: Mapping[st
     }
     columns["memory"] = [timed[_device(timed), case, 1].buffer_bytes_per_world for case in cases]
     if differences:
-        columns["slip, GPU"] = [differences.get(case, "") for case in cases]
+        columns["change of slip, GPU"] = [differences.get(case, "") for case in cases]
     said: dict[str, Any] = {f"on_{device}": within for device, within in known.items()}
     return table_of("case", map(case_html, cases.values()), columns, **said)
 

@@ -18,6 +18,12 @@ IN_C = "v"
 STEEL = "newton_solvers/steel"
 RATIOS = ("frame_ratio", "time_ratio")
 FLAGS = ("is_argument", "is_steel", "has_many", "is_longer")
+UNSEEN = {
+    "stiff pads": ("speed", "stiff_pads_only_change"),
+    "the root cure": ("cure_cost", "best_unseen"),
+    "the root cure, stiff pads": ("cure_cost", "firm_unseen"),
+}
+"""Section and value of how much longer the frames of a way may take and are not seen to."""
 NOTHING, ARGUMENT, PATCH = range(3)
 """What it takes to have a way, in the order in which they are advised; an argument is one of a constructor."""
 
@@ -117,16 +123,24 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     near = [test for way, test in tests.items() if test.is_inconclusive and way.effort < PATCH == effort]
     untimed = "what holds the cube was not timed" if kept else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
-    numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "bound": bound}
+    numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "seen": none, "bound": bound}
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=lambda way: way.ratios(found)[ALONE].number)
     ratios = way.ratios(found)
-    numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, none)}
+    seen = found.value(*UNSEEN.get(way.name, ("", "")), "%")
+    numbers |= {
+        "seen": seen,
+        "way": way.name,
+        "slip": way.slip(found),
+        "ratio": ratios[ALONE],
+        "many": ratios.get(MANY, none),
+    }
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
     told = way.effort == ARGUMENT, way.run.startswith(STEEL), MANY in ratios, is_longer
     read = [way.slip(found) for way in tests if way.slip(found).value is not None]
     read += [each.ratios(found)[ALONE] for each in timed]
+    read += [seen] if seen.value is not None else []
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
     return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, told, strict=True)))

@@ -69,7 +69,7 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
     formula = "growth less that of the law, in size, of the latter"
     shares = [departure(results, f"{case}_off", formula, measured[case], law[case]) for case in fast]
     largest = extreme(results, "law_off", "largest of the departures from the law", max, shares)
-    numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest}
+    numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "seen": resolution}
     numbers |= {"count": cell_count(results, "fast_count", "runs for which it gives more", shares)}
     outward = at_least(numbers["growth"], resolution)
     return Claim("follows_law", all_of(at_most(largest, 0.5, why="the same growth"), outward), numbers)

@@ -14,7 +14,7 @@ from report.sections import speed
 from report.sections.upgrade import tables
 from report.sections.upgrade.ends import Ends, change, machines_differ, noise_of, released, unchanged, up_to
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
-from report.shared.arithmetic import cell_count, resolved
+from report.shared.arithmetic import DEVICES, cell_count, resolved
 
 order = 200
 page = "releases"
@@ -108,6 +108,8 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     outcome = OPPOSITE if moved == HOLDS else HOLDS if None not in (least.value, most.value) else grows
     outcome = machines_differ(ends.releases, "speed") or outcome
     numbers = {"a": ends.old, "b": ends.new, "grows": grows == HOLDS, "least": least, "most": most, "count": count}
+    timed = [chapters["speed"].results.record for chapters in ends.releases.values() if "speed" in chapters]
+    numbers["device"] = DEVICES[timed[-1].machine["device"]] if timed else ""
     return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
 
 

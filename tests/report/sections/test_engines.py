@@ -27,7 +27,7 @@ def test_engines_are_counted_that_have_a_number_to_hold_against_their_law():
     path = Project("1.4.0").record_path("engines")
     results = Results(load_record(path), path)
     walk, still, sink = Value(0.4, "%/s", "", noise=0.0), Value(0.0, "%/s", "", noise=0.0), Value(0.0, "µm/s", "")
-    lines = [Line("", "A", "", "step", walk, walk, walk, sink, sink)]
-    lines.append(Line("", "B", "", "anchored", still, still, still, sink, sink))
+    lines = [Line(f"A, {model}", "", "step", walk, walk, walk, sink, sink) for model in ("one", "another")]
+    lines.append(Line("B", "", "anchored", still, still, still, sink, sink))
     numbers = _as_their_laws_say(results, lines, Value(0.002, "%/s", ""), Value(0.01, "µm/s", "")).numbers
-    assert (numbers["engines"].value, numbers["count"].value) == (1, 1)
+    assert (numbers["engines"].value, numbers["count"].value) == (1, 2)
