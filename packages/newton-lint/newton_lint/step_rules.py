@@ -10,7 +10,7 @@ import numpy as np
 
 from newton_lint.advice import for_option
 from newton_lint.findings import Advice, Change, Finding
-from newton_lint.law import EULER, IMPLICITFAST, M, response_of
+from newton_lint.law import EULER, IMPLICITFAST, M, clamped, response_of, stiffness
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.rules import DEEP_M
 from newton_lint.scene import Scene
@@ -180,13 +180,15 @@ def _tunnels(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Fi
         time_s = 2.0 * far / max(first + speed, mujoco.mjMINVAL)
         if pair < 0 or time_s > LATEST_S or seen.bad:
             continue
-        inverse_b = response_of(scene.contacts.contact(pair), scene.option).acceleration_s + 0.5 * step_s
-        deep = speed * max(step_s, 2.0 * inverse_b / math.e)  # of a contact that is critically damped
+        contact, option = scene.contacts.contact(pair), scene.option
+        stiff = stiffness(contact, option, clamped(contact.solimp[1])) ** 0.5
+        damped = 0.5 * (math.e - 1.0) / (response_of(contact, option).acceleration_s + 0.5 * step_s)
+        deep = speed * max(step_s, 0.5 * step_s + 1.0 / max(stiff + damped, mujoco.mjMINVAL))  # within 2 %
         if deep > sizes[wall] + sizes[own]:
-            after = _again(target, model, index, time_s + STOPS_S).data.xipos[body]
-            if float((after - begin) @ ahead) > far + 2.0 * sizes[wall] + sizes[own]:
-                after_it = f"after {time_s:.2g} s from {seen.start}"
-                message = f"is how fast it goes through {M * 2.0 * sizes[wall]:.3g} mm {after_it}"
+            after = _again(target, model, index, time_s + STOPS_S).data
+            moved = after.xipos[body] - begin - after.geom_xpos[wall] + data.geom_xpos[wall]
+            if float(moved @ ahead) > far + 2.0 * sizes[wall] + sizes[own]:
+                message = f"takes it through {M * 2.0 * sizes[wall]:.3g} mm, {time_s:.2g} s after {seen.start}"
                 told = ("tunnel", scene.names[own], (scene.names[wall],), "speed", speed, None, "m/s", message, "error")
                 stops = f"{M * 2.2 * (deep - sizes[own]):.3g} mm stop it, or a shorter time step and timeconst"
                 yield Finding(*told, scene.source.geom(wall), Advice((), stops))
