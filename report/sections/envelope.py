@@ -8,7 +8,6 @@ import pandas as pd
 
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Figure, Section, Table
-from measured_report.records.columns import LOST
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
 from report.shared.arithmetic import Column, noise_floor, resolved, table_of
@@ -46,7 +45,7 @@ def _shakes(results: Results, trace: Series) -> Table:
     def cells(side: str, column: str, unit: str) -> list[Value | str]:
         def cell(at: int) -> Value | str:
             if column == "slip_mm" and str(frame["dropped"][at]) == "True":
-                return LOST
+                return "lost"
             formula = f"{column} in line {at} of the map"
             return results.value(f"{column}_{at}", formula, lambda frame: frame[column][at], trace, unit=unit)
 

@@ -9,7 +9,6 @@ from markupsafe import Markup
 
 from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section, Table
-from measured_report.records.columns import LOST
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 
@@ -114,14 +113,6 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     return Found(results.others).value(section, name, unit)
 
 
-def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
-    """Return what a wording can name where a claim turns on ``found``; without that nothing can be told of the
-    others."""
-    if found.value is not None:
-        return numbers
-    return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
-
-
 def by_case(rows: Sequence[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool) -> Table:
     """Make a table with a line for each row, under the name of its case."""
     return table_of("case", [case_html(row) for row in rows], columns, rows, **numbers)
@@ -173,7 +164,7 @@ def table_of(
 def cell_or_lost(row: Row, column: str) -> Any:
     """Return a cell of a table, in words where the cube was lost."""
     cell = row[column]
-    return LOST if row.plain.get("dropped") and getattr(cell, "value", cell) is None else cell
+    return "lost" if row.plain.get("dropped") and getattr(cell, "value", cell) is None else cell
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:

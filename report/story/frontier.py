@@ -129,18 +129,12 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     way = min(timed, key=lambda way: way.ratios(found)[ALONE].number)
     ratios = way.ratios(found)
     seen = found.value(*UNSEEN.get(way.name, ("", "")), "%")
-    numbers |= {
-        "seen": seen,
-        "way": way.name,
-        "slip": way.slip(found),
-        "ratio": ratios[ALONE],
-        "many": ratios.get(MANY, none),
-    }
+    numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, none)}
+    numbers["seen"] = seen
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
     told = way.effort == ARGUMENT, way.run.startswith(STEEL), MANY in ratios, is_longer
-    read = [way.slip(found) for way in tests if way.slip(found).value is not None]
+    read = [cell for cell in (seen, *(way.slip(found) for way in tests)) if cell.value is not None]
     read += [each.ratios(found)[ALONE] for each in timed]
-    read += [seen] if seen.value is not None else []
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
     return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, told, strict=True)))

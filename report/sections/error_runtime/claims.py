@@ -21,8 +21,7 @@ from report.sections.error_runtime.runs import (
     uses_all_iterations,
     with_shipped_steps,
 )
-from report.shared.arithmetic import cell_count, quantile, ratio, resolved, share, told
-from report.shared.timing import resolution
+from report.shared.arithmetic import cell_count, quantile, ratio, resolved, share
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
@@ -47,18 +46,14 @@ def pads_decide(points: Points) -> Claim:
 
 def c_is_cheapest(points: Points) -> Claim:
     front = points.best(points.front)
-    shipped, in_c = points[SHIPPED], points[SHIPPED_C]
-    warp, c = shipped[TIME], in_c[TIME]
+    shipped = points[SHIPPED]
+    warp, c = shipped[TIME], points[SHIPPED_C][TIME]
     compared = [row[column] for row in points.settings if row.case in points.backend_front for column in (ERROR, TIME)]
-    formula, cells = "resolution of their ratio, of the run time in C", (c, in_c.ratio_resolution)
-    noise = points.results.value(
-        "engine_time_seen", formula, lambda c, seen: c * seen, *cells, unit="ms/s", is_noise=True
-    )
-    outcome = all_of(decided(all(row.backend == "mujoco-c" for row in front), *compared), greater(warp, c, noise=noise))
+    outcome = all_of(decided(all(row.backend == "mujoco-c" for row in front), *compared), greater(warp, c))
     if not front:
         outcome = Outcome("unknown", "no run counts").having_read(*compared)
     engine = ENGINES[shipped.backend] if shipped else "Warp"
-    return Claim("c_is_cheapest", outcome, {**told(noise, {"c": c, "warp": warp}), "engine": engine})
+    return Claim("c_is_cheapest", outcome, {"c": c, "warp": warp, "engine": engine})
 
 
 def rk4_in_warp(points: Points) -> Claim:
@@ -143,16 +138,13 @@ def crossover(points: Points) -> Claim:
         *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
     )
     engine = ENGINES[rows[0].backend]
-    worst = resolution(results, "worlds_resolution", rows)
     first, last = rates[0], rates[-1]
     formula = "speed of C on one core over that of Warp with one world"
     advantage = ratio(results, "one_core_advantage", formula, one_core, first)
     formula = "speed of Warp with the most worlds over that of C on one core"
     gain = ratio(results, "worlds_gain", formula, last, one_core)
-    formula, cells = "resolution of these ratios, of the speed of C on one core", (worst, one_core)
-    seen = results.value("rate_seen", formula, lambda a, b: a * b / 100, *cells, unit=one_core.unit, is_noise=True)
     is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
-    ends = greater(one_core, first, noise=seen), greater(last, one_core, noise=seen)
+    ends = greater(one_core, first), greater(last, one_core)
     outcome = all_of(*ends, contiguous(is_ahead, *rates, one_core))
     numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
     return Claim("crossover", outcome, numbers | {"most": points.worlds[-1].worlds})

@@ -27,8 +27,6 @@ NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle
 """Units of numbers that have no sign."""
 PERCENTILE = re.compile(r"_p[0-9]+$")
 REASON = "_reason"
-LOST = "lost"
-"""The reason of what was lost."""
 UNBELIEVED = "the measurement gave "
 """How the reason begins of a number that was measured and that no record may hold, such as one that is not finite."""
 TEXT_LIMIT = 4096

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import LOST, REASON, column_of, is_unit, number_of
+from measured_report.records.columns import REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
 from measured_report.values.format import label_of
@@ -72,7 +72,7 @@ class Row:
         value = number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
             return value
-        said = (self.label, self.plain.get(f"{column}_reason") or LOST) if value is None else ()
+        said = (self.label, self.plain.get(f"{column}_reason") or "lost") if value is None else ()
         reason = ": ".join(filter(None, said))
         apart = self._results.apart
         known = cell_noise(column, self.plain, self._results.floors), apart.noise(column, self.plain)
