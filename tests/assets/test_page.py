@@ -156,6 +156,14 @@ def test_no_markdown_is_left(site):
             assert re.findall(r"\]\(|[*`]\w+[*`]", WORDLESS.sub(" ", page)) == [], path
 
 
+def test_a_caption_has_at_most_35_words(site):
+    for path in site.rglob("*.html"):
+        page = re.sub(r"<details\b.*?</details>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        for caption in re.findall(r"<figcaption.*?</figcaption>", page, re.DOTALL):
+            said = WORDLESS.sub("", caption).replace("\u202f", "").replace("&nbsp;", " ")
+            assert len([word for word in said.split() if re.search(r"\w", word)]) <= 35, (path.name, said)
+
+
 def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):
     open_page(tab, site / "index.html", "#friction")
     tab.wait_for_url("**/cause.html#friction")
