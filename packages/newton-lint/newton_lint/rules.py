@@ -156,8 +156,8 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     for side in (contacts.first, contacts.second):
         np.minimum.at(stiffest, side[plain], contacts.solref[plain, 0])
         stiffest[side[contacts.outranked]] = 0.0
-    alone = (own > 0.0) & (own * FAR <= DEFAULT_SOLREF[0]) & (stiffest > 2.0 * own) & np.isfinite(stiffest)
-    shape = np.flatnonzero(alone)
+    alone = (own > 0.0) & (own * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
+    shape = np.flatnonzero(alone & (stiffest > np.maximum(2.0 * own, 4.0 * scene.option.timestep_s)))
     message = "is stiff on this side only: the other geom's soft solref is mixed in, in every pair"
     yield Hits(
         *("one-sided", "solref", shape, None, own[shape], stiffest[shape], message),

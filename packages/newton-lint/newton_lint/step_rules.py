@@ -129,7 +129,7 @@ def _overlapping(scene: Scene, target: Target, seen: Run, index: int) -> Iterato
             message += f": it throws them apart at {thrown:.2g} m/s"
         own = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
         exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), own)
-        advice = exclude if one_tree else Advice((), f"move one by {M * depth:.3g} mm")
+        advice = exclude if one_tree else Advice((), f"{margin and 'lower it or '}move one by {M * depth:.3g} mm")
         is_note = not hard or (model.nkey and seen.start == "the start")
         geoms = [scene.names[geom] for geom in pair]
         yield Finding(
