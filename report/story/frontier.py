@@ -85,13 +85,13 @@ WAYS = (
 def figure(found: Found) -> Figure:
     """Draw the creep of each way against the time of a world's frame, alone and among many."""
     rows = found.results["cure_cost"].rows if "cure_cost" in found.results else []
-    shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped"}
+    shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped" and row.frame_ms.value is not None}
     ways = {way: way.ratios(found) for way in WAYS if shipped and way.creep_mm(found) is not None}
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(found), *ratios.values())]
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
     def times(ratios: dict[int, Quantity]) -> list[float]:
-        return [ratio.number * shipped[count].frame_ms.number / count for count, ratio in ratios.items()]
+        return [ratio.number * shipped[n].frame_ms.number / n for n, ratio in ratios.items() if n in shipped]
 
     def draw() -> Drawing:
         drawing, axes = new_figure(7.2, 5.0)

@@ -15,7 +15,7 @@ from measured_report.site.check import check_site
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.shared.arithmetic import Found
-from report.story.frontier import advice
+from report.story.frontier import advice, figure
 from report.story.story import _advice
 from report.story.story import derive as story_of
 
@@ -152,6 +152,13 @@ def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told
     near = with_cells(found["cure"], "slip_mm", {RK4: 0.101})
     near = found | {"cure": replace(near, floors=found["cure"].floors)}
     assert advice(Found(near))[1].outcome.is_inconclusive
+
+
+def test_ways_are_drawn_where_shipped_pads_were_timed_with_one_world_alone(editions):
+    results = {name: chapter.results for name, chapter in editions["1.8.0"].chapters.items()}
+    record = results["cure_cost"].record
+    alone = replace(record, rows=[row for row in record.rows if row["worlds"] == 1])
+    assert figure(Found({**results, "cure_cost": replace(results["cure_cost"], record=alone)})).draw()
 
 
 def test_with_nothing_to_change_nothing_is_to_be_taken(editions, templates):
