@@ -45,6 +45,10 @@ def test_few_measurements_are_a_wider_interval():
     assert quantile(10) == pytest.approx(4.587, rel=0.01)
 
 
+def test_measurements_that_repeat_each_other_know_no_number_to_more_than_a_thousandth():
+    assert apart(records(2, 1e-9)).noise("slip_mm", {"case": "c9", "slip_mm": 6.0}) == pytest.approx(0.006)
+
+
 def test_an_outlier_widens_its_own_noise_and_not_that_of_others():
     plain, odd = apart(records(3, 0.05)), apart(records(3, 0.05, outlier=5.0))
     other, own = {"case": "c9", "slip_mm": 6.0}, {"case": "c0", "slip_mm": 5.0}

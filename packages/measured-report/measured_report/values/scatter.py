@@ -17,7 +17,7 @@ from typing import Any
 from measured_report.files.config import config
 from measured_report.records.columns import REASON, column_of, is_number
 from measured_report.records.record import Record
-from measured_report.values.noise import CONFIDENCE, PAIRS, TIMES, is_lost, is_repeated
+from measured_report.values.noise import CONFIDENCE, PAIRS, ROUNDING_SHARE, TIMES, is_lost, is_repeated
 
 POOLED = 4
 """Chosen: the numbers of a column that its variance counts for."""
@@ -83,7 +83,9 @@ class Apart:
         """Return the noise of a number of a row; None where the measurements tell none."""
         scatter = self.columns.get(column)
         number = scattered(column, row)
-        return None if scatter is None or number is None else scatter.noise(key_of(row), number)
+        if scatter is None or number is None:
+            return None
+        return max(scatter.noise(key_of(row), number), ROUNDING_SHARE * abs(number))
 
     def interval(self, column: str, row: Row) -> str:
         """Say between which numbers the measurements of a number of a row lie; empty where there is one."""
