@@ -100,9 +100,8 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     width = results.value("response_range", formula, lambda *s: max(s) / min(s), *responses)
     formula = "different responses of these runs, to a thousandth of themselves"
     distinct = results.value("response_count", formula, lambda *s: len({f"{each:.3g}" for each in s}), *responses)
-    drifts = [row.drift_mm_s for row in runs]
+    drifts, formula = [row.drift_mm_s for row in runs], "noise of the drift, of the fastest"
     fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts, unit="mm/s")
-    formula = "noise of the drift, of the fastest"
     noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
     formula, laws = "drift that the law gives to nine in ten runs, at least", [row.predicted_drift_mm_s for row in runs]
     slow = results.value("law_least", formula, lambda *a: quantile(1 - MOST, *map(abs, a)), *laws, unit="mm/s")
