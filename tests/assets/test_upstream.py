@@ -37,7 +37,7 @@ def test_the_document_has_the_numbers_that_were_measured():
 
 def test_the_program_in_the_document_shows_the_walk_that_the_document_says():
     program = re.search(r"```python\n(.*?)```", DOCUMENT, re.DOTALL).group(1)
-    assert len(program.splitlines()) <= 20
+    assert sum(map(bool, program.splitlines())) <= 20
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     plain, term = (float(line.split()[0]) for line in done.stdout.splitlines())
     assert f"walks by {plain:.2f} mm in a second, and by {term:.2f} mm with the term" in DOCUMENT
