@@ -32,7 +32,7 @@ class Told:
     trials: str = ""
     """The column that says of how many trials this many, or this share, succeeded: its noise is binomial."""
     unless: str = ""
-    """The column that says of what was lost, so that there is no such number: what fell has not slipped."""
+    """The column that says of a run that it was lost, and then has no such number."""
 
 
 @dataclass(frozen=True)
