@@ -14,9 +14,12 @@ import numpy as np
 import pytest
 from batches import begun, rows_of, running, section_of
 
+import experiments
+from measured_report.files.errors import ReportError
 from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
 from measured_report.measuring.pool import host_pools
+from measured_report.measuring.run import section_module
 from measured_report.measuring.section import Loop
 from measured_report.records.record import load_record
 
@@ -134,6 +137,7 @@ from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
 from measured_report.measuring.section import Loop
 from measured_report.measuring.pool import host_pools
+from measured_report.measuring.run import section_module
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 root, log = sys.argv[1:]
@@ -159,3 +163,11 @@ def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(
     assert driver.returncode == -sent and "Traceback" not in said
     assert [row["case"] for row in rows_of(toy)] == ["a", "b", "sum"]
     assert [path.name for path in Path(toy.record_path).parent.glob("slow*")] == []
+
+
+def test_a_section_that_cannot_be_imported_is_one_line(tmp_path, monkeypatch):
+    (tmp_path / "experiments").mkdir()
+    (tmp_path / "experiments/broken.py").write_text("\nimport nothing\n")
+    monkeypatch.setattr(experiments, "__path__", [str(tmp_path / "experiments")])
+    with pytest.raises(ReportError, match=r"^experiments/broken.py:2: ModuleNotFoundError: No module named 'nothing'$"):
+        section_module("broken")

@@ -9,7 +9,7 @@ from markupsafe import Markup
 from measured_report.files.errors import ReportError
 from measured_report.parts import claim as claims
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater, within
-from measured_report.parts.section import Table
+from measured_report.parts.section import Section, Table
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, ResultsError
@@ -159,3 +159,10 @@ def test_what_has_no_value_says_why(results):
         results.value("half", "two", lambda: 2.0)
     with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
         _ = results.row["soft"].drift_mm_s
+
+
+def test_claims_have_names_of_their_own_and_take_what_a_test_returns():
+    with pytest.raises(ReportError, match="the claim a is made twice"):
+        Section(claims=[Claim("a", HOLDS), Claim("b", HOLDS), Claim("a", FAILS)])
+    with pytest.raises(AssertionError, match="the claim a takes what a test returns"):
+        Claim("a", True)

@@ -68,6 +68,7 @@ END = "{% endtable %}\n"
         (END, END + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}', "prints 3.5, which"),
         ("order = 1", "order = 'x'", "toy.py has no line such as order = 125"),
         ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: cause"),
+        ("order = 1", "order = 1\nreads = ('no',)", "toy.py reads 'no', and there is no such section"),
         ("order = 1", "order = (", "cannot read report/sections/toy.py: "),
         ("order = 1", "order = 1\nimport nothing", r"report/sections/toy.py:8: .*No module named 'nothing'"),
         ("def derive", "def other", r"toy.py has no function derive\(results\)"),

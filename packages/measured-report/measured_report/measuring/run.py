@@ -20,7 +20,7 @@ from tqdm import tqdm
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.config import config
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import gpus, machine, needs_gpu
@@ -96,7 +96,10 @@ def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[t
 def section_module(section: str) -> ModuleType:
     """Import the module that measures a section; ReportError when there is none."""
     if section.isidentifier() and importlib.util.find_spec(f"experiments.{section}"):
-        module = importlib.import_module(f"experiments.{section}")
+        try:
+            module = importlib.import_module(f"experiments.{section}")
+        except (Exception, SystemExit) as error:
+            raise ReportError(bug_of(error)) from error
         if hasattr(module, "measure"):
             return module
     raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")

@@ -68,6 +68,8 @@ def outline_of(section: str) -> Outline:
     if page not in OF_SECTIONS:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(OF_SECTIONS)}")
     leads, labels, reads = says.get("leads", False), says.get("labels", {}), says.get("reads", ())
+    if unknown := [other for other in reads if not file_of("report.sections", other)]:
+        raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
     return Outline(file, root, says["order"], OF_SECTIONS[page], says["derive"] > 1, leads, label, labels, reads)
 
 

@@ -86,6 +86,9 @@ class Claim:
     effect: Outcome = HOLDS
     """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
 
+    def __post_init__(self):
+        assert isinstance(self.outcome, Outcome), f"the claim {self.name} takes what a test returns, as at_most(…)"
+
     @cached_property
     def sentence(self) -> Markup:
         """Word the outcome; one that is unknown, or fails without words for that, by what the claim asks."""

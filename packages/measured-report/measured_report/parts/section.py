@@ -216,6 +216,11 @@ class Section:
     unmeasured: Collection[str] = ()
     """Names that only other records have, so that the words for them stay unsaid."""
 
+    def __post_init__(self):
+        names = [claim.name for claim in self.claims]
+        if twice := next((name for name in names if names.count(name) > 1), ""):
+            raise ReportError(f"the claim {twice} is made twice")
+
     def tabled(self) -> "Section":
         """Return the same with its tables as HTML, of which each is made once."""
         tables = {name: thing.kept() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
