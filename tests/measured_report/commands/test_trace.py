@@ -1,9 +1,6 @@
 """The provenance of a number, from the page back to rows, cases and command."""
 
-import pytest
-
 from measured_report.commands.trace import provenance
-from measured_report.files.errors import UsageError
 from measured_report.pages.editions import editions_of
 from measured_report.pages.prose import Templates
 
@@ -43,20 +40,3 @@ def test_a_number_is_found_by_its_pointer_and_by_section_case_and_column(toy):
     assert text(toy, "values.json#/toy/gain").partition(": ")[2] == text(toy, "toy.gain").partition(": ")[2]
     assert of_row.startswith("toy.stiff.slip_mm: 0.31 mm (0.3124)")
     assert of_row.splitlines()[1:] == pointed.splitlines()[1:]
-
-
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        ("toy.gian", r"near it: .*toy\.gain"),
-        ("tpy.stiff.slip_mm", r"near it: .*toy\.stiff\.slip_mm"),
-        ("toy.stiff.slip_mm_reason", r"near it: .*toy\.stiff\.slip_mm"),
-        ("toy.stiff.dropped", "is no value of newton"),
-        ("newton-1.4.0/toy.json#/rows/1/dropped", "is no value of newton"),
-        ("newton-1.4.0/toy.json#/rows/7/slip_mm", "is no value of newton"),
-    ],
-)
-def test_what_is_no_number_names_those_near_it_in_one_line(toy, name, message):
-    with pytest.raises(UsageError, match=message) as refused:
-        text(toy, name)
-    assert "\n" not in str(refused.value)

@@ -129,22 +129,3 @@ def test_one_machine_never_takes_the_place_of_another(toy, capsys):
         measure.kept_by(apart, "cpu", ["toy"])
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
     assert machine.machine_of(record) == "nvidia-h100-80gb-hbm3"
-
-
-def test_an_environment_is_made_once_and_whole_or_not_at_all(tmp_path, monkeypatch):
-    made = []
-
-    def note(arguments, name):
-        made.append(arguments)
-        if "venv" in arguments:
-            (tmp_path / ".venv-one").mkdir(exist_ok=True)
-        if arguments[-1] == "a==3":
-            raise UsageError("no such version")
-
-    monkeypatch.setattr(environment, "_run", note)
-    for version, count in ((1, 2), (1, 2), (2, 4)):
-        python = environment.python_with("one", [f"a=={version}"], tmp_path)
-        assert python == tmp_path / ".venv-one/bin/python" and len(made) == count and made[-1][-1] == f"a=={version}"
-    with pytest.raises(UsageError):
-        environment.python_with("one", ["a==3"], tmp_path)
-    assert not (tmp_path / ".venv-one").exists()

@@ -5,11 +5,10 @@ import os
 from dataclasses import replace
 
 import pytest
-from conftest import MODULE, ROWS, TEMPLATE, program
+from conftest import MODULE, ROWS, TEMPLATE
 
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.files.root import ROOT
 from measured_report.records.record import write_record
 from measured_report.site import pages
 from measured_report.site.check import check_site
@@ -155,25 +154,6 @@ from measured_report.site.build import build
 build(Project("1.4.0", root=Path.cwd()))
 print(*check_site(Path("site")), sep="\\n", end="")
 """
-
-
-def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
-    files = {
-        "report.toml": f"edition = 'newton'\npackages = {json.dumps([*toy.packages][1:])}\n",
-        "report/__init__.py": "",
-        "report/sections/__init__.py": "",
-        "templates/pages/results.md.j2": "# Results\n",
-        "CITATION.cff": "title: A toy\nlicense: MIT\nauthors:\n  - name: Somebody\n",
-        "LICENSE": "MIT",
-    }
-    for name, text in files.items():
-        toy.write(name, text)
-    done = program("-c", BARE, cwd=toy.project.root, PYTHONPATH=str(ROOT / "packages/measured-report"))
-    assert (done.stdout, done.stderr) == ("", "")
-    page = (toy.project.site / "results.html").read_text()
-    assert 'data-claim="toy.helps"' in page and "Measured with newton 1.4.0." in page
-    assert '<link rel="icon" href="data:,">' in page, "or a browser asks the server for one, and complains"
-    assert "favicon" not in page and "og:image" not in page and not (toy.project.site / "card.png").exists()
 
 
 def test_the_site_carries_what_a_section_offers(toy):
