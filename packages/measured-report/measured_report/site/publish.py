@@ -83,7 +83,7 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
     ref, git, aside = f"refs/heads/{branch}", ["git", "-C", str(site.parent)], copy.with_name("git")
     if Path(_run([*git, "rev-parse", "--show-toplevel"])) != site.parent.resolve():
         raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
-    if _run(["git", "check-ref-format", "--normalize", ref]) != ref or branch in ("@", "HEAD"):
+    if _run(["git", "check-ref-format", "--branch", branch]) != branch or branch.startswith(("@", "refs/")):
         raise UsageError(f"{branch} is no name for a branch")
     if remote in _run([*git, "remote"]).splitlines():
         address = _run([*git, "remote", "get-url", "--push", remote])
