@@ -1,5 +1,7 @@
 """The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
 
+import numpy as np
+
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
@@ -82,7 +84,8 @@ def _budget_closes(results: Results) -> Claim:
     kept = [row for row in runs if row.slip_mm.value is not None]
 
     def count_closed(least: float, most: float, *found: float) -> int:
-        return sum(rest <= max(least, 0.01 * most * slip) for rest, slip in zip(found[::2], found[1::2], strict=True))
+        cells = np.array(found)  # of a thousand runs, each moved in turn to find the noise
+        return np.count_nonzero(cells[::2] <= np.maximum(least, 0.01 * most * cells[1::2]))
 
     def counted(name: str, rows: list[Row]) -> tuple[Value, Value]:
         cells = (cell for row in rows for cell in (row.remainder_mm, row.slip_mm))
