@@ -61,8 +61,7 @@ def _use_table(results: Results) -> Table:
 
 
 def _what_to_use(results: Results) -> Claim:
-    """Tell whether the cure on stiff pads loses no cube that they keep, at 10 cm as well, and slips less than as
-    shipped. What it costs, section cure_cost says."""
+    """Tell whether the cure on stiff pads loses no cube that they keep, shaken 10 cm as well, and slips less."""
     near, wide = (results.row[FIRM.format(shake)] for shake in ("3cm", "10cm"))
     slip, shipped, far = near.slip_mm, results.row[SHIPPED.format("3cm")].slip_mm, wide.slip_mm
     metres = wide.shake_amplitude_m

@@ -218,8 +218,7 @@ class Section:
 
     def __post_init__(self):
         names = [claim.name for claim in self.claims]
-        if twice := next((name for name in names if names.count(name) > 1), ""):
-            raise ReportError(f"the claim {twice} is made twice")
+        assert len(set(names)) == len(names), f"two claims have one name: {', '.join(names)}"
 
     def tabled(self) -> "Section":
         """Return the same with its tables as HTML, of which each is made once."""
