@@ -34,8 +34,8 @@ DIFFERS_M = 1e-3
 """What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
 SAG, HELD, AGREES = 5e-3, 0.99, 0.7
 """Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
-MOST_FLYING, LATEST_S, STOPS_S = 20, 2.0, 0.1
-"""Bodies whose flight is followed, how late they may hit, and time in which what they hit stops them."""
+MOST_FLYING, MOST_MET, LATEST_S, STOPS_S = 20, 20, 2.0, 0.1
+"""Bodies whose flight is followed, geoms ahead of one, how late it may hit, and time in which what it hits stops it."""
 MANY, FEW = 1000, 64
 """Vertices of a convex hull that are many, and as many as do."""
 HINGE, MESH = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtGeom.mjGEOM_MESH)
@@ -197,7 +197,7 @@ def _tunnels(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Fi
 def _met(scene: Scene, data: mujoco.MjData, body: int, ahead: np.ndarray) -> tuple[float, int, int, int]:
     """Return how far ahead of a body the first geom is that it can touch, their pair, its own geom and that one."""
     body_of, contacts, hit, far = scene.model.geom_bodyid, scene.contacts, np.zeros(1, dtype=np.int32), 0.0
-    for _ in range(MOST_FLYING if ahead.any() else 0):
+    for _ in range(MOST_MET if ahead.any() else 0):
         more = mujoco.mj_ray(scene.model, data, data.xipos[body] + far * ahead, ahead, None, 1, body, hit)
         if more < 0.0:
             break

@@ -6,11 +6,13 @@ from dataclasses import replace
 import pytest
 from conftest import contents
 
+from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.editions import Edition
 from measured_report.pages.prose import Templates
 from measured_report.pages.sections import FRONT
 from measured_report.parts.claim import FAILS, HOLDS, Outcome
+from measured_report.parts.section import Section
 from measured_report.site.check import check_site
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
@@ -51,6 +53,13 @@ def test_a_page_is_told_without_the_section_of_its_name(editions, templates, nam
     there = {other: chapter for other, chapter in editions["1.8.0"].chapters.items() if other != name}
     lacking = {**editions, "1.8.0": replace(editions["1.8.0"], chapters=there)}
     assert contents(lacking, templates, "1.8.0")
+
+
+def test_a_claim_that_a_section_does_not_have_is_refused_where_it_has_none_at_all(editions, templates):
+    chapters = editions["1.8.0"].chapters
+    bare = {**chapters, "scenes": replace(chapters["scenes"], section=Section())}
+    with pytest.raises(ReportError, match="scenes has no claim"):
+        contents({**editions, "1.8.0": replace(editions["1.8.0"], chapters=bare)}, templates, "1.8.0")
 
 
 @pytest.fixture(scope="module")

@@ -140,10 +140,12 @@ class Edition:
         self, level: int, anchor: str, text: Text, told: Mapping[str, Section], names: Mapping[str, Any]
     ) -> Prose:
         section, sections = told[anchor], {name: chapter.section for name, chapter in self.chapters.items()}
+        # A text that tells nothing of its own is no stand-in for the section of its name.
+        asked = {name: each for name, each in told.items() if each.claims or each.unmeasured}
         known = {
             "release": self.project.release,
             "sections": _Names({name: chapter.names for name, chapter in self.chapters.items()}),
-            **_things(anchor, {**told, **sections}),
+            **_things(anchor, section, {**asked, **sections}),
             "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
         }
         return text.prose(anchor, {**known, **self.plugins.names(section), **names}, level)
@@ -267,7 +269,7 @@ def _chapter(
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,
-        **_things(name, {**{other: chapter.section for other, chapter in told.items()}, name: section}),
+        **_things(name, section, {**{other: chapter.section for other, chapter in told.items()}, name: section}),
         "claim": _finder(name, "claim", unmeasured | {claim.name: claim.html(name) for claim in section.claims}),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
@@ -299,17 +301,16 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 
 
-def _things(own: str, sections: Mapping[str, Section]) -> dict[str, Callable[..., Any]]:
+def _things(own: str, section: Section, sections: Mapping[str, Section]) -> dict[str, Callable[..., Any]]:
     """Find tables and figures of the section ``own`` for its words, say its passages, and which claims hold."""
-    section = sections[own]
 
     def find(name: str, claim: str) -> Claim | None:
         if name not in sections:
             outline_of(name)  # for a name that no section has
             return None
         claims = {each.name: each for each in sections[name].claims}
-        if claims and claim not in claims and claim not in sections[name].unmeasured:
-            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims)}")
+        if claim not in claims and claim not in sections[name].unmeasured:
+            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
         return claims.get(claim)
 
     def holds(asked: str) -> bool:

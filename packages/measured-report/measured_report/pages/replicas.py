@@ -35,6 +35,7 @@ class Measurements:
     kinds: Mapping[str, str] = field(default_factory=dict)
     """By section on how many kinds of processor it was measured, in words; empty for one."""
     digest: str = ""
+    """Covers the replicas."""
 
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims can't tell where measurements differ, and say how many agree where not."""
