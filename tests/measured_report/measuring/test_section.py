@@ -166,8 +166,7 @@ def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(
 
 
 def test_a_section_that_cannot_be_imported_is_one_line(tmp_path, monkeypatch):
-    (tmp_path / "experiments").mkdir()
-    (tmp_path / "experiments/broken.py").write_text("\nimport nothing\n")
-    monkeypatch.setattr(experiments, "__path__", [str(tmp_path / "experiments")])
-    with pytest.raises(ReportError, match=r"^experiments/broken.py:2: ModuleNotFoundError: No module named 'nothing'$"):
+    (tmp_path / "broken.py").write_text("\nimport nothing\n")
+    monkeypatch.setattr(experiments, "__path__", [str(tmp_path)])
+    with pytest.raises(ReportError, match=r"^broken.py:2: ModuleNotFoundError: No module named 'nothing'$"):
         section_module("broken")
