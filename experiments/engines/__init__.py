@@ -5,28 +5,22 @@ balls at its ends. NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, passed b
 shake of this report.
 """
 
-import json
-import subprocess
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
-from pathlib import Path
 
 import numpy as np
 from tqdm import tqdm
 
 from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
 from experiments.engines import laws
+from experiments.engines.engine import Engine, run_apart
 from experiments.engines.laws import Load, walk_per_s
 from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
 from experiments.facts.case import AS_SHIPPED
 from experiments.scenes import capsule
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
 from experiments.simulation.mjcf_engines import GRAVITY_M_S2
-from measured_report.editions.environment import python_with
-from measured_report.files.errors import UsageError
-from measured_report.files.root import ROOT
 from measured_report.measuring.batch import Batch, Plan
 
 NEEDS_GPU = False
@@ -35,7 +29,6 @@ SECONDS = {"full": {"turntable": 4.0, "pinch": 2.0}, "quick": {"turntable": 1.5,
 STEPS_S = (0.002, 0.001)
 STICTION_M_S = 1e-3
 """Drake's own."""
-APART = "experiments/engines/apart/apart.py"
 GROWTHS = ("growth_per_s", "predicted_growth_per_s")
 CREEPS = ("creep_mm_s", "predicted_creep_mm_s")
 TEST_SHAKE = {"shake_amplitude_m": 0.02, "shake_frequency_hz": 2.0}
@@ -43,16 +36,6 @@ TEST_FRAMES = SETUP_FRAME_COUNT + 121
 """The last one is 2 s after the first of the shake."""
 TEST_PADS_KD = (100.0, 5.0)
 """As shipped, and softer ones."""
-
-
-@dataclass(frozen=True)
-class Engine:
-    """An engine, the script that runs scenes in it, and what is installed for it."""
-
-    name: str
-    release: str
-    script: str
-    requirements: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -121,23 +104,6 @@ def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, ob
             yield row | columns(model, scenes[name], step_s, result)
         except ValueError as error:
             yield row | absent(GROWTHS if name == "turntable" else CREEPS, str(error))
-
-
-def run_apart(engine: Engine, asked: Sequence[dict]) -> list[dict]:
-    """Run an engine in its environment; each run returns what it shows, or a ``reason`` where it shows nothing."""
-    try:
-        python = python_with(f"engine-{engine.name.lower()}", engine.requirements)
-    except UsageError as error:
-        return [{"reason": str(error)}] * len(asked)
-    with tempfile.TemporaryDirectory() as folder:
-        question, answer = Path(folder) / "asked.json", Path(folder) / "answer.json"
-        question.write_text(json.dumps(asked), encoding="utf-8")
-        call = [python, ROOT / APART, ROOT / engine.script, question, answer]
-        done = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
-        if done.returncode:
-            last = done.stderr.strip().splitlines()[-1:] or [f"it ended with status {done.returncode}"]
-            return [{"reason": last[0][:120]}] * len(asked)
-        return json.loads(answer.read_text(encoding="utf-8"))
 
 
 def settled(result: dict) -> tuple[np.ndarray, np.ndarray]:

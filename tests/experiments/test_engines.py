@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from experiments import engines
-from experiments.engines import laws, scenes
+from experiments.engines import engine, laws, scenes
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
@@ -63,10 +63,10 @@ def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(tmp
     def offline(name, requirements):
         raise UsageError(f"{name} cannot be installed: offline")
 
-    monkeypatch.setattr(engines, "python_with", offline)
-    assert engines.run_apart(engines.DART, [{}, {}]) == [{"reason": "engine-dart cannot be installed: offline"}] * 2
-    monkeypatch.setattr(engines, "python_with", lambda *_: sys.executable)  # which has no dartpy
-    [result] = engines.run_apart(engines.DART, [{}])
+    monkeypatch.setattr(engine, "python_with", offline)
+    assert engine.run_apart(engines.DART, [{}, {}]) == [{"reason": "engine-dart cannot be installed: offline"}] * 2
+    monkeypatch.setattr(engine, "python_with", lambda *_: sys.executable)  # which has no dartpy
+    [result] = engine.run_apart(engines.DART, [{}])
     assert "dartpy" in result["reason"]
 
 
@@ -75,5 +75,5 @@ def test_what_goes_wrong_in_one_run_leaves_the_others(tmp_path):
     (tmp_path / "asked").write_text(json.dumps(asked))
     (tmp_path / "run.py").write_text("from apart import sampled\nrun = lambda scene, step_s: 1 / scene")
     places = [tmp_path / name for name in ("run.py", "asked", "answer")]
-    subprocess.run([sys.executable, ROOT / engines.APART, *places], check=True)
+    subprocess.run([sys.executable, ROOT / engine.APART, *places], check=True)
     assert json.loads((tmp_path / "answer").read_text()) == [{"reason": "division by zero"}, 0.5]
