@@ -1,7 +1,4 @@
-"""Newton's own solvers beside MuJoCo Warp: a box on a table in each, and the shake itself in SolverSteel.
-
-The solvers are those that the release offers. Where it has no SolverSteel there is nothing of the shake.
-"""
+"""Newton's own solvers beside MuJoCo Warp: a box on a table, and the shake itself, in each that the release offers."""
 
 import gc
 from collections.abc import Sequence
@@ -14,6 +11,7 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
 from experiments.newton_solvers import box
+from experiments.newton_solvers.robot import SolverSimulation
 from experiments.newton_solvers.steel import VARIANTS, SteelSimulation
 from experiments.simulation import frame_benchmark
 from experiments.simulation.frame_benchmark import BLOCK_FRAME_COUNT, LARGE_BATCH, TIMES, untimed
@@ -21,49 +19,74 @@ from experiments.simulation.measurement import Conditions, Measurement, absent, 
 from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE, LIFT, PHASE_SECONDS
-from experiments.simulation.timing import SHAKE_FRAME_COUNT, batch_invalid_reason, elapsed_ms, run_frames
-from measured_report.measuring.batch import Batch, Plan, is_out_of_memory
+from experiments.simulation.timing import SHAKE_FRAME_COUNT, WARMUP_COUNT, batch_invalid_reason, elapsed_ms, run_frames
+from measured_report.measuring.batch import Batch, Plan
 
-WEIGHTLESS = replace(AS_SHIPPED, gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu)
-"""Without what Steel lacks: gravity compensation, and a priority that says whose friction counts."""
+WEIGHTLESS = replace(AS_SHIPPED, gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu, fixed_joints=False)
+"""Without what some solvers lack: gravity compensation, a priority that says whose friction counts, and links that
+have no mass."""
 SHAKES = {
     "3cm": WEIGHTLESS,
     "10cm": replace(WEIGHTLESS, shake_amplitude_m=0.1),
     "held": replace(WEIGHTLESS, shake_amplitude_m=0.0),
     "weight": replace(WEIGHTLESS, gravity_m_s2=AS_SHIPPED.gravity_m_s2),
 }
-QUICK_VARIANTS = ("steel", "steel-points", "steel-32-rows")
-TIMED_VARIANTS = ("steel", "steel-points")
+MUJOCO = box.Variant("warp", "SolverMuJoCo")
+"""As ``simulation`` has it, which the others are compared with."""
+QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
+TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from a cube in the hand into the shake."""
-GRASP = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_mm")
+SLOW_MS = 1e3
+"""Where a frame takes longer, none is timed: it would take minutes to get into the shake."""
+FORCES = ("friction_share", "normal_force_n")
+GRASP = ("creep_mm_per_cycle", *FORCES, "penetration_mm")
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Make a row for each solver, scene and step, for each variant of Steel and shake, and for each time of a frame."""
-    boxes = box.variants()
-    batches = [Batch(f"box-{variant.name}", box.rows_of, (conditions, variant)) for variant in boxes]
-    if any(variant.solver == "SolverSteel" for variant in boxes):
-        counts = WORLD_COUNTS["cuda" if conditions.is_cuda and not conditions.quick else "cpu"]
-        batches.append(Batch("shakes", measure_shakes, (conditions,)))
-        batches += [Batch(f"worlds-{count}", measure_times, (conditions, count), exclusive=True) for count in counts]
+    """Make a row for each solver, scene and step, for each variant and shake, and for each time of a frame."""
+    counts = WORLD_COUNTS["cuda" if conditions.is_cuda and not conditions.quick else "cpu"]
+    shaken = [each for each in shaken_variants() if not conditions.quick or each.name in QUICK_VARIANTS]
+    timed = [each for name in TIMED_VARIANTS for each in shaken if each.name == name]
+    batches = [Batch(f"box-{variant.name}", box.rows_of, (conditions, variant)) for variant in box.variants()]
+    batches += [Batch(f"shakes-{variant.name}", measure_shakes, (conditions, variant)) for variant in shaken]
+    batches += [Batch(f"worlds-{count}", measure_times, (conditions, timed, count), exclusive=True) for count in counts]
     found = yield batches
     return Measurement([*box.excused_rows(), *(row for rows in found for row in rows)])
 
 
-def measure_shakes(conditions: Conditions) -> list[dict[str, object]]:
-    """Return a row for each variant and shake, MuJoCo Warp first; each variant is one simulation of all shakes."""
-    variants = [each for each in VARIANTS if not conditions.quick or each.name in QUICK_VARIANTS]
+def shaken_variants() -> list[box.Variant]:
+    """List MuJoCo Warp, the release's other solvers, and Steel with one thing changed at a time."""
+    others = [each for each in box.variants() if each.solver not in ("SolverMuJoCo", "SolverSteel")]
+    return [MUJOCO, *others, *(VARIANTS if "SolverSteel" in box.solver_classes() else ())]
+
+
+def build(variant: box.Variant, cases: Sequence[Case], device: wp.Device, *, is_counting: bool = False) -> Simulation:
+    """Build the cases as worlds of one simulation with a solver; Steel may count the rows that it is asked for."""
+    if variant == MUJOCO:
+        return Simulation(cases, device)
+    if variant.solver == "SolverSteel":
+        return SteelSimulation(variant, cases, device, is_counting=is_counting)
+    return SolverSimulation(variant, cases, device)
+
+
+def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[str, object]]:
+    """Return a row for each shake, all of them worlds of one simulation."""
     cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in SHAKES.values()]
-    device = wp.get_device(conditions.device)
-    steels = [SteelSimulation(variant, cases, device, is_counting=True) for variant in variants]
-    mujoco, *found = run([Simulation(cases, device), *steels], title="steel")
-    rows = [row_of("warp", *each) for each in zip(SHAKES, cases, mujoco, strict=True)]
-    for variant, simulation, traces in zip(variants, steels, found, strict=True):
+    try:
+        simulation = build(variant, cases, wp.get_device(conditions.device), is_counting=True)
+        [traces] = run([simulation], title=variant.name)
+    except Exception as error:  # as in ``box``
+        empty = {"variant": variant.name, **absent(("slip_mm", *GRASP), box.reason_of(error))}
+        return [{"case": f"{variant.name}-{shake}", "shake": shake, **empty} for shake in SHAKES]
+    rows = [row_of(variant.name, *each) for each in zip(SHAKES, cases, traces, strict=True)]
+    if isinstance(simulation, SteelSimulation):
         peak = simulation.solver.constraint_row_watermarks()["articulation_raw_high_water"]
         counted = {"peak_constraint_count": peak}  # of all its worlds: those that had room, and those that asked for it
-        rows += [row_of(variant.name, *each) | counted for each in zip(SHAKES, cases, traces, strict=True)]
+        rows = [row | counted for row in rows]
+    if isinstance(simulation, SolverSimulation) and simulation.observed is None:
+        rows = [row | absent(FORCES, "this solver, or release, does not say the forces of contacts") for row in rows]
     return rows
 
 
@@ -83,19 +106,20 @@ def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, obje
     return row | numbers | absent(untouched, "the fingers did not touch the cube")
 
 
-def measure_times(conditions: Conditions, world_count: int) -> list[dict[str, object]]:
-    """Return a row for MuJoCo Warp, which the others are compared with, and for each of Steel's variants."""
-    variants = [None, *(each for each in VARIANTS if each.name in TIMED_VARIANTS)]
+def measure_times(conditions: Conditions, variants: Sequence[box.Variant], world_count: int) -> list[dict[str, object]]:
+    """Return a row for each variant; the first is what the others are compared with."""
     rows, blocks = {}, {}
     for variant in variants:
-        name = variant.name if variant else "warp"
+        name = variant.name
         rows[name] = {"case": f"{name}-worlds-{world_count}", "variant": name, "worlds": world_count}
         try:
-            blocks[name] = Blocks(variant, world_count, wp.get_device(conditions.device))
-        except (RuntimeError, MemoryError) as error:
-            if not is_out_of_memory(error):
-                raise
-            rows[name] |= absent(TIMES, " ".join(str(error).split())[:120])
+            found = Blocks(variant, world_count, wp.get_device(conditions.device))
+            if found.is_slow:
+                rows[name] |= untimed(TIMES, f"a frame takes over {1e-3 * SLOW_MS:g} s")
+            else:
+                blocks[name] = found
+        except Exception as error:  # as in ``box``, or memory runs out
+            rows[name] |= absent(TIMES, box.reason_of(error))
     for name, times in zip(blocks, time_in_turn(list(blocks.values())), strict=True):
         reason = batch_invalid_reason(blocks[name].simulation)
         rows[name] |= untimed(TIMES, reason) if reason else frame_benchmark.time_columns(times)
@@ -107,12 +131,14 @@ def measure_times(conditions: Conditions, world_count: int) -> list[dict[str, ob
 class Blocks:
     """Blocks of frames of the shake, one after the other, in worlds that all do the same."""
 
-    def __init__(self, variant: box.Variant | None, world_count: int, device: wp.Device):
+    def __init__(self, variant: box.Variant, world_count: int, device: wp.Device):
         case = replace(WEIGHTLESS, name="timed", cube_in_hand=True, frame_count=1)
-        cases: Sequence[Case] = [case] * world_count
-        self.simulation = SteelSimulation(variant, cases, device) if variant else Simulation(cases, device)
+        self.simulation = build(variant, [case] * world_count, device)
         self.frame_count = max(1, min(BLOCK_FRAME_COUNT, LARGE_BATCH // world_count)) if device.is_cuda else 1
-        run_frames(self.simulation, START_FRAME_COUNT)
+        run_frames(self.simulation, WARMUP_COUNT)
+        self.is_slow = self(0) > SLOW_MS
+        if not self.is_slow:
+            run_frames(self.simulation, START_FRAME_COUNT)
 
     def __call__(self, _: int) -> float:
         """Time a frame [ms], mean of a block."""

@@ -110,8 +110,12 @@ def row_of(variant: Variant, scene: str, step_s: float, seconds: float, device: 
         path = run(variant, scene, step_s, seconds, device)
         return row | columns(scene, path)
     except Exception as error:  # each is a program of its own, and need not know all that the scene has
-        reason = " ".join(str(error).split())[:120] or type(error).__name__
-        return row | {"stays": None} | absent([number_of(scene)], reason)
+        return row | {"stays": None} | absent([number_of(scene)], reason_of(error))
+
+
+def reason_of(error: Exception) -> str:
+    """Say in a line why a solver shows nothing."""
+    return " ".join(str(error).split())[:120] or type(error).__name__
 
 
 def number_of(scene: str) -> str:
@@ -143,6 +147,7 @@ def build(scene_name: str, device: str) -> newton.Model:
         model.joint_qd.assign(scene["qvel"])
     if scene_name == "slope":
         model.set_gravity((GRAVITY_M_S2 * SLOPE / np.hypot(1.0, SLOPE), 0.0, -GRAVITY_M_S2 / np.hypot(1.0, SLOPE)))
+    newton.eval_fk(model, model.joint_q, model.joint_qd, model)  # VBD takes from here where bodies come from
     return model
 
 
@@ -151,7 +156,6 @@ def run(variant: Variant, scene: str, step_s: float, seconds: float, device: str
     with wp.ScopedDevice(device):
         model = build(scene, device)
         states, control = (model.state(), model.state()), model.control()
-        newton.eval_fk(model, model.joint_q, model.joint_qd, states[0])
         options = {**OPTIONS.get(variant.solver, {}), **variant.options}
         stepper = getattr(solvers, variant.solver)(model, **options)
         pipeline = newton.CollisionPipeline(model, rigid_contact_max=4, **variant.pipeline)

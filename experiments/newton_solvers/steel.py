@@ -1,22 +1,12 @@
-"""The shake in Newton's SolverSteel: scene, task and recording are those of ``simulation``.
-
-Steel knows no gravity compensation, so forces on the arm's links carry its weight. It reads no geom priority either,
-but takes the mean of two frictions.
-"""
+"""The shake in Newton's SolverSteel, whose rows of constraints are watched: those that do not fit are dropped."""
 
 from collections.abc import Sequence
 
-import newton
-import numpy as np
 import warp as wp
-from newton import Contacts, Model, solvers
-from newton.solvers import SolverBase
 
 from experiments.facts.case import Case
 from experiments.newton_solvers.box import STEEL, Variant
-from experiments.simulation.recorder import CONE, COUNT, LOADED, NORMAL, PENETRATION, TANGENTIAL, Recorder, end_frame
-from experiments.simulation.scene import FIXED_BODIES
-from experiments.simulation.simulation import CONTACT_MAX, Simulation
+from experiments.newton_solvers.robot import SolverRecorder, SolverSimulation
 
 ROWS = {"articulation_constraint_max": 256}
 """In place of 32: rows that do not fit are dropped."""
@@ -32,68 +22,25 @@ VARIANTS = (
 """One thing changed at a time; the last has as many rows as the solver comes with."""
 
 
-class SteelSimulation(Simulation):
-    """A simulation with Steel: of its case it reads what is not MuJoCo's alone."""
+class SteelSimulation(SolverSimulation):
+    """A simulation with Steel."""
 
     def __init__(self, variant: Variant, cases: Sequence[Case], device: wp.Device, *, is_counting: bool = False):
-        self.variant, self.is_counting = variant, is_counting
-        super().__init__(cases, device)
+        self.is_counting = is_counting
+        super().__init__(variant, cases, device)
 
-    def _build_collision(self) -> tuple[newton.CollisionPipeline, Contacts]:
-        most = self.world_count * (self.case.contact_max or CONTACT_MAX)
-        pipeline = newton.CollisionPipeline(
-            self.model, broad_phase=self.case.broad_phase, rigid_contact_max=most, **self.variant.pipeline
-        )
-        return pipeline, pipeline.contacts()
+    def _build_recorder(self) -> SolverRecorder:
+        return SteelRecorder(self)
 
-    def _build_state(self) -> None:
-        super()._build_state()
-        self.recorder = SteelRecorder(self)
-        other = self.model.state()
-        wp.copy(other.body_q, self.state.body_q)
-        self.state.body_f = other.body_f = weight_of_the_arm(self)
-        self.states = self.state, other
-        self.observed = self.solver.observables([SolverBase.ObservableKind.CONTACT_F], contacts=self.contacts)
-
-    def _build_solver(self) -> SolverBase:
-        solver = solvers.SolverSteel(
-            self.model,
-            enable_joint_limits=self.case.limits,
-            joint_limit_activation_gap=LIMIT_GAP,
-            row_watermark=self.is_counting,
-            warn_constraint_overflow=False,  # it is recorded, and a world without it counts as one that failed
-            **{**ROWS, **self.variant.options},
-        )
-        # What a simulation and its recorder ask of MuJoCo's solver: geoms are the shapes of a world.
-        solver.use_mujoco_cpu = False
-        shapes = np.arange(self.model.shape_count // self.world_count)[None]
-        solver.mjc_geom_to_newton_shape = wp.array(shapes, dtype=int, device="cpu")
-        return solver
-
-    def queue_physics(self) -> None:
-        """Queue collisions, substeps and recording of one frame; an even number of substeps ends where it began."""
-        last, between = self.case.substeps - 1, self.variant.steps_between_contacts or self.case.substeps
-        self.recorder.begin_frame()
-        for substep in range(self.case.substeps):
-            here, there = self.states[:: 1 - 2 * (substep % 2)]
-            if substep % between == 0:
-                self.pipeline.collide(here, self.contacts)
-            observed = self.observed if substep == last else None
-            self.solver.step(here, there, self.control, self.contacts, self.substep_dt, observables=observed)
-            self.recorder.watch_substep()
-        self.recorder.end_frame(self.body_q, self.task.phase)
-
-
-def weight_of_the_arm(simulation: SteelSimulation) -> wp.array:
-    """Return forces that carry the weight of each moving link of the arms [N, N m], shape [bodies]."""
-    model, cube = simulation.model, simulation.scene.links["cube"].body
-    names = [label.rsplit("/", 1)[-1] for label in model.body_label]
-    carried = np.array([name not in FIXED_BODIES for name in names]).reshape(simulation.world_count, -1)
-    carried[:, cube] = False
-    gravity = np.array([case.gravity_m_s2 for case in simulation.cases])[:, None]
-    forces = np.zeros((model.body_count, 6))
-    forces[:, 2] = (carried * gravity).reshape(-1) * model.body_mass.numpy()
-    return wp.array(forces, dtype=wp.spatial_vector, device=model.device)
+    def _options(self) -> dict[str, object]:
+        return {
+            "enable_joint_limits": self.case.limits,
+            "joint_limit_activation_gap": LIMIT_GAP,
+            "row_watermark": self.is_counting,
+            "warn_constraint_overflow": False,  # it is recorded, and a world with it counts as one that failed
+            **ROWS,
+            **self.variant.options,
+        }
 
 
 @wp.kernel
@@ -103,87 +50,12 @@ def watch_overflow(cursor: wp.array[int], is_over: wp.array[wp.bool], first: wp.
         first[world] = wp.min(first[world], cursor[world])
 
 
-@wp.func
-def place(body: int, point: wp.vec3, body_q: wp.array[wp.transform]):
-    """Return where a point of a body, or of the world, is in the world."""
-    pose = wp.transform_identity()
-    if body >= 0:
-        pose = body_q[body]
-    return wp.transform_point(pose, point)
-
-
-@wp.kernel
-def record_contacts(
-    cursor: wp.array[int],
-    contact_count: wp.array[int],
-    shape0: wp.array[int],
-    shape1: wp.array[int],
-    point0: wp.array[wp.vec3],
-    point1: wp.array[wp.vec3],
-    margin0: wp.array[float],
-    margin1: wp.array[float],
-    axis: wp.array[wp.vec3],
-    force: wp.array[wp.spatial_vector],
-    shape_world: wp.array[int],
-    shape_body: wp.array[int],
-    body_q: wp.array[wp.transform],
-    friction: wp.array[float],
-    contacts: wp.array3d[float],
-):
-    """Add each live contact to the statistics of its world's frame; friction of a patch is on one of its contacts."""
-    contact = wp.tid()
-    if contact >= wp.min(contact_count[0], axis.shape[0]):
-        return
-    first = shape0[contact]
-    second = shape1[contact]
-    normal = axis[contact]
-    world = wp.max(shape_world[first], shape_world[second])
-    frame = cursor[world]
-    wp.atomic_add(contacts, frame, world, COUNT, 1.0)
-    total = wp.spatial_top(force[contact])
-    pressing = -wp.dot(total, normal)
-    tangential = wp.length(total + pressing * normal)
-    wp.atomic_add(contacts, frame, world, TANGENTIAL, tangential)
-    if pressing > 0.0:
-        a = place(shape_body[first], point0[contact], body_q)
-        b = place(shape_body[second], point1[contact], body_q)
-        distance = wp.dot(normal, b - a) - margin0[contact] - margin1[contact]
-        limit = 0.5 * (friction[first] + friction[second]) * pressing
-        wp.atomic_add(contacts, frame, world, LOADED, 1.0)
-        wp.atomic_add(contacts, frame, world, NORMAL, pressing)
-        wp.atomic_max(contacts, frame, world, CONE, tangential / limit)
-        wp.atomic_max(contacts, frame, world, PENETRATION, -distance)
-
-
-class SteelRecorder(Recorder):
-    """Record of Steel's contacts what is recorded of MuJoCo's, but for how fast they slide."""
-
-    def __init__(self, simulation: SteelSimulation):
-        of = simulation
-        super().__init__(of.scene, of.solver, of.contacts, of.world_count, of.case.frame_count)
-        self.simulation = simulation
+class SteelRecorder(SolverRecorder):
+    """Records the first frame in which rows did not fit, too."""
 
     def watch_substep(self) -> None:
+        super().watch_substep()
         is_over = self.solver.constraint_overflow
         wp.launch(
             watch_overflow, dim=self.cursor.shape, inputs=[self.cursor, is_over], outputs=[self.constraint_overflow]
-        )
-
-    def end_frame(self, body_q: wp.array, phase: wp.array) -> None:
-        model: Model = self.simulation.model
-        found, forces = self.simulation.contacts, self.simulation.observed.contact_f
-        wp.launch(
-            record_contacts,
-            dim=found.rigid_contact_max,
-            inputs=[self.cursor, found.rigid_contact_count, found.rigid_contact_shape0, found.rigid_contact_shape1]
-            + [found.rigid_contact_point0, found.rigid_contact_point1]
-            + [found.rigid_contact_margin0, found.rigid_contact_margin1, found.rigid_contact_normal, forces]
-            + [model.shape_world, model.shape_body, self.simulation.state.body_q, model.shape_material_mu],
-            outputs=[self.contacts],
-        )
-        wp.launch(
-            end_frame,
-            dim=self.cursor.shape,
-            inputs=[body_q, self.tracked, self.offset, phase],
-            outputs=[self.cursor, self.poses, self.phases, self.contacts],
         )
