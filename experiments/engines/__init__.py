@@ -13,7 +13,7 @@ import numpy as np
 from tqdm import tqdm
 
 from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
-from experiments.engines import laws
+from experiments.engines import laws, published
 from experiments.engines.engine import Engine, run_apart
 from experiments.engines.laws import Load, walk_per_s
 from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
@@ -79,9 +79,9 @@ MODELS = (
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Make a row for each model, scene and step, and one for each shake of the test."""
-    parts = model_rows, shake_rows
-    names = "models", "shakes"
+    """Make a row for each model, scene and step, for each shake of the test, and for what others published."""
+    parts = model_rows, shake_rows, published.rows
+    names = "models", "shakes", "published"
     found = yield [Batch(name, part, (conditions,)) for name, part in zip(names, parts, strict=True)]
     return Measurement(list(chain.from_iterable(found)))
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from experiments import engines
-from experiments.engines import engine, laws, scenes
+from experiments.engines import engine, laws, published, scenes
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
@@ -77,3 +77,12 @@ def test_what_goes_wrong_in_one_run_leaves_the_others(tmp_path):
     places = [tmp_path / name for name in ("run.py", "asked", "answer")]
     subprocess.run([sys.executable, ROOT / engine.APART, *places], check=True)
     assert json.loads((tmp_path / "answer").read_text()) == [{"reason": "division by zero"}, 0.5]
+
+
+def test_the_critical_friction_is_the_weight_over_what_the_fingers_press_with(monkeypatch):
+    """By hand: 350 N/m times half an edge are 7 N; an engine that cannot run it is a reason."""
+    shown = published.hold(published.in_c)
+    assert shown["critical_friction"] == pytest.approx(0.064 * 9.81 / 7.0, rel=0.01)
+    monkeypatch.setattr(published, "run_apart", lambda *_: [{"reason": "offline"}])
+    with pytest.raises(ValueError, match="offline"):
+        published.hold(published.in_motrixsim)

@@ -1,5 +1,7 @@
 """Other engines: what a cell says in words follows the numbers beside it."""
 
+from dataclasses import replace
+
 import pytest
 
 from experiments.newton_solvers.box import EXCUSED
@@ -7,7 +9,7 @@ from measured_report.editions.project import Project
 from measured_report.records.record import load_record
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.sections.engines import Line, _as_their_laws_say
+from report.sections.engines import Line, _as_their_laws_say, published
 
 
 @pytest.mark.words
@@ -31,3 +33,18 @@ def test_engines_are_counted_that_have_a_number_to_hold_against_their_law():
     lines.append(Line("B", "", "anchored", still, still, still, sink, sink))
     numbers = _as_their_laws_say(results, lines, Value(0.002, "%/s", ""), Value(0.01, "µm/s", "")).numbers
     assert (numbers["engines"].value, numbers["count"].value) == (1, 2)
+
+
+def test_a_number_agrees_within_half_its_last_digit_its_noise_or_below_its_bound_and_one_that_is_missing_does_not():
+    digits = published.Published("", "", "0.0902", "1", "", "")
+    assert (digits.agrees(0.09024), digits.agrees(0.0898)) == (True, False)
+    noisy, bound = replace(digits, theirs="150.5", noise=3.0), replace(digits, theirs="100", is_bound=True)
+    assert (noisy.agrees(153.4), noisy.agrees(153.6)) == (True, False)
+    assert (bound.agrees(5.0), bound.agrees(100.5)) == (True, False)
+    path = Project("1.4.0").record_path("engines")
+    record = load_record(path)
+    before = [row for row in record.rows if "creep_mm" not in row]
+    assert published.derive(Results(replace(record, rows=before), path)).unmeasured
+    only = replace(record, rows=[*before, {"case": "orbit", "creep_mm": 5.0}], units=record.units | {"creep_mm": "mm"})
+    [claim] = published.derive(Results(only, path)).claims
+    assert claim.outcome.name == "unknown"

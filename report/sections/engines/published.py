@@ -1,0 +1,86 @@
+"""Numbers that others published, beside ours; ``templates/sources.toml`` has their links."""
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+from measured_report.parts.claim import Claim, at_least
+from measured_report.parts.section import Section
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results
+from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
+from report.shared.arithmetic import Column, Found, size_difference, table_of
+
+
+@dataclass(frozen=True)
+class Published:
+    """A number as it was published, and where ours is; half of its last digit counts, unless its source shows noise."""
+
+    source: str
+    what: str
+    theirs: str
+    unit: str
+    case: str
+    column: str
+    section: str = "engines"
+    noise: float = 0.0
+    is_bound: bool = False
+    """A test passes what is below it."""
+
+    @property
+    def within(self) -> float:
+        return self.noise or 0.5 * 10.0 ** int(Decimal(self.theirs).as_tuple().exponent)
+
+    def agrees(self, ours: float) -> bool:
+        over = ours - float(self.theirs)
+        return over <= 0.0 if self.is_bound else abs(over) <= self.within
+
+
+PUBLISHED = (
+    Published("MotrixSim", "friction that just holds", "0.0902", "1", "friction-motrixsim", "critical_friction"),
+    Published("MotrixSim", "fall with a tenth more", "0.0", "mm", "friction-motrixsim", "fall_mm"),
+    # By its table five cubes fell to the floor, by 150.5 to 153.5 mm.
+    Published("MotrixSim", "the same, MuJoCo C, Euler", "150.5", "mm", "friction-euler", "fall_mm", noise=3.0),
+    Published("MotrixSim", "the same, implicitfast", "11.3", "mm", "friction-implicitfast", "fall_mm"),
+    Published("phys-bench", "drops of a cube, MotrixSim", "0", "1", "shake-cube", "dropped_count"),
+    Published("phys-bench", "drops of a ball, MotrixSim", "0", "1", "shake-ball", "dropped_count"),
+    Published("Genesis", "creep at a wall, MuJoCo C", "4.5", "mm/s", "wall-c", "creep_mm_s"),
+    Published("Genesis", "the same, MuJoCo Warp", "4.5", "mm/s", "wall-warp", "creep_mm_s"),
+    *(  # Without the first rate of these: the capsule is as long as makes it come out.
+        Published("MuJoCo issue", f"capsule, {VARIANTS[name]}", str(rate), "mm/s", f"{name}-c", "creep_mm_s", "scenes")
+        for name, rate in list(PUBLISHED_MM_S.items())[1:]
+    ),
+    Published("FET005", "drop in holds and an orbit", "100", "mm", "orbit", "creep_mm", is_bound=True),
+    Published("FET028", "slip in a shake", "30", "mm", "fet028-pad-kd-100", "slip_mm", is_bound=True),
+)
+
+
+def derive(results: Results) -> Section:
+    """Make the table and its claim; a record from before has no such rows."""
+    if "orbit" not in results.row:
+        return Section(unmeasured=("published", "as_others_published"))
+    found = Found({**results.others, results.record.section: results})
+    ours = [found.cell(each.section, each.case, each.column, each.unit) for each in PUBLISHED]
+    theirs = [_given(results, "theirs", each, float(each.theirs)) for each in PUBLISHED]
+    columns: dict[str, Column] = {"what": [each.what for each in PUBLISHED], "theirs": theirs, "ours": ours}
+    columns["off by"] = [
+        "" if each.is_bound else size_difference(results, f"off_{each.case}_{each.column}", "in size", mine, other)
+        for each, mine, other in zip(PUBLISHED, ours, theirs, strict=True)
+    ]
+    columns["within"] = ["a bound" if e.is_bound else _given(results, "within", e, e.within) for e in PUBLISHED]
+    told = [(each, mine) for each, mine in zip(PUBLISHED, ours, strict=True)]
+    columns["agrees"] = ["" if mine.value is None else each.agrees(mine.value) for each, mine in told]
+    table = table_of("published by", [each.source for each in PUBLISHED], columns)
+    numbers, cells = zip(*((each, mine) for each, mine in told if not each.is_bound), strict=True)
+
+    def count_agreeing(*values: float) -> int:
+        return sum(each.agrees(value) for each, value in zip(numbers, values, strict=True))
+
+    agreeing = results.value("agreeing", "how many agree with what was published", count_agreeing, *cells, across=True)
+    count = results.value("compared", "numbers beside published ones", lambda *values: len(values), *cells, across=True)
+    claim = Claim("as_others_published", at_least(agreeing, count), {"count": count, "agreeing": agreeing})
+    return Section(tables={"published": table}, claims=[claim])
+
+
+def _given(results: Results, name: str, published: Published, number: float) -> Value:
+    formula = "published, and not measured here"
+    return results.value(f"{name}_{published.case}_{published.column}", formula, lambda: number, unit=published.unit)
