@@ -5,7 +5,7 @@ from decimal import Decimal
 
 from measured_report.parts.claim import Claim, at_least
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
 from report.shared.arithmetic import Column, Found, size_difference, table_of
@@ -60,27 +60,25 @@ def derive(results: Results) -> Section:
         return Section(unmeasured=("published", "as_others_published"))
     found = Found({**results.others, results.record.section: results})
     ours = [found.cell(each.section, each.case, each.column, each.unit) for each in PUBLISHED]
-    theirs = [_given(results, "theirs", each, float(each.theirs)) for each in PUBLISHED]
-    columns: dict[str, Column] = {"what": [each.what for each in PUBLISHED], "theirs": theirs, "ours": ours}
-    columns["off by"] = [
-        "" if each.is_bound else size_difference(results, f"off_{each.case}_{each.column}", "in size", mine, other)
-        for each, mine, other in zip(PUBLISHED, ours, theirs, strict=True)
-    ]
-    columns["within"] = ["a bound" if e.is_bound else _given(results, "within", e, e.within) for e in PUBLISHED]
-    told = [(each, mine) for each, mine in zip(PUBLISHED, ours, strict=True)]
-    columns["agrees"] = ["" if mine.value is None else each.agrees(mine.value) for each, mine in told]
+    lines = [_line(results, each, cell) for each, cell in zip(PUBLISHED, ours, strict=True)]
+    above = ("what", "theirs", "ours", "off by", "within", "agrees")
+    columns: dict[str, Column] = dict(zip(above, zip(*lines, strict=True), strict=True))
     table = table_of("published by", [each.source for each in PUBLISHED], columns)
-    numbers, cells = zip(*((each, mine) for each, mine in told if not each.is_bound), strict=True)
-
-    def count_agreeing(*values: float) -> int:
-        return sum(each.agrees(value) for each, value in zip(numbers, values, strict=True))
-
-    agreeing = results.value("agreeing", "how many agree with what was published", count_agreeing, *cells, across=True)
+    cells = [cell for each, cell in zip(PUBLISHED, ours, strict=True) if not each.is_bound]
+    agreed = [line[-1] is True for each, line in zip(PUBLISHED, lines, strict=True) if not each.is_bound]
+    agreeing = results.value("agreeing", "how many agree", lambda *_: sum(agreed), *cells, across=True)
     count = results.value("compared", "numbers beside published ones", lambda *values: len(values), *cells, across=True)
     claim = Claim("as_others_published", at_least(agreeing, count), {"count": count, "agreeing": agreeing})
     return Section(tables={"published": table}, claims=[claim])
 
 
-def _given(results: Results, name: str, published: Published, number: float) -> Value:
-    formula = "published, and not measured here"
-    return results.value(f"{name}_{published.case}_{published.column}", formula, lambda: number, unit=published.unit)
+def _line(results: Results, each: Published, ours: Quantity) -> tuple[Quantity | str | bool, ...]:
+    """Return the cells of a line of the table."""
+    name, formula = f"{each.case}_{each.column}", "published, and not measured here"
+    theirs = results.value(f"theirs_{name}", formula, lambda: float(each.theirs), unit=each.unit)
+    agrees = "" if ours.value is None else each.agrees(ours.value)
+    if each.is_bound:
+        return each.what, theirs, ours, "", "a bound", agrees
+    off = size_difference(results, f"off_{name}", "ours less theirs, in size", ours, theirs)
+    within = results.chosen(f"within_{name}", "half the last digit, or noise of the source", each.within, each.unit)
+    return each.what, theirs, ours, off, within, agrees
