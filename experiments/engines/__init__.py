@@ -13,7 +13,7 @@ import numpy as np
 from tqdm import tqdm
 
 from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
-from experiments.engines import laws, published
+from experiments.engines import laws, published, robot
 from experiments.engines.engine import Engine, run_apart
 from experiments.engines.laws import Load, walk_per_s
 from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
@@ -49,6 +49,8 @@ class Model:
     options: dict[str, object] = field(default_factory=dict)
     steps_s: Sequence[float] = STEPS_S
     scenes: Sequence[str] = ("turntable", "pinch")
+    armature: str = ""
+    """Where a robot's armature is: its ``own``, or added to the ``links``; empty where it loads no robot."""
 
 
 DRAKE = Engine("Drake", "1.51.1", "experiments/engines/apart/drake_run.py", ("drake==1.51.1", "numpy==2.4.6"))
@@ -64,32 +66,46 @@ HYDROELASTIC = {"contact": "hydroelastic", "stiction_m_s": STICTION_M_S}
 TAMSI = {"approximation": "tamsi"}
 MODELS = (
     Model("mjx", MJX),
-    Model("drake-sap-point", DRAKE, laws.sap, POINT),
-    Model("drake-sap-hydroelastic", DRAKE, laws.sap, HYDROELASTIC),
+    Model("drake-sap-point", DRAKE, laws.sap, POINT, armature="own"),
+    Model("drake-sap-hydroelastic", DRAKE, laws.sap, HYDROELASTIC, armature="own"),
     Model("drake-tamsi-point", DRAKE, laws.tamsi, POINT | TAMSI),
     Model("drake-tamsi-hydroelastic", DRAKE, laws.tamsi, HYDROELASTIC | TAMSI),
     Model("drake-tamsi-strict", DRAKE, laws.tamsi, POINT | TAMSI | {"stiction_m_s": 1e-4}),
     Model("drake-lagged-point", DRAKE, laws.lagged, POINT | {"approximation": "lagged"}),
     Model("drake-continuous-point", DRAKE, laws.stribeck, POINT, (0.0,)),
-    Model("dart", DART, laws.mixed),
-    Model("pybullet", BULLET, laws.rigid),
-    Model("physx", PHYSX, laws.anchored),
+    Model("dart", DART, laws.mixed, armature="links"),
+    Model("pybullet", BULLET, laws.rigid, armature="links"),
+    Model("physx", PHYSX, laws.anchored, armature="own"),
     Model("discrete-20ms", MUJOCO, laws.discrete, {"discrete": True, "timeconst_s": 0.02}, scenes=("turntable",)),
 )
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Make a row for each model, scene and step, for each shake of the test, and for what others published."""
-    parts = model_rows, shake_rows, published.rows
-    names = "models", "shakes", "published"
+    """Make a row for each model, scene and step, for each shake, of a robot too, and for what others published."""
+    parts = model_rows, shake_rows, robot_rows, published.rows
+    names = "models", "shakes", "robots", "published"
     found = yield [Batch(name, part, (conditions,)) for name, part in zip(names, parts, strict=True)]
     return Measurement(list(chain.from_iterable(found)))
 
 
 def model_rows(conditions: Conditions) -> list[dict[str, object]]:
-    models = [model for model in MODELS if not conditions.quick or model.engine in (BULLET, DART)]
     seconds = SECONDS[conditions.profile]
-    return [row for model in tqdm(models, desc="engines", delay=3.0) for row in rows_of(model, seconds)]
+    return [row for model in tqdm(models_of(conditions), desc="engines", delay=3.0) for row in rows_of(model, seconds)]
+
+
+def models_of(conditions: Conditions) -> list[Model]:
+    return [model for model in MODELS if not conditions.quick or model.engine in (BULLET, DART)]
+
+
+def robot_rows(conditions: Conditions) -> list[dict[str, object]]:
+    """Do the shake itself in each model that loads the robot."""
+    models = {model.name: model for model in models_of(conditions) if model.armature}
+    said = {name: {"release": model.engine.release, "armature": model.armature} for name, model in models.items()}
+
+    def run(name: str, asked: list[dict]) -> list[dict]:
+        return run_apart(models[name].engine, [each | {"options": models[name].options} for each in asked])
+
+    return robot.rows_of(conditions, said, run)
 
 
 def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:

@@ -5,12 +5,13 @@ import math
 import subprocess
 import sys
 from dataclasses import replace
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 from experiments import engines
-from experiments.engines import engine, laws, published, scenes
+from experiments.engines import engine, laws, published, robot, scenes
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
@@ -86,3 +87,36 @@ def test_the_critical_friction_is_the_weight_over_what_the_fingers_press_with(mo
     monkeypatch.setattr(published, "run_apart", lambda *_: [{"reason": "offline"}])
     with pytest.raises(ValueError, match="offline"):
         published.hold(published.in_motrixsim)
+
+
+def test_a_robot_whose_engine_has_no_armature_gets_it_with_its_links(tmp_path):
+    masses = {}
+    for armature in ("own", "links"):
+        robot.write_robot(tmp_path / "robot.urdf", armature)
+        links = ElementTree.parse(tmp_path / "robot.urdf").iter("link")
+        parts = {link.get("name"): link.find("inertial") for link in links}
+        masses[armature] = {
+            name: (float(part.find("mass").get("value")), float(part.find("inertia").get("izz")))
+            for name, part in parts.items()
+        }
+    added = {name: np.subtract(links, masses["own"][name]) for name, links in masses["links"].items()}
+    assert added["fr3_link4"] == pytest.approx((0.0, 0.3))
+    assert added["fr3_rightfinger"] == pytest.approx((0.15, 0.0))
+    assert added["fr3_hand"] == pytest.approx((0.0, 0.0))
+
+
+def test_rows_of_a_shake_that_an_engine_shows():
+    """A cube that moves by 1 mm/s in the tool, one that is lost, and an engine that fails."""
+    case = replace(robot.WEIGHTLESS, name="shown")
+    own = robot.Trace(1 / 60, np.full(301, 4), np.tile([0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (301, 2, 1)), np.empty(0))
+    poses = own.poses.copy()
+    poses[:, 0, 0] += 1e-3 * np.arange(301) / 60
+    shown = {"poses": poses.tolist(), "forces": [[20.0, 5.0, math.nan]] * 301}
+    row = robot.row_of(case, robot.traced(shown, own), own)
+    numbers = [row[name] for name in ("slip_mm", "drift_mm_s", "creep_mm_per_cycle", "friction_share", "path_off_mm")]
+    assert numbers == pytest.approx((5.0, 1.0, 1.0, 0.25, 0.0))
+    assert row["penetration_mm"] is None and row["penetration_mm_reason"]
+    poses[-1, 0, 2] = 0.02
+    lost = robot.row_of(case, robot.traced(shown | {"poses": poses.tolist()}, own), own)
+    assert (lost["slip_mm"], lost["dropped"], lost["slip_mm_reason"]) == (None, True, "the cube is lost")
+    assert robot.row_of(case, "no such engine", own)["slip_mm_reason"] == "no such engine"

@@ -9,6 +9,8 @@ import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
+
 
 def main(script: str, question: str, answer: str) -> None:
     """Do the runs that a file asks for, and write into another what each shows, or why nothing."""
@@ -29,6 +31,32 @@ def sampled(scene: dict, step_s: float, place: Callable[[], list], step: Callabl
             step()
         path.append([float(value) for value in place()])
     return path
+
+
+def shaken(
+    scene: dict, step_s: float, step: Callable[[list], None], poses: Callable[[], list], contacts: Callable[[], list]
+) -> dict[str, list]:
+    """Step through a shake, with a target for each joint in each frame.
+
+    Args:
+        step: Does a step with such targets.
+        poses: Returns the poses of cube and tool, each a place [m] and a quaternion (x, y, z, w).
+        contacts: Returns a normal and a tangential force [N] and a depth [m] of each contact; NaN where it is not said.
+    """
+    shown = {"poses": [], "forces": []}
+    for target in scene["targets"]:
+        for _ in range(round(scene["sample_s"] / step_s)):
+            step(target)
+        shown["poses"].append([[float(value) for value in pose] for pose in poses()])
+        touched = np.array([[0.0, 0.0, 0.0], *contacts()])
+        shown["forces"].append([*touched[:, :2].sum(axis=0).tolist(), float(touched[:, 2].max())])
+    return shown
+
+
+def drive(scene: dict, target: list, places: list, speeds: list) -> np.ndarray:
+    """Return the forces of the joints' drives [N m, N], for an engine that has none of its own."""
+    forces = scene["ke"] * np.subtract(target, places) - scene["kd"] * np.array(speeds)
+    return np.clip(forces, -np.array(scene["effort"]), scene["effort"])
 
 
 def samples(scene: dict) -> Iterator[float]:

@@ -1,8 +1,8 @@
-"""A body on balls between supports, in DART with its own defaults, but for Bullet's collision detector."""
+"""A body on balls between supports, or a box that a robot holds, in DART with Bullet's collision detector."""
 
 import dartpy
 import numpy as np
-from apart import sampled
+from apart import drive, sampled, shaken
 
 dynamics = dartpy.dynamics
 
@@ -31,9 +31,13 @@ def run(scene, step_s):
     body.setInertia(dynamics.Inertia(held["mass_kg"], np.zeros(3), np.diag(held["inertia_kg_m2"])))
     for place in held["feet"]:
         shape(body, dynamics.SphereShape(held["foot_m"]), scene["friction"]).setRelativeTranslation(place)
+    if "half_size" in held:
+        shape(body, dynamics.BoxShape(2.0 * np.array(held["half_size"])), scene["friction"])
     world.addSkeleton(skeleton)
     skeleton.setPositions([0.0, 0.0, 0.0, *held["place"]])
     skeleton.setVelocities([*held["spin"], *held["velocity"]])
+    if "robot" in scene:
+        return shake(scene, step_s, world, body)
 
     def step():
         for support, force in pushed:
@@ -47,6 +51,36 @@ def run(scene, step_s):
         for each in world.getLastCollisionResult().getContacts()
     ]
     return {"path": path, "contacts": [list(map(float, each)) for each in touched]}
+
+
+def shake(scene, step_s, world, cube):
+    """Add the robot and shake it."""
+    loader, options = dartpy.utils.DartLoader(), dartpy.utils.DartLoaderOptions()
+    options.mDefaultRootJointType = dartpy.utils.DartLoaderRootJointType.FIXED
+    loader.setOptions(options)
+    robot = loader.parseSkeleton(scene["robot"])
+    for body in robot.getBodyNodes():
+        for node in body.getShapeNodes():
+            if node.hasDynamicsAspect():
+                node.getDynamicsAspect().setFrictionCoeff(scene["friction"])
+    robot.setPositions(scene["start"])
+    world.addSkeleton(robot)
+
+    def step(target):
+        robot.setForces(drive(scene, target, robot.getPositions(), robot.getVelocities()))
+        world.step()
+
+    def poses():
+        for pose in (cube.getWorldTransform(), robot.getBodyNode(scene["tool"]).getWorldTransform()):
+            turned = pose.quaternion()
+            yield [*pose.translation(), turned.x(), turned.y(), turned.z(), turned.w()]
+
+    def contacts():
+        for each in world.getLastCollisionResult().getContacts():
+            normal = each.force @ each.normal
+            yield normal, np.linalg.norm(each.force - normal * each.normal), each.penetrationDepth
+
+    return shaken(scene, step_s, step, poses, contacts)
 
 
 def shape(body, kind, friction):

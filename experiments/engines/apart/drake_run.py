@@ -1,19 +1,28 @@
-"""A body on balls between supports, in Drake: discrete with SAP, TAMSI or a lagged cone, or continuous."""
+"""A body on balls between supports, or a box that a robot holds, in Drake.
+
+It is discrete with SAP, TAMSI or a lagged cone, or continuous.
+"""
+
+import itertools
+import math
 
 import numpy as np
-from apart import samples
+from apart import samples, shaken
 from pydrake.geometry import (
     AddCompliantHydroelasticProperties,
     AddContactMaterial,
     AddRigidHydroelasticProperties,
     Box,
+    DefaultProximityProperties,
     ProximityProperties,
+    SceneGraphConfig,
     Sphere,
 )
 from pydrake.math import RigidTransform
 from pydrake.multibody.math import SpatialVelocity
+from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import AddMultibodyPlant, CoulombFriction, MultibodyPlantConfig
-from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint, RotationalInertia, SpatialInertia
+from pydrake.multibody.tree import PdControllerGains, PrismaticJoint, RevoluteJoint, RotationalInertia, SpatialInertia
 from pydrake.systems.analysis import Simulator
 from pydrake.systems.framework import DiagramBuilder
 from pydrake.systems.primitives import ConstantVectorSource
@@ -31,7 +40,8 @@ def run(scene, step_s, contact, stiction_m_s, approximation="sap"):
     config = MultibodyPlantConfig(time_step=step_s, contact_model=contact, stiction_tolerance=stiction_m_s)
     if step_s:
         config.discrete_contact_approximation = approximation
-    plant, _ = AddMultibodyPlant(config, builder)
+    plant, graph = AddMultibodyPlant(config, builder)
+    plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -scene["gravity_m_s2"]])
     forces, supports = [], []
     for number, support in enumerate(scene["supports"]):
         inertia = RotationalInertia(*[support["inertia_kg_m2"]] * 3)
@@ -52,6 +62,10 @@ def run(scene, step_s, contact, stiction_m_s, approximation="sap"):
     for number, place in enumerate(held["feet"]):
         ball, material = Sphere(held["foot_m"]), properties(scene, contact, rigid=False)
         plant.RegisterCollisionGeometry(body, RigidTransform(place), ball, f"foot{number}", material)
+    if "robot" in scene:
+        box, material = Box(*(2.0 * np.array(held["half_size"]))), properties(scene, contact, rigid=False)
+        plant.RegisterCollisionGeometry(body, RigidTransform(), box, "box", material)
+        robot = add_robot(scene, plant, graph)
     plant.Finalize()
     if forces:
         builder.Connect(
@@ -66,6 +80,9 @@ def run(scene, step_s, contact, stiction_m_s, approximation="sap"):
     for joint, support in supports:
         if support["joint"] == "hinge":
             joint.set_angular_rate(context, support["speed"])
+    if "robot" in scene:
+        plant.SetPositions(context, robot, scene["start"])
+        return shake(scene, step_s, simulator, plant, context, robot)
     path = [held["place"]]
     for time_s in samples(scene):
         simulator.AdvanceTo(time_s)
@@ -74,6 +91,57 @@ def run(scene, step_s, contact, stiction_m_s, approximation="sap"):
     found = plant.get_contact_results_output_port().Eval(context)
     touched = [[*to_body.multiply(place).tolist(), normal] for place, normal in contacts(found)]
     return {"path": path, "contacts": touched}
+
+
+def add_robot(scene, plant, graph):
+    """Add the robot, rigid where surfaces meet, with its drives."""
+    material = DefaultProximityProperties(compliance_type="rigid", point_stiffness=STIFFNESS_N_M)
+    material.static_friction = material.dynamic_friction = scene["friction"]
+    material.hunt_crossley_dissipation, material.relaxation_time = DISSIPATION_S_M, RELAXATION_S
+    graph.set_config(SceneGraphConfig(default_proximity_properties=material))
+    [robot] = Parser(plant).AddModels(scene["robot"])
+    plant.WeldFrames(plant.world_frame(), plant.GetFrameByName("base"))
+    joints = [plant.get_joint(index) for index in plant.GetJointIndices(robot)]
+    driven = [joint for joint in joints if joint.num_positions()]
+    for joint, effort, armature in zip(driven, scene["effort"], scene["armature"], strict=True):
+        actuator = plant.AddJointActuator(joint.name(), joint, effort)
+        actuator.set_default_rotor_inertia(armature)
+        actuator.set_controller_gains(PdControllerGains(p=scene["ke"], d=scene["kd"]))
+    return robot
+
+
+def shake(scene, step_s, simulator, plant, context, robot):
+    times = (step_s * (index + 1) for index in itertools.count())
+
+    def step(target):
+        wanted = np.concatenate([target, np.zeros(len(target))])
+        plant.get_desired_state_input_port(robot).FixValue(context, wanted)
+        simulator.AdvanceTo(next(times))
+
+    def poses():
+        for name in ("held", scene["tool"]):
+            pose = plant.EvalBodyPoseInWorld(context, plant.GetBodyByName(name))
+            turned = pose.rotation().ToQuaternion()
+            yield [*pose.translation(), turned.x(), turned.y(), turned.z(), turned.w()]
+
+    def contacts():
+        for total, normal, depth in touches(plant.get_contact_results_output_port().Eval(context)):
+            along = total @ normal
+            yield abs(along), np.linalg.norm(total - along * normal), depth
+
+    return shaken(scene, step_s, step, poses, contacts)
+
+
+def touches(found):
+    """Yield the force [N], the normal and the depth [m] of each contact; a surface has no depth."""
+    for number in range(found.num_point_pair_contacts()):
+        info = found.point_pair_contact_info(number)
+        yield info.contact_force(), info.point_pair().nhat_BA_W, info.point_pair().depth
+    for number in range(found.num_hydroelastic_contacts()):
+        info = found.hydroelastic_contact_info(number)
+        surface = info.contact_surface()
+        across = sum(surface.area(face) * surface.face_normal(face) for face in range(surface.num_faces()))
+        yield info.F_Ac_W().translational(), across / np.linalg.norm(across), math.nan
 
 
 def properties(scene, contact, rigid):

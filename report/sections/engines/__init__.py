@@ -9,7 +9,7 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most, greate
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
-from report.sections.engines import published
+from report.sections.engines import published, robot
 from report.shared.arithmetic import Column, Found, ratio, share, table_of
 
 order = 187
@@ -87,9 +87,13 @@ def derive(results: Results) -> Section:
     said: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
     claims = [_as_their_laws_say(results, lines, walk_bound, sink_bound), _walks_most_in_mujoco(results, lines)]
     engines = table_of("engine", [line.name for line in lines], columns, **said)
+    robots = robot.derive(results, {model: name for model, (name, _) in MODELS.items()})
     others = published.derive(results)
-    claims += [_test_lets_through(results), *others.claims]
-    return Section(tables={"engines": engines, **others.tables}, claims=claims, unmeasured=others.unmeasured)
+    return Section(
+        tables={"engines": engines, **robots.tables, **others.tables},
+        claims=[*claims, *robots.claims, _test_lets_through(results), *others.claims],
+        unmeasured=[*robots.unmeasured, *others.unmeasured],
+    )
 
 
 def _lines(results: Results) -> Iterator[Line]:

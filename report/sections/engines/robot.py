@@ -1,0 +1,58 @@
+"""The shake itself in other engines: a line for each, and whether the cube slips farthest in MuJoCo."""
+
+from collections.abc import Mapping
+
+from measured_report.parts.claim import Claim, decided, greater
+from measured_report.parts.section import Section
+from measured_report.values.results import Results
+from report.shared.arithmetic import Column, cell_count, cell_or_lost, extreme, table_of
+from report.shared.timing import RowsBy
+
+MUJOCO = "mujoco-c"
+ARMATURES = {"own": "of its own", "links": "in the links"}
+
+
+def derive(results: Results, labels: Mapping[str, str]) -> Section:
+    """Make the table and its claims; a record from before has no such rows.
+
+    Args:
+        labels: Names of the models that other engines have.
+    """
+    rows = RowsBy(results, results.rows, "model", "shake")
+    if not rows:
+        return Section(unmeasured=("robots", "slips_farthest", "only_it_loses"))
+    models = list(dict.fromkeys(model for model, _ in rows))
+    columns: dict[str, Column] = {
+        "slip": "slip_mm",
+        "creep": "creep_mm_per_cycle",
+        "shaken 100 mm": [cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models],
+        "held still": [cell_or_lost(rows[model, "held"], "slip_mm") for model in models],
+        "along over normal force": "friction_share",
+        "penetration": "penetration_mm",
+        "path off": "path_off_mm",
+        "armature": [ARMATURES[rows[model, "3cm"].plain["armature"]] for model in models],
+    }
+    names = [{MUJOCO: "MuJoCo C", **labels}[model] for model in models]
+    step = results.chosen("robot_step", "given: the time step of the shake", 1e3 / 960.0, unit="ms")
+    table = table_of("engine", names, columns, [rows[model, "3cm"] for model in models], step=step)
+    others = [model for model in models if model != MUJOCO]
+    claims = [_slips_farthest(results, rows, others), _only_it_loses(rows, others)]
+    return Section(tables={"robots": table}, claims=claims)
+
+
+def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
+    """Tell whether the cube slips farther in MuJoCo than in every other engine that keeps it."""
+    mine, held = (rows[MUJOCO, shake].slip_mm for shake in ("3cm", "held"))
+    slips = [rows[model, "3cm"].slip_mm for model in others if rows[model, "3cm"].slip_mm.value is not None]
+    worst = extreme(results, "robot_worst", "farthest slip in another engine", max, slips)
+    count = cell_count(results, "robot_count", "other contact models that keep the cube", slips)
+    return Claim("slips_farthest", greater(mine, worst), {"mine": mine, "held": held, "worst": worst, "count": count})
+
+
+def _only_it_loses(rows: RowsBy, others: list[str]) -> Claim:
+    """Tell whether MuJoCo alone loses the cube in a wider shake."""
+    wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
+    lost = [row.plain.get("dropped") for row in wide]
+    amplitudes = [row.shake_amplitude_m for row in wide]
+    outcome = decided(lost[0] is True and not any(lost[1:]), *amplitudes)
+    return Claim("only_it_loses", outcome, {"wide": amplitudes[0]})
