@@ -17,9 +17,10 @@ from experiments.simulation import frame_benchmark
 from experiments.simulation.frame_benchmark import BLOCK_FRAME_COUNT, LARGE_BATCH, TIMES, untimed
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
 from experiments.simulation.paired_timing import time_in_turn
+from experiments.simulation.scene import TRACKED_BODIES
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE, LIFT, PHASE_SECONDS
-from experiments.simulation.timing import SHAKE_FRAME_COUNT, WARMUP_COUNT, batch_invalid_reason, elapsed_ms, run_frames
+from experiments.simulation.timing import SHAKE_FRAME_COUNT, batch_invalid_reason, elapsed_ms, run_frames
 from measured_report.measuring.batch import Batch, Plan
 
 WEIGHTLESS = replace(AS_SHIPPED, gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu, fixed_joints=False)
@@ -38,10 +39,10 @@ TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from a cube in the hand into the shake."""
-SLOW_MS = 1e3
-"""Where a frame takes longer, none is timed: it would take minutes to get into the shake."""
+SLOW_MS = 100.0
+"""A solver of which a frame takes longer is not timed with more worlds: it would take minutes to get into the shake."""
 FORCES = ("friction_share", "normal_force_n")
-GRASP = ("creep_mm_per_cycle", *FORCES, "penetration_mm")
+GRASP = ("creep_mm_per_cycle", *FORCES, "penetration_mm", "hand_amplitude_mm")
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -51,7 +52,7 @@ def measure(conditions: Conditions) -> Plan:
     timed = [each for name in TIMED_VARIANTS for each in shaken if each.name == name]
     batches = [Batch(f"box-{variant.name}", box.rows_of, (conditions, variant)) for variant in box.variants()]
     batches += [Batch(f"shakes-{variant.name}", measure_shakes, (conditions, variant)) for variant in shaken]
-    batches += [Batch(f"worlds-{count}", measure_times, (conditions, timed, count), exclusive=True) for count in counts]
+    batches.append(Batch("worlds", measure_times, (conditions, timed, counts), exclusive=True))
     found = yield batches
     return Measurement([*box.excused_rows(), *(row for rows in found for row in rows)])
 
@@ -81,17 +82,20 @@ def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[st
         empty = {"variant": variant.name, **absent(("slip_mm", *GRASP), box.reason_of(error))}
         return [{"case": f"{variant.name}-{shake}", "shake": shake, **empty} for shake in SHAKES]
     rows = [row_of(variant.name, *each) for each in zip(SHAKES, cases, traces, strict=True)]
+    untold: dict[str, object] = {}
     if isinstance(simulation, SteelSimulation):
         peak = simulation.solver.constraint_row_watermarks()["articulation_raw_high_water"]
-        counted = {"peak_constraint_count": peak}  # of all its worlds: those that had room, and those that asked for it
-        rows = [row | counted for row in rows]
+        untold = {"peak_constraint_count": peak}  # of all its worlds: those that had room, and those that asked for it
+    elif isinstance(simulation, SolverSimulation):
+        untold = absent(["peak_constraint_count"], "this solver does not count its rows")
     if isinstance(simulation, SolverSimulation) and simulation.observed is None:
-        rows = [row | absent(FORCES, "this solver, or release, does not say the forces of contacts") for row in rows]
-    return rows
+        untold |= absent(FORCES, "this solver, or release, does not say the forces of contacts")
+    return [row | untold for row in rows]
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:
-    """Make a row: slip, drift, and means over the shake of what the grasp takes."""
+    """Make a row: slip, drift, means over the shake of what the grasp takes, and how far the hand goes to each side
+    along the longest axis of the shake."""
     case = replace(case, name=f"{variant}-{shake}")
     row = {**summarize(case, trace), "backend": variant.split("-")[0], "variant": variant, "shake": shake}
     if row["slip_mm"] is None:
@@ -100,32 +104,49 @@ def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, obje
         metrics.shake_mean(trace, column) for column in ("normal_force_n", "tangential_force_n", "penetration_m")
     )
     drift_mm = metrics.cycle_drift_mm(metrics.displacement(trace), case.shake_frequency_hz)
+    hand_m = trace.poses[trace.phase == metrics.SHAKE, TRACKED_BODIES.index("fr3_hand_tcp"), 0]
     share = tangential_n / (case.pad_mu * normal_n) if normal_n > 0.0 else np.nan
-    numbers = dict(zip(GRASP, map(float, (drift_mm, share, normal_n, 1e3 * depth_m)), strict=True))
+    means = (drift_mm, share, normal_n, 1e3 * depth_m, 1e3 * np.ptp(hand_m) / 2.0)
+    numbers = dict(zip(GRASP, map(float, means), strict=True))
     untouched = [name for name, number in numbers.items() if not np.isfinite(number)]
     return row | numbers | absent(untouched, "the fingers did not touch the cube")
 
 
-def measure_times(conditions: Conditions, variants: Sequence[box.Variant], world_count: int) -> list[dict[str, object]]:
-    """Return a row for each variant; the first is what the others are compared with."""
-    rows, blocks = {}, {}
-    for variant in variants:
-        name = variant.name
-        rows[name] = {"case": f"{name}-worlds-{world_count}", "variant": name, "worlds": world_count}
-        try:
-            found = Blocks(variant, world_count, wp.get_device(conditions.device))
-            if found.is_slow:
-                rows[name] |= untimed(TIMES, f"a frame takes over {1e-3 * SLOW_MS:g} s")
-            else:
-                blocks[name] = found
-        except Exception as error:  # as in ``box``, or memory runs out
-            rows[name] |= absent(TIMES, box.reason_of(error))
-    for name, times in zip(blocks, time_in_turn(list(blocks.values())), strict=True):
-        reason = batch_invalid_reason(blocks[name].simulation)
-        rows[name] |= untimed(TIMES, reason) if reason else frame_benchmark.time_columns(times)
-    blocks.clear()
-    gc.collect()
-    return list(rows.values())
+def measure_times(
+    conditions: Conditions, variants: Sequence[box.Variant], counts: Sequence[int]
+) -> list[dict[str, object]]:
+    """Return a row for each variant and number of worlds, each timed in turn with the first variant."""
+    rows, device = [], wp.get_device(conditions.device)
+    too_slow: dict[str, str] = {}
+    for count in counts:
+        reference = Blocks(variants[0], count, device)
+        for variant in variants:
+            row: dict[str, object] = {
+                "case": f"{variant.name}-worlds-{count}",
+                "variant": variant.name,
+                "worlds": count,
+            }
+            if variant.name in too_slow:
+                rows.append(row | untimed(TIMES, too_slow[variant.name]))
+                continue
+            try:
+                columns = time_columns(reference, Blocks(variant, count, device) if variant.name != "warp" else None)
+            except Exception as error:  # as in ``box``, or memory runs out
+                columns = absent(TIMES, box.reason_of(error))
+            rows.append(row | columns)
+            if (columns["frame_ms"] or 0.0) > SLOW_MS:
+                too_slow[variant.name] = f"with {count} world{'s' * (count > 1)} a frame takes over {SLOW_MS:g} ms"
+        del reference
+        gc.collect()
+    return rows
+
+
+def time_columns(reference: "Blocks", other: "Blocks | None") -> dict[str, object]:
+    """Time another solver, or none, in turn with the reference."""
+    blocks = [reference, other] if other else [reference]
+    times = time_in_turn(blocks)[-1]
+    reason = batch_invalid_reason(blocks[-1].simulation)
+    return untimed(TIMES, reason) if reason else frame_benchmark.time_columns(times)
 
 
 class Blocks:
@@ -135,10 +156,7 @@ class Blocks:
         case = replace(WEIGHTLESS, name="timed", cube_in_hand=True, frame_count=1)
         self.simulation = build(variant, [case] * world_count, device)
         self.frame_count = max(1, min(BLOCK_FRAME_COUNT, LARGE_BATCH // world_count)) if device.is_cuda else 1
-        run_frames(self.simulation, WARMUP_COUNT)
-        self.is_slow = self(0) > SLOW_MS
-        if not self.is_slow:
-            run_frames(self.simulation, START_FRAME_COUNT)
+        run_frames(self.simulation, START_FRAME_COUNT)
 
     def __call__(self, _: int) -> float:
         """Time a frame [ms], mean of a block."""
