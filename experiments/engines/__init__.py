@@ -82,9 +82,11 @@ MODELS = (
 
 def measure(conditions: Conditions) -> Plan:
     """Make a row for each model, scene and step, for each shake, of a robot too, and for what others published."""
-    parts = model_rows, shake_rows, robot_rows, published.rows
-    names = "models", "shakes", "robots", "published"
-    found = yield [Batch(name, part, (conditions,)) for name, part in zip(names, parts, strict=True)]
+    parts = model_rows, shake_rows, published.rows
+    names = "models", "shakes", "published"
+    batches = [Batch(name, part, (conditions,)) for name, part in zip(names, parts, strict=True)]
+    robots = [(each.name, each.engine, each.options, each.armature) for each in models_of(conditions) if each.armature]
+    found = yield [*batches, Batch("robots", robot.rows, (conditions, robots))]
     return Measurement(list(chain.from_iterable(found)))
 
 
@@ -95,17 +97,6 @@ def model_rows(conditions: Conditions) -> list[dict[str, object]]:
 
 def models_of(conditions: Conditions) -> list[Model]:
     return [model for model in MODELS if not conditions.quick or model.engine in (BULLET, DART)]
-
-
-def robot_rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Do the shake itself in each model that loads the robot."""
-    models = {model.name: model for model in models_of(conditions) if model.armature}
-    said = {name: {"release": model.engine.release, "armature": model.armature} for name, model in models.items()}
-
-    def run(name: str, asked: list[dict]) -> list[dict]:
-        return run_apart(models[name].engine, [each | {"options": models[name].options} for each in asked])
-
-    return robot.rows_of(conditions, said, run)
 
 
 def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:

@@ -5,7 +5,7 @@ fingers, and friction in the joints. Where an engine has no armature it is added
 """
 
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 import numpy as np
 import warp as wp
 
+from experiments.engines.engine import Engine, run_apart
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import FRAME_COLUMNS, Trace, first_failure
@@ -32,30 +33,24 @@ INERTIAL = f'<inertial><mass value="1e-4"/><inertia {INERTIA}/></inertial>'
 """Of a link that has none, to which some engines would give 1 kg."""
 
 
-def rows_of(
-    conditions: Conditions, models: dict[str, dict[str, str]], run: Callable[[str, list[dict]], list[dict]]
-) -> list[dict[str, object]]:
-    """Return a row for each model and shake, those of MuJoCo C first.
-
-    Args:
-        models: What the rows of a model say besides, by its name; ``armature`` is ``own`` or ``links``.
-        run: Runs a model's scenes, and returns what each shows.
-    """
+def rows(conditions: Conditions, models: Sequence[tuple[str, Engine, dict, str]]) -> list[dict[str, object]]:
+    """Return a row for each shake in MuJoCo C and in each model: its name, engine, options, and where armature is."""
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     cases = [replace(WEIGHTLESS, frame_count=frame_count, shake_amplitude_m=each) for each in SHAKES.values()]
     references = [reference(case) for case in cases]
-    shown: dict[str, Sequence[Trace | str]] = {"mujoco-c": [trace for trace, _ in references]}
-    for name, said in models.items():
+    shown: list[tuple[str, str, list]] = [("mujoco-c", "own", [trace for trace, _ in references])]
+    for name, engine, options, armature in models:
         with tempfile.TemporaryDirectory() as folder:
             robot = Path(folder) / "robot.urdf"
-            write_robot(robot, said["armature"])
-            asked = [described(case, robot, targets) for case, (_, targets) in zip(cases, references, strict=True)]
-            results = zip(run(name, asked), references, strict=True)
-            shown[name] = [result.get("reason") or traced(result, trace) for result, (trace, _) in results]
+            write_robot(robot, armature)
+            scenes = [described(case, robot, targets) for case, (_, targets) in zip(cases, references, strict=True)]
+            results = zip(run_apart(engine, [each | {"options": options} for each in scenes]), references, strict=True)
+            traces = [result.get("reason") or traced(result, trace) for result, (trace, _) in results]
+        shown.append((name, armature, traces))
     return [
         row_of(replace(case, name=f"{name}-shake-{shake}"), trace, own)
-        | {"backend": name.partition("-")[0], "model": name, "shake": shake, **models.get(name, {"armature": "own"})}
-        for name, traces in shown.items()
+        | {"backend": name.partition("-")[0], "model": name, "shake": shake, "armature": armature}
+        for name, armature, traces in shown
         for shake, case, trace, (own, _) in zip(SHAKES, cases, traces, references, strict=True)
     ]
 
