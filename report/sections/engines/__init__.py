@@ -1,4 +1,4 @@
-"""The turntable and the pinched capsule in other engines: does each do what its contact model says?"""
+"""The turntable, the pinched capsule and the shake in other engines: does each do what its contact model says?"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
