@@ -5,22 +5,20 @@ balls at its ends. NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, passed b
 shake of this report.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
 import numpy as np
 from tqdm import tqdm
 
-from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
-from experiments.engines import laws, published, robot
+from experiments.cure.turntable import SAMPLE_S, SETTLE_S
+from experiments.engines import published, robot
 from experiments.engines.engine import Engine, run_apart
-from experiments.engines.laws import Load, walk_per_s
-from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
+from experiments.engines.scenes import FOOT_M, pinch, turntable
 from experiments.facts.case import AS_SHIPPED
 from experiments.scenes import capsule
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
-from experiments.simulation.mjcf_engines import GRAVITY_M_S2
 from measured_report.measuring.batch import Batch, Plan
 
 NEEDS_GPU = False
@@ -29,8 +27,6 @@ SECONDS = {"full": {"turntable": 4.0, "pinch": 2.0}, "quick": {"turntable": 1.5,
 STEPS_S = (0.002, 0.001)
 STICTION_M_S = 1e-3
 """Drake's own."""
-GROWTHS = ("growth_per_s", "predicted_growth_per_s")
-CREEPS = ("creep_mm_s", "predicted_creep_mm_s")
 TEST_SHAKE = {"shake_amplitude_m": 0.02, "shake_frequency_hz": 2.0}
 TEST_FRAMES = SETUP_FRAME_COUNT + 121
 """The last one is 2 s after the first of the shake."""
@@ -44,8 +40,6 @@ class Model:
 
     name: str
     engine: Engine
-    law: Callable[[Load], float] | None = None
-    """None where it is MuJoCo's, which other sections have."""
     options: dict[str, object] = field(default_factory=dict)
     steps_s: Sequence[float] = STEPS_S
     scenes: Sequence[str] = ("turntable", "pinch")
@@ -66,17 +60,17 @@ HYDROELASTIC = {"contact": "hydroelastic", "stiction_m_s": STICTION_M_S}
 TAMSI = {"approximation": "tamsi"}
 MODELS = (
     Model("mjx", MJX),
-    Model("drake-sap-point", DRAKE, laws.sap, POINT, armature="own"),
-    Model("drake-sap-hydroelastic", DRAKE, laws.sap, HYDROELASTIC, armature="own"),
-    Model("drake-tamsi-point", DRAKE, laws.tamsi, POINT | TAMSI),
-    Model("drake-tamsi-hydroelastic", DRAKE, laws.tamsi, HYDROELASTIC | TAMSI),
-    Model("drake-tamsi-strict", DRAKE, laws.tamsi, POINT | TAMSI | {"stiction_m_s": 1e-4}),
-    Model("drake-lagged-point", DRAKE, laws.lagged, POINT | {"approximation": "lagged"}),
-    Model("drake-continuous-point", DRAKE, laws.stribeck, POINT, (0.0,)),
-    Model("dart", DART, laws.mixed, armature="links"),
-    Model("pybullet", BULLET, laws.rigid, armature="links"),
-    Model("physx", PHYSX, laws.anchored, armature="own"),
-    Model("discrete-20ms", MUJOCO, laws.discrete, {"discrete": True, "timeconst_s": 0.02}, scenes=("turntable",)),
+    Model("drake-sap-point", DRAKE, POINT, armature="own"),
+    Model("drake-sap-hydroelastic", DRAKE, HYDROELASTIC, armature="own"),
+    Model("drake-tamsi-point", DRAKE, POINT | TAMSI),
+    Model("drake-tamsi-hydroelastic", DRAKE, HYDROELASTIC | TAMSI),
+    Model("drake-tamsi-strict", DRAKE, POINT | TAMSI | {"stiction_m_s": 1e-4}),
+    Model("drake-lagged-point", DRAKE, POINT | {"approximation": "lagged"}),
+    Model("drake-continuous-point", DRAKE, POINT, (0.0,)),
+    Model("dart", DART, armature="links"),
+    Model("pybullet", BULLET, armature="links"),
+    Model("physx", PHYSX, armature="own"),
+    Model("discrete-20ms", MUJOCO, {"discrete": True, "timeconst_s": 0.02}, scenes=("turntable",)),
 )
 
 
@@ -106,11 +100,11 @@ def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, ob
     for (name, step_s), result in zip(runs, run_apart(model.engine, asked), strict=True):
         row = {"case": f"{model.name}-{name}-{1e3 * step_s:g}ms", "model": model.name, "scene": name}
         row |= {"step_ms": 1e3 * step_s, "engine": model.engine.name, "release": model.engine.release}
-        columns = growth_columns if name == "turntable" else creep_columns
+        column, number = ("growth_per_s", growth_per_s) if name == "turntable" else ("creep_mm_s", creep_mm_s)
         try:
-            yield row | columns(model, scenes[name], step_s, result)
+            yield row | {column: number(result)}
         except ValueError as error:
-            yield row | absent(GROWTHS if name == "turntable" else CREEPS, str(error))
+            yield row | absent([column], str(error))
 
 
 def settled(result: dict) -> tuple[np.ndarray, np.ndarray]:
@@ -124,49 +118,20 @@ def settled(result: dict) -> tuple[np.ndarray, np.ndarray]:
     return time_s[time_s >= SETTLE_S], path[time_s >= SETTLE_S]
 
 
-def growth_columns(model: Model, scene: dict, step_s: float, result: dict) -> dict[str, object]:
-    """Say how fast the distance of the box from the axis grows, measured and by the model's law."""
+def growth_per_s(result: dict) -> float:
+    """Say how fast the distance of the box from the axis grows [1/s]."""
     time_s, path = settled(result)
-    if abs(path[-1, 2] - scene["body"]["place"][2]) > FOOT_M:
+    if abs(path[-1, 2] - result["path"][0][2]) > FOOT_M:
         raise ValueError("the box is not on the table any more")
-    radius = np.hypot(path[:, 0], path[:, 1])
-    row: dict[str, object] = {"growth_per_s": float(np.polyfit(time_s, np.log(radius), 1)[0])}
-    if not model.law:
-        return row | absent(["predicted_growth_per_s"], "it is MuJoCo's, which section cure has")
-    middle = float(np.exp(np.mean(np.log(radius))))
-    carried = {"force_n": MASS_KG * TURN_RAD_S**2 * middle, "normal_n": MASS_KG * GRAVITY_M_S2}
-    carried |= {"direction": (1.0, 0.0, 0.0), "support_inverse_mass_1_kg": np.zeros((3, 3))}
-    load = load_on(model, scene, step_s, result, carried)
-    return row | {"predicted_growth_per_s": walk_per_s(model.law, load, TURN_RAD_S, middle)}
+    return float(np.polyfit(time_s, np.log(np.hypot(path[:, 0], path[:, 1])), 1)[0])
 
 
-def creep_columns(model: Model, scene: dict, step_s: float, result: dict) -> dict[str, object]:
-    """Say how fast the capsule sinks, measured and by the model's law."""
+def creep_mm_s(result: dict) -> float:
+    """Say how fast the capsule sinks [mm/s]."""
     time_s, path = settled(result)
-    row: dict[str, object] = {"creep_mm_s": -1e3 * float(np.polyfit(time_s, path[:, 2], 1)[0])}
     if abs(path[-1, 2]) > capsule.PAD_HALF_SIZE_M[2]:
         raise ValueError("the capsule is lost")
-    if not model.law:
-        return row | absent(["predicted_creep_mm_s"], "it is MuJoCo's, which section scenes has")
-    carried = {"force_n": capsule.MASS_KG * GRAVITY_M_S2, "normal_n": 2.0 * PRESS_N, "direction": (0.0, 0.0, 1.0)}
-    carried |= {"support_inverse_mass_1_kg": np.diag([1.0 / capsule.PAD_MASS_KG, 0.0, 0.0])}
-    load = load_on(model, scene, step_s, result, carried)
-    return row | {"predicted_creep_mm_s": 1e3 * model.law(load)}
-
-
-def load_on(model: Model, scene: dict, step_s: float, result: dict, carried: Mapping[str, object]) -> Load:
-    """Return the load ``carried``, with what the scene says and the run shows of its contacts."""
-    return Load(
-        step_s=step_s,
-        stiction_m_s=model.options.get("stiction_m_s", STICTION_M_S),
-        timeconst_s=model.options.get("timeconst_s"),
-        friction=scene["friction"],
-        mass_kg=scene["body"]["mass_kg"],
-        inertia_kg_m2=scene["body"]["inertia_kg_m2"],
-        contacts=result.get("contacts", ()),
-        yields_1_kg=result.get("regularization_1_kg"),
-        **carried,
-    )
+    return -1e3 * float(np.polyfit(time_s, path[:, 2], 1)[0])
 
 
 def shake_rows(conditions: Conditions) -> Sequence[dict[str, object]]:

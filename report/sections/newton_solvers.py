@@ -1,11 +1,11 @@
-"""Newton's own solvers beside MuJoCo Warp: the box on a table, and in SolverSteel the shake itself."""
+"""Newton's own solvers beside MuJoCo Warp: the box on a table, and the shake itself."""
 
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_least, at_most, decided, greater
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Quantity
+from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, cell_or_lost, share, table_of
-from report.shared.timing import TIMED_WORLDS, RowsBy
+from report.shared.arithmetic import Column, cell_or_lost, departure, is_held, share, table_of
+from report.shared.timing import TIMED_WORLDS, RowsBy, worlds_name
 
 order = 188
 page = "scenes"
@@ -16,6 +16,7 @@ NAMES = {
     "mujoco": "MuJoCo Warp",
     "xpbd": "XPBD",
     "vbd": "VBD",
+    "semi-implicit": "Semi-implicit",
     "steel-points": "Steel without anchors",
     "steel-matched": "Steel, warm start by matched contacts",
     "steel-frames": "Steel, contacts found every eighth step",
@@ -26,24 +27,27 @@ NAMES = {
 """Labels of solvers that are not their names."""
 LONG = "2ms"
 SCENES = {"step of 2 ms": LONG, "step of 1 ms": "1ms", "on a slope": "slope", "held still": "still"}
-OF_STEEL = "steel_stays slips_less anchors_help contacts_strain rows_overflow fails_sooner costs_more shakes".split()
+AS_FAR = 10.0
+"""Chosen [%]: a hand that goes so much farther or less far than MuJoCo Warp's is shaken in another way."""
+OF_STEEL = "steel_stays slips_less anchors_help contacts_strain rows_overflow fails_sooner costs_more".split()
 
 
 def derive(results: Results) -> Section:
     """Derive the section; of a release without Steel there is no shake."""
     rows = RowsBy(results, results.rows, "variant", "shake")
-    results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, unit="mm")
+    times = RowsBy(results, results.rows, "variant", "worlds")
+    bound = results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, unit="mm")
     seen: dict[str, Quantity] = {
         "%/s": results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, unit="%/s"),
         "mm/s": results.chosen("creep_seen", "a millimetre in a quarter of an hour", 1e-3, unit="mm/s"),
     }
-    tables = {"boxes": _box_table(results, seen)}
-    offered = Claim("offered", (HOLDS if rows else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
-    if not rows:
-        return Section(tables=tables, claims=[offered], unmeasured=OF_STEEL)
-    times = RowsBy(results, results.rows, "variant", "worlds")
-    claims = [
-        offered,
+    tables = {"boxes": _box_table(results, seen), "shakes": _shake_table(rows), "times": _time_table(times)}
+    has_steel = ("steel", "3cm") in rows
+    offered = Claim("offered", (HOLDS if has_steel else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
+    claims = [offered, _others_hold(rows, times, bound), _hands_go_as_far(results, rows)]
+    if not has_steel:
+        return Section(tables=tables, claims=claims, unmeasured=OF_STEEL)
+    claims += [
         _steel_stays(results, seen["%/s"]),
         _slips_less(rows),
         _anchors_help(rows),
@@ -52,7 +56,6 @@ def derive(results: Results) -> Section:
         _fails_sooner(rows),
         _costs_more(times),
     ]
-    tables["shakes"] = _shake_table(rows)
     return Section(tables=tables, claims=claims)
 
 
@@ -95,14 +98,59 @@ def _steel_stays(results: Results, seen: Quantity) -> Claim:
 
 
 def _shake_table(rows: RowsBy) -> Table:
-    """Say what each variant does in the shake, and in others how far the cube slips, if it is kept."""
+    """Say what each solver does in the shake, and in others how far the cube slips, if it is kept."""
     names = list(dict.fromkeys(variant for variant, _ in rows))
-    columns: dict[str, Column] = {"slip": "slip_mm", "creep": "creep_mm_per_cycle"}
+    shaken = [rows[name, "3cm"] for name in names]
+    columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm"}
+    columns |= {"slip": [cell_or_lost(row, "slip_mm") for row in shaken], "creep": "creep_mm_per_cycle"}
     columns |= {"along over normal force": "friction_share"}
     columns |= {"normal force": "normal_force_n", "penetration": "penetration_mm"}
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
         columns[above] = [cell_or_lost(rows[name, shake], "slip_mm") for name in names]
-    return table_of("solver", map(_label, names), columns, [rows[name, "3cm"] for name in names])
+    return table_of("solver", map(_label, names), columns, shaken, told=rows["warp", "3cm"].shake_amplitude_m)
+
+
+def _time_table(times: RowsBy) -> Table:
+    """Say how long a frame takes in each solver, over that in MuJoCo Warp with as many worlds."""
+    names = [name for name in dict.fromkeys(variant for variant, _ in times) if name != "warp"]
+    columns: dict[str, Column] = {
+        worlds_name(count): [times[name, count].frame_ratio for name in names] for count in TIMED_WORLDS
+    }
+    return table_of("solver", map(_label, names), columns)
+
+
+def _others_hold(rows: RowsBy, times: RowsBy, bound: Quantity) -> Claim:
+    """Tell whether another solver than MuJoCo's keeps the slip below the bound; which, and what the fastest costs."""
+    others = {variant: row.slip_mm for (variant, shake), row in rows.items() if shake == "3cm" and variant != "warp"}
+    tests = {variant: at_most(slip, bound) for variant, slip in others.items()}
+    holding = [variant for variant, test in tests.items() if test == HOLDS]
+    unclear = [test for test in tests.values() if test.is_inconclusive]
+    outcome = decided(bool(holding), *(others[variant] for variant in holding or others))
+    timed = {variant: times[variant, TIMED_WORLDS[0]].frame_ratio for variant in holding}
+    timed = {variant: ratio for variant, ratio in timed.items() if ratio.value is not None}
+    fastest = min(timed, key=lambda variant: timed[variant].number, default="")
+    ratio = timed.get(fastest, absent("1", "none of them was timed"))
+    names = [_label(variant) for variant in holding if "-" not in variant]
+    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "ratio": ratio, "bound": bound}
+    return Claim(
+        "others_hold",
+        unclear[0] if unclear and not holding else outcome,
+        told | {"warp": rows["warp", "3cm"].slip_mm, "is_timed": bool(fastest), "are_many": len(names) > 1},
+    )
+
+
+def _hands_go_as_far(results: Results, rows: RowsBy) -> Claim:
+    """Tell whether the arm that is told the same goes as far in each solver that keeps the cube."""
+    mine = rows["warp", "3cm"].hand_amplitude_mm
+    kept = {name: row for (name, shake), row in rows.items() if shake == "3cm" and name != "warp" and is_held(row)}
+    off = {
+        name: departure(results, f"{name}_hand", "of how far the hand goes in MuJoCo Warp", row.hand_amplitude_mm, mine)
+        for name, row in kept.items()
+    }
+    worst = max(off, key=lambda name: off[name].value or 0.0, default="")
+    outcome = all_of(*(at_most(cell, AS_FAR, why="another shake") for cell in off.values()))
+    far = kept[worst].hand_amplitude_mm if worst else mine
+    return Claim("hands_go_as_far", outcome, {"worst": _label(worst), "far": far, "mine": mine})
 
 
 def _slips_less(rows: RowsBy) -> Claim:

@@ -15,9 +15,10 @@ from report.shared.timing import TIMED_WORLDS
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
 IN_C = "v"
 """Marker of what runs on a core of the processor, and in as many worlds as it has cores."""
-STEEL = "newton_solvers/steel"
+SOLVERS = "newton_solvers"
+"""Where Newton's other solvers are measured."""
 RATIOS = ("frame_ratio", "time_ratio")
-FLAGS = ("is_argument", "is_steel", "has_many", "is_longer")
+FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch")
 UNSEEN = {
     "stiff pads": ("speed", "stiff_pads_only_change"),
     "the root cure": ("cure_cost", "best_unseen"),
@@ -64,13 +65,21 @@ def _cure(model: str, parts: str = "plain-rounded") -> str:
     return f"cure/newton-{model}-3cm-{parts}"
 
 
+def _solver(name: str, marker: str, variant: str = "") -> Way:
+    run = f"{SOLVERS}/{variant or name.lower()}"
+    return Way(name, ARGUMENT, f"{run}-3cm", run, SERIES[4], marker)
+
+
 WAYS = (
     Way("as shipped", NOTHING, "reproduction/as-shipped", "cure_cost/as-shipped", SHIPPED),
     Way("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads-only", STIFF),
     Way("RK4", ARGUMENT, _cure("rk4-50-shipped"), "error_runtime/as-shipped/newton-rk4/substeps-16", SHIPPED, "s"),
     Way("RK4, stiff pads", ARGUMENT, _cure("rk4-50-stiff"), "error_runtime/stiff/newton-rk4/substeps-16", STIFF, "s"),
-    Way("Steel", ARGUMENT, f"{STEEL}-3cm", STEEL, SERIES[4], "P"),
-    Way("Steel, no anchors", ARGUMENT, f"{STEEL}-points-3cm", f"{STEEL}-points", SERIES[4], "X"),
+    _solver("Steel", "P"),
+    _solver("Steel, no anchors", "X", "steel-points"),
+    _solver("Kamino", "*"),
+    _solver("XPBD", "^"),
+    _solver("VBD", "<"),
     Way("the term", PATCH, _cure("implicitfast-50-shipped", "term-rounded"), "cure_cost/term", TERM),
     Way("the term, RK4", PATCH, _cure("rk4-50-shipped", "term-rounded"), "cure_cost/term-rk4", TERM, "s"),
     Way("the root cure", PATCH, _cure("euler-400-shipped", "full-kept"), "cure_cost/best", CURE),
@@ -124,6 +133,7 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     untimed = "what holds the cube was not timed" if kept else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "seen": none, "bound": bound}
+    numbers |= {"patch": "", "patch_slip": numbers["slip"], "patch_ratio": none}
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=lambda way: way.ratios(found)[ALONE].number)
@@ -132,9 +142,13 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, none)}
     numbers["seen"] = seen
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
-    told = way.effort == ARGUMENT, way.run.startswith(STEEL), MANY in ratios, is_longer
+    patches = [each for each in kept if each.effort == PATCH and ALONE in each.ratios(found)]
+    told = way.effort == ARGUMENT, way.run.startswith(SOLVERS), MANY in ratios, is_longer, bool(patches)
+    if patches:
+        patch = min(patches, key=lambda each: each.ratios(found)[ALONE].number)
+        numbers |= {"patch": patch.name, "patch_slip": patch.slip(found), "patch_ratio": patch.ratios(found)[ALONE]}
     read = [cell for cell in (seen, *(way.slip(found) for way in tests)) if cell.value is not None]
-    read += [each.ratios(found)[ALONE] for each in timed]
+    read += [each.ratios(found)[ALONE] for each in (*timed, *patches)]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
     return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, told, strict=True)))

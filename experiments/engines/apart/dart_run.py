@@ -44,13 +44,7 @@ def run(scene, step_s):
             support.setForces([force])
         world.step()
 
-    path = sampled(scene, step_s, lambda: body.getWorldTransform().translation(), step)
-    to_body = body.getWorldTransform().inverse()
-    touched = [
-        [*to_body.multiply(each.point), each.force @ each.normal]
-        for each in world.getLastCollisionResult().getContacts()
-    ]
-    return {"path": path, "contacts": [list(map(float, each)) for each in touched]}
+    return {"path": sampled(scene, step_s, lambda: body.getWorldTransform().translation(), step)}
 
 
 def shake(scene, step_s, world, cube):

@@ -87,10 +87,7 @@ def run(scene, step_s, contact, stiction_m_s, approximation="sap"):
     for time_s in samples(scene):
         simulator.AdvanceTo(time_s)
         path.append(plant.EvalBodyPoseInWorld(context, body).translation().tolist())
-    to_body = plant.EvalBodyPoseInWorld(context, body).inverse()
-    found = plant.get_contact_results_output_port().Eval(context)
-    touched = [[*to_body.multiply(place).tolist(), normal] for place, normal in contacts(found)]
-    return {"path": path, "contacts": touched}
+    return {"path": path}
 
 
 def add_robot(scene, plant, graph):
@@ -155,16 +152,3 @@ def properties(scene, contact, rigid):
     AddContactMaterial(DISSIPATION_S_M, STIFFNESS_N_M, friction, found)
     found.AddProperty("material", "relaxation_time", RELAXATION_S)
     return found
-
-
-def contacts(found):
-    """Yield the contacts, places and normal forces [N]: points, or the middles of the faces of contact surfaces."""
-    for number in range(found.num_point_pair_contacts()):
-        info = found.point_pair_contact_info(number)
-        yield info.contact_point(), abs(info.contact_force() @ info.point_pair().nhat_BA_W)
-    for number in range(found.num_hydroelastic_contacts()):
-        surface = found.hydroelastic_contact_info(number).contact_surface()
-        pressure = surface.tri_e_MN() if surface.is_triangle() else surface.poly_e_MN()
-        for face in range(surface.num_faces()):
-            place = surface.centroid(face)
-            yield place, surface.area(face) * pressure.EvaluateCartesian(face, place)
