@@ -3,7 +3,6 @@
 import difflib
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from xml.parsers import expat
 
@@ -34,43 +33,38 @@ MOST_TRIES, PASSES = 40, 4
 """Changes that are tried in one pass, and times that scenes which share files are gone over."""
 
 
-@dataclass(frozen=True)
-class Measured:
-    """What a scene does, of each of its starts."""
-
-    runs: Sequence[Run]
-
-    def harm(self, after: "Measured", rules: Collection[str]) -> str:
-        """Say in what changes of these rules' findings made it worse; empty where they did in nothing."""
-        for old, new in zip(self.runs, after.runs, strict=True):
-            if new.bad:
-                return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
-            if old.bad:
-                continue
-            thrown = [float(each.thrown_m_s.max(initial=0.0)) for each in (old, new)]
-            lies = thrown[0] > THROWN_M_S > 2.0 * thrown[1] and new.deepest_m <= old.deepest_m
-            lies |= "lost" in rules and new.deepest_m < SHALLOW_M
-            for name, at in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
-                depth, other = (getattr(each, at) for each in (old, new))
-                if other > DEEPER * depth + DEEPER_M and not lies:
-                    return f"{name} {M * depth:.3g} → {M * other:.3g} mm from {new.start}"
-            speed, other = (float(np.abs(each.data.qvel).max(initial=0.0)) for each in (old, new))
-            if other > FASTER * speed + FASTER_M_S:
-                return f"what moves fastest after {new.time_s:.3g} s: {speed:.3g} → {other:.3g} m/s or rad/s"
-        for name, most in () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST)):
-            cost, other = (sum(getattr(each, name) for each in one.runs) for one in (self, after))
-            if other > most * cost:
-                return f"a simulated second costs {other / max(cost, 1e-9):.2g} times as much"
-        return ""
-
-    def __str__(self) -> str:
-        depth = max((each.deepest_m for each in self.runs), default=0.0)
-        cost = sum(each.cost_s for each in self.runs) / max(len(self.runs), 1)
-        return f"deepest contact {M * depth:.3g} mm, {cost:.2g} s a simulated second"
+def measured(target: Target) -> list[Run]:
+    """Step a scene from each of its starts, for as long as changes are judged by."""
+    return runs_of(target.model, target, MEASURED_S)
 
 
-def measured(target: Target) -> Measured:
-    return Measured(runs_of(target.model, target, MEASURED_S))
+def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:
+    """Say in what changes of these rules' findings made a scene worse; empty where they did in nothing."""
+    for old, new in zip(before, after, strict=True):
+        if new.bad:
+            return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
+        if old.bad:
+            continue
+        thrown = [float(each.thrown_m_s.max(initial=0.0)) for each in (old, new)]
+        lies = thrown[0] > THROWN_M_S > 2.0 * thrown[1] and new.deepest_m <= old.deepest_m
+        lies |= "lost" in rules and new.deepest_m < SHALLOW_M
+        for name, at in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
+            depth, other = (getattr(each, at) for each in (old, new))
+            if other > DEEPER * depth + DEEPER_M and not lies:
+                return f"{name} {M * depth:.3g} → {M * other:.3g} mm from {new.start}"
+        speed, other = (float(np.abs(each.data.qvel).max(initial=0.0)) for each in (old, new))
+        if other > FASTER * speed + FASTER_M_S:
+            return f"what moves fastest after {new.time_s:.3g} s: {speed:.3g} → {other:.3g} m/s or rad/s"
+    for name, most in () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST)):
+        cost, other = (sum(getattr(each, name) for each in runs) for runs in (before, after))
+        if other > most * cost:
+            return f"a simulated second costs {other / max(cost, 1e-9):.2g} times as much"
+    return ""
+
+
+def _told(runs: Sequence[Run]) -> str:
+    depth, cost = max((each.deepest_m for each in runs), default=0.0), sum(each.cost_s for each in runs)
+    return f"deepest contact {M * depth:.3g} mm, {cost / max(len(runs), 1):.2g} s a simulated second"
 
 
 class Mending:
@@ -85,7 +79,7 @@ class Mending:
         self.rules: set[str] = set()
         while self._pass():
             pass
-        if why := self.begun.harm(self.measured, self.rules):
+        if why := harm(self.begun, self.measured, self.rules):
             self.texts, self.report, self.measured = dict(target.texts), self.first, self.begun
             self.said = {line: end or f"with the others {why}" for line, end in self.said.items()}
 
@@ -129,8 +123,7 @@ class Mending:
         if more := [key for key, count in after.items() if key not in known or 0 < before[key] < count]:
             return f"another is found then: {' '.join(filter(None, more[0]))}"
         after_it = measured(target)
-        why = self.measured.harm(after_it, rules)
-        if why := why or self._elsewhere(texts, rules):
+        if why := harm(self.measured, after_it, rules) or self._elsewhere(texts, rules):
             return why
         self.texts, self.report, self.measured = texts, report, after_it
         self.rules |= {*rules}
@@ -142,7 +135,7 @@ class Mending:
         for path in self.others if included else ():
             if path != self.target.path and included & {each.file for each in parse(path).walk()}:
                 other = Target(path.name, compiled(path), path=path)
-                if why := measured(other).harm(measured(tried(other, texts)), rules):
+                if why := harm(measured(other), measured(tried(other, texts)), rules):
                     return f"{path.name}: {why}"
         return ""
 
@@ -178,7 +171,7 @@ def fixed(target: Target, asked: Asked, others: Sequence[Path], dry: bool) -> tu
             why = str(error)
     lines = [*(mending.patch() if dry else ()), *mending.lines(not dry and not why), *told]
     if mending.texts:
-        lines.append(f"{target.name}: measured before: {mending.begun}; after: {mending.measured}")
+        lines.append(f"{target.name}: measured before: {_told(mending.begun)}; after: {_told(mending.measured)}")
     return mending.first, lines, why
 
 

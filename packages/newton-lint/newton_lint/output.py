@@ -129,7 +129,7 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
             "ruleId": group[0].rule,
             "level": group[0].severity,
             "message": {"text": _with_advice(group)},
-            "locations": [_location(group[0], report)],
+            "locations": [{"physicalLocation": _location(group[0], report)}],
         }
         for report in reports
         for group in alike(report.findings)
@@ -147,11 +147,9 @@ def _with_advice(group: Sequence[Finding]) -> str:
 
 
 def _location(finding: Finding, report: Report) -> dict:
-    element = finding.element
-    place: dict = {"artifactLocation": {"uri": str(element.file) if element else report.target}}
-    if element:
-        place["region"] = {"startLine": element.line}
-    return {"physicalLocation": place}
+    if not (element := finding.element):
+        return {"artifactLocation": {"uri": report.target}}
+    return {"artifactLocation": {"uri": str(element.file)}, "region": {"startLine": element.line}}
 
 
 def _named(names: Iterable[str]) -> str:

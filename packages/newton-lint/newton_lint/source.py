@@ -97,7 +97,8 @@ class Source:
             return cls(None, model)
 
     @cached_property
-    def _placed(self) -> list[tuple[Element, str | None, list[tuple[Element, str | None]]]]:
+    def _placed(self) -> list[list[tuple[Element, str | None]]]:
+        """Return the geoms of each body with their classes, in the order of the file."""
         if self.root is None or self.root.tag != "mujoco":
             return []
         worlds = [child for world in self.root.sections("worldbody") for child in world.children]
@@ -107,16 +108,14 @@ class Source:
     def geoms(self) -> dict[int, tuple[Element, str | None]]:
         """Return element and class of the geoms whose place is known."""
         bodies, model = self._placed, self._model
-        counts = [len(geoms) for _, _, geoms in bodies]
-        in_order = [geom for _, _, geoms in bodies for geom in geoms]
-        if counts == model.body_geomnum.tolist() and all(map(self._agrees, range(model.ngeom), in_order)):
-            return dict(enumerate(in_order))
+        in_order = [geom for geoms in bodies for geom in geoms]
+        names = [model.geom(index).name for index in range(model.ngeom)]
+        if list(map(len, bodies)) == model.body_geomnum.tolist():
+            said = [element.attributes.get("name", "") for element, _ in in_order]
+            if all(map(str.startswith, names, said)):
+                return dict(enumerate(in_order))
         named = {each[0].attributes["name"]: each for each in in_order if "name" in each[0].attributes}
-        names = ((index, model.geom(index).name) for index in range(model.ngeom))
-        return {index: named[name] for index, name in names if name in named}
-
-    def _agrees(self, index: int, placed: tuple[Element, str | None]) -> bool:
-        return self._model.geom(index).name.startswith(placed[0].attributes.get("name", ""))
+        return {index: named[name] for index, name in enumerate(names) if name in named}
 
     @cached_property
     def _defaults(self) -> dict[str, list[Element]]:
@@ -169,17 +168,13 @@ class Source:
         return None
 
 
-def _bodies(element: Element, inherited: str | None) -> Iterator[tuple]:
-    """Yield a body and those within it; a replicate counts as often as it says.
-
-    Yields:
-        Element, childclass, and the geoms of the body with their classes.
-    """
+def _bodies(element: Element, inherited: str | None) -> Iterator[list[tuple[Element, str | None]]]:
+    """Yield the geoms of a body, and of those within it, with their classes; a replicate counts as often as it says."""
     childclass = element.attributes.get("childclass", inherited)
     geoms: list[tuple[Element, str | None]] = []
     bodies: list[tuple[Element, str | None]] = []
     _collect(element, childclass, geoms, bodies)
-    yield element, childclass, geoms
+    yield geoms
     for body, name in bodies:
         yield from _bodies(body, name)
 

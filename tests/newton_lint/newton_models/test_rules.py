@@ -10,8 +10,11 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.simulation import Simulation
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
-from newton_lint.newton_models.rules import CONVERTED, Shapes, lint
+from newton_lint.newton_models.report import report_of
+from newton_lint.newton_models.rules import CONVERTED, Shapes
+from newton_lint.report import Asked
 from newton_lint.scene import Engine
+from newton_lint.target import Target
 
 DT = 1.0 / 960.0
 ENGINE = Engine(timestep_s=DT)
@@ -43,13 +46,17 @@ def read_mjcf(xml: str) -> newton.Model:
     return builder.finalize(device="cpu")
 
 
+def findings_in(model: newton.Model, engine: Engine = ENGINE):
+    return report_of(Target("", None, model), Asked(engine)).findings
+
+
 def found(model: newton.Model, **options) -> list[tuple]:
     return [
         (
             *(finding.rule, (finding.shape, *finding.against), finding.parameter, pytest.approx(finding.value)),
             finding.used if finding.used is None else pytest.approx(finding.used),
         )
-        for finding in lint(model, Engine(timestep_s=DT, **options))
+        for finding in findings_in(model, Engine(timestep_s=DT, **options))
     ]
 
 
@@ -140,12 +147,12 @@ def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
 
 def test_models_without_shapes_or_the_solvers_attributes():
     builder = newton.ModelBuilder()
-    assert lint(builder.finalize(device="cpu"), ENGINE) == []
+    assert findings_in(builder.finalize(device="cpu")) == []
     body = builder.add_body()
-    assert lint(builder.finalize(device="cpu"), ENGINE) == []
+    assert findings_in(builder.finalize(device="cpu")) == []
     builder.add_shape_box(body, cfg=ShapeConfig(ke=2.5e7, kd=1e4))
     builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
-    assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
+    assert [finding.rule for finding in findings_in(builder.finalize(device="cpu"))] == ["timeconst"]
 
 
 def test_the_contacts_are_those_that_the_solver_has():

@@ -60,17 +60,8 @@ class Shapes(Scene):
         return getattr(self.shapes, name).numpy()[self.index]
 
 
-def lint(model: newton.Model, engine: Engine) -> list[Finding]:
-    """Return everything in a finalized model that ``SolverMuJoCo`` will not use as it was authored.
-
-    Args:
-        model: Any finalized model, with or without the solver's custom attributes, or without shapes.
-        engine: With the name ``newton`` of Newton's contacts, which read kf, and else of MuJoCo's.
-    """
-    return findings_in(Shapes.of(model, engine)) if model.shape_count else []
-
-
 def findings_in(scene: Shapes) -> list[Finding]:
+    """Return all that ``SolverMuJoCo`` will not use as it was authored; Newton's contacts read kf, MuJoCo's do not."""
     rules = (default_gap, ke_without_kd, friction_gain, restitution)
     own = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, scene.names)]
     return own + of_mujoco(scene)
