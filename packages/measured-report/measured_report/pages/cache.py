@@ -39,15 +39,12 @@ class DerivedCache:
 
     root: Path | None = None
     _new: dict[Place, Entry] = field(default_factory=dict)
-    _code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
-
-    def code(self, module: Path) -> str:
-        """Digest all that decides what a module makes, besides what it is given."""
-        return self._code(module)
+    code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
+    """Digests all that decides what a module makes, besides what it is given."""
 
     def derived(self, place: Place, code: Path, given: Sequence[str], derive: Callable[[], Derivation]) -> Entry:
         """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` texts before."""
-        digest = digest_of([*given, self._code(code)]) if self.root else ""
+        digest = digest_of([*given, self.code(code)]) if self.root else ""
         kept = Cache(self.root).get(".".join(place), digest) if self.root else None
         if kept:
             return kept
@@ -59,7 +56,7 @@ class DerivedCache:
         """Return anything else, which ``make`` makes of what is given alone."""
         if self.root is None:
             return make()
-        own = digest_of([*given, self._code(code)])
+        own = digest_of([*given, self.code(code)])
         kept = Cache(self.root).get(name, own)
         if kept is None:
             kept = (make(),)  # which may be None

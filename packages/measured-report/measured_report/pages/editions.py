@@ -25,7 +25,7 @@ from measured_report.parts.citations import refuse_contradictions
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.section import Section
 from measured_report.records.code import digest_of, files
-from measured_report.records.identity import files_digest, sections
+from measured_report.records.identity import files_digest
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
 from measured_report.values.quantities import Value
@@ -107,10 +107,6 @@ class Edition:
     def plugins(self) -> Plugins:
         """Show what the report has besides."""
         return plugins().Plugins(self)
-
-    def is_section(self, name: str) -> bool:
-        """Tell whether a name of what is left out is that of a section, which can be measured again."""
-        return name in sections(self.project.root)
 
     def unmeasured(self, page: Page) -> list[State]:
         """Return the sections of a page, or of all for the front page, that have not been measured."""

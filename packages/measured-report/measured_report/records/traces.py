@@ -51,12 +51,9 @@ def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, byt
 
 def load_trace(path: Path) -> "pd.DataFrame":
     """Read the trace at ``path``; RecordError, one line with its release and file, when it is damaged in any way."""
-    return _read(read_own_file(path, BYTE_LIMIT), path)
-
-
-def _read(content: bytes, path: Path) -> "pd.DataFrame":
     import pandas as pd
 
+    content = read_own_file(path, BYTE_LIMIT)
     try:
         unpacking = zlib.decompressobj(wbits=31)
         text = unpacking.decompress(content, UNPACKED_LIMIT)

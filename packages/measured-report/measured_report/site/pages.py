@@ -25,6 +25,7 @@ from measured_report.pages.replicas import replica_files
 from measured_report.pages.sections import FRONT
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.section import Pictures
+from measured_report.records.identity import sections
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
 from measured_report.values.noise import NOISE
@@ -147,6 +148,7 @@ class Site:
         icon, chapters = edition.project.root / "assets" / ICON, edition.chapters.values()
         known = {
             "edition": edition,
+            "measurable": sections(edition.project.root),
             "site_address": self.address,
             "address": self.address and f"{self.address}{place}",
             "root": edition.root,
