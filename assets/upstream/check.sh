@@ -44,10 +44,10 @@ run() {  # run TREE NAME PYTEST-ARGUMENTS: keep what passed and failed; --pyargs
   PYTHONPATH="$work/$1" "$python" -m pytest -q -p no:cacheprovider --junitxml="$2.xml" --pyargs $3 || echo "$2: failed"
 }
 for tree in before after; do
-  run "$tree" "own_$tree" "mujoco_warp._src.constraint_test mujoco_warp._src.forward_test -k not(test_jdotv_forward)"
+  run "$tree" "own_$tree" "mujoco_warp._src.constraint_test mujoco_warp._src.forward_test -k not(test_jdotv_forward)and(not(test_contact_jdotv))"
 done
 run after new.constraint_test.test_jdotv_forward "mujoco_warp._src.constraint_test -k test_jdotv_forward"
-run after new.contact_jdotv_test mujoco_warp._src.contact_jdotv_test
+run after new.constraint_test.test_contact_jdotv "mujoco_warp._src.constraint_test -k test_contact_jdotv"
 run after new.test_mujoco_contact_jdotv newton.tests.test_mujoco_contact_jdotv
 
 cat >scenes.py <<'END'
