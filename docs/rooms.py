@@ -1,9 +1,10 @@
 """The rooms of the project and who reads whom, drawn from the imports: ``python docs/rooms.py`` renews the picture."""
 
-import ast
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+
+from measured_report.records.code import Graph
 
 ROOT = Path(__file__).resolve().parent.parent
 ARCHITECTURE = ROOT / "docs" / "architecture.md"
@@ -37,21 +38,10 @@ def modules() -> Mapping[str, Path]:
 
 @cache
 def imports() -> Mapping[str, frozenset[str]]:
-    """The project's modules that each of its modules imports, wherever in it the import stands."""
-    found = {}
-    for name, path in modules().items():
-        named = set(_named(ast.parse(path.read_text(encoding="utf-8"))))
-        found[name] = frozenset(each for each in named if each in modules() and each != name)
-    return found
-
-
-def _named(tree: ast.Module) -> Iterator[str]:
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            yield node.module
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+    """The project's modules that each of its modules imports, wherever in it the import stands, and their packages."""
+    graph, names = Graph(tuple(map(str, PLACES.values()))), {str(path): name for name, path in modules().items()}
+    found = {name: graph.imported(str(path)) for name, path in modules().items()}
+    return {name: frozenset(names[file] for file in files) - {name} for name, files in found.items()}
 
 
 def room_of(module: str) -> str:
@@ -68,24 +58,6 @@ def arrows() -> Arrows:
     return frozenset(pair for pair in pairs if all(pair) and pair[0] != pair[1] and pair[1] not in FOLDERS[:2])
 
 
-def inside(found: Arrows) -> Arrows:
-    """Those between the generator's own rooms."""
-    return frozenset(pair for pair in found if not {*pair} & {*OUTSIDE})
-
-
-def floors(found: Arrows) -> dict[str, int]:
-    """How many rooms lie below each, one on the other; ValueError where they go round in a circle."""
-    heights: dict[str, int] = {}
-    waiting = {room for pair in found for room in pair}
-    while waiting:
-        ready = {room for room in waiting if all(low in heights for high, low in found if high == room)}
-        if not ready:
-            raise ValueError(f"rooms that import each other: {', '.join(sorted(waiting))}")
-        heights |= {room: 1 + max((heights[low] for high, low in found if high == room), default=0) for room in ready}
-        waiting -= ready
-    return heights
-
-
 def reduced(found: Arrows) -> list[tuple[str, str]]:
     """The arrows that do not follow from others."""
 
@@ -99,7 +71,7 @@ def reduced(found: Arrows) -> list[tuple[str, str]]:
 def picture() -> str:
     """The rooms as a diagram in Mermaid's language; an arrow that others imply is left out."""
     found = arrows()
-    own = sorted({room for pair in inside(found) for room in pair})
+    own = sorted({room for pair in found for room in pair} - {*OUTSIDE})
     lines = ["flowchart TD", f"    subgraph {GENERATOR}", *(f"        {room}" for room in own), "    end"]
     lines += [f'    {room.replace(".", "_")}["{words}"]' for room, words in OUTSIDE.items()]
     lines += [f"    {one.replace('.', '_')} --> {other.replace('.', '_')}" for one, other in reduced(found)]
