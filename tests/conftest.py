@@ -136,7 +136,6 @@ import sys
 from pathlib import Path
 from measured_report.editions.project import Project, own_release
 from measured_report.site.build import build
-from measured_report.site.pages import Content, contents_of, links_of
 
 build(Project(sys.argv[2], root=Path(sys.argv[1]), own_release=own_release()))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))

@@ -14,7 +14,7 @@ from measured_report.files.config import config
 from measured_report.pages.editions import Chapters, Edition, derive_section
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
-from measured_report.records.columns import REASON, column_of
+from measured_report.records.columns import column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace
 from measured_report.values.noise import NOISE, floors_of
@@ -25,27 +25,19 @@ if TYPE_CHECKING:
     import pandas as pd
 
 FACTORS = {"×0": 0.0, "×1000": 1000.0, "×−1": -1.0, "×0.001": 0.001, "×2": 2.0, "×½": 0.5}
-MISSING = "missing"
-CHANGES = (*FACTORS, MISSING)
 """What is done to a number."""
-LACK = "left out on purpose"
-
 load_trace_once = lru_cache(maxsize=None)(load_trace)
 
 
 def perturbed(value: Any, change: str) -> Any:
-    return None if change == MISSING or value is None else FACTORS[change] * value
+    return None if value is None else FACTORS[change] * value
 
 
 def perturbed_record(record: Record, pointer: Pointer, change: str) -> Record:
-    """The record with one number changed; a missing one says why."""
-    if not pointer.cell:  # how long the measurement took, which a record never lacks
-        seconds = record.measured["seconds"] * FACTORS.get(change, 0.0)
-        return replace(record, measured={**record.measured, "seconds": seconds})
+    """The record with one number changed."""
     index, column = pointer.cell
     rows = list(record.rows)
-    reason = {column + REASON: LACK} if change == MISSING else {}
-    rows[index] = {**reason, **rows[index], column: perturbed(rows[index][column], change)}
+    rows[index] = {**rows[index], column: perturbed(rows[index][column], change)}
     return replace(record, rows=rows)
 
 
@@ -62,8 +54,6 @@ class PerturbedResults(Results):
     def trace(self, case: str) -> Series:
         series = super().trace(case)
         change = self.traces.get(series.source)
-        if change == MISSING:
-            return Series(None, series.source, LACK)
         if change and series.value is not None:
             names = set(series.value.select_dtypes("number")) - {"time_s"}
             scaled = {name: FACTORS[change] * series.value[name] for name in names if not column_of(name).is_setting}

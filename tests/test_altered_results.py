@@ -20,7 +20,7 @@ from measured_report.records.record import Record
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
 from tests.inert import inert_passages, surveys
-from tests.perturbed import CHANGES, Perturbation, of_editions, perturbed
+from tests.perturbed import FACTORS, Perturbation, of_editions, perturbed
 
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 pytestmark += [pytest.mark.filterwarnings("error::RuntimeWarning")]
@@ -83,7 +83,7 @@ def damaged(record: Record, chance: random.Random) -> Record:
     row = rows[index]
     # Not a reason: without it nobody can say why its number is not there.
     column = chance.choice([column for column in row if column != "case" and not column.endswith(REASON)])
-    change, value = chance.choice(CHANGES), row[column]
+    change, value = chance.choice((*FACTORS, "missing")), row[column]
     if change == "missing" and chance.random() < 0.3:
         rows[index] = {name: cell for name, cell in row.items() if name != column}
     elif change == "missing":

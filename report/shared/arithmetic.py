@@ -123,11 +123,6 @@ def case_html(row: Row) -> Markup:
     return Markup('<span class="case" title="{}">{}</span>').format(row["case"], row.label)
 
 
-def cases_html(rows: Iterable[Row]) -> Markup:
-    """Name cases in a sentence; ``none`` where there are none."""
-    return Markup("; ").join(map(case_html, rows)) or Markup("none")
-
-
 def some_html(names: Sequence[Markup]) -> Markup:
     """Name as many as a sentence can hold, and that there are others."""
     return Markup("; ").join(names[:NAMED_COUNT]) + (" and others" if len(names) > NAMED_COUNT else "")

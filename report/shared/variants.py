@@ -9,7 +9,7 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import (
     by_case,
-    cases_html,
+    case_html,
     difference,
     largest_size,
     noise_floor,
@@ -73,12 +73,12 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
     largest = largest_size(results, "largest_difference", formula, found.values(), unit="mm")
     formula = "largest difference in slip from the baseline, of the baseline's slip"
     of_slip = share(results, "largest_share", formula, largest, reference.slip_mm)
-    farthest = sorted(rows, key=lambda row: -abs(found[row.case].value or 0.0))[:1]
+    farthest = max(rows, key=lambda row: abs(found[row.case].value or 0.0), default=reference)
     floor = noise_floor(results, "slip_floor")
     slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
     formula = "noise of the slip, of the baseline's slip"
     seen = resolved(share(results, "floor_share", formula, floor, reference.slip_mm), 5.0, why="no change to speak of")
-    numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": cases_html(farthest)}
+    numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": case_html(farthest)}
     return Variants(reference, rows, slips, seen, numbers | {"baseline": reference.slip_mm, "floor": floor})
 
 

@@ -131,11 +131,6 @@ class Source:
             visit(element, [], element.attributes.get("class", "main"))
         return found
 
-    @cached_property
-    def _main(self) -> str:
-        first = next(self.root.sections("default"), None) if self.root else None
-        return first.attributes.get("class", "main") if first else "main"
-
     def authored(self, geom: int, attribute: str) -> Element | None:
         """Return the element that says a geom's attribute, its own or a default's; None where none does."""
         if geom not in self.geoms:
@@ -143,7 +138,8 @@ class Source:
         element, name = self.geoms[geom]
         if attribute in element.attributes:
             return element
-        for default in self._defaults.get(name or self._main, self._defaults.get(self._main, [])):
+        main = next(iter(self._defaults.values()), [])  # the first of all
+        for default in self._defaults.get(name, main) if name else main:
             for child in default.sections("geom"):
                 if attribute in child.attributes:
                     return child

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from traceback import extract_tb
 from typing import Any
@@ -114,20 +115,15 @@ class Templates:
         self._layout.globals |= {"references": self.references, "config": config()}
         for extension in (WordTags, PassageTag, StatedTag):
             self._prose.add_extension(extension)
-        self._texts: dict[str, Text] = {}
+        self.text = cache(self._text)
 
-    def text(self, name: str) -> Text:
-        """Parse a template of Markdown, once."""
-        if name not in self._texts:
-            with _named(name):
-                self._texts[name] = self._parsed(name)
-        return self._texts[name]
-
-    def _parsed(self, name: str) -> Text:
-        source, path, _ = self._loader.get_source(self._prose, name)
-        refuse_typed(source := with_formulas(source))
-        refuse_unrounded(source)
-        code = self._prose.compile(source, name, path)
+    def _text(self, name: str) -> Text:
+        """Parse a template of Markdown."""
+        with _named(name):
+            source, path, _ = self._loader.get_source(self._prose, name)
+            refuse_typed(source := with_formulas(source))
+            refuse_unrounded(source)
+            code = self._prose.compile(source, name, path)
         template = jinja2.Template.from_code(self._prose, code, self._prose.make_globals(None))
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:

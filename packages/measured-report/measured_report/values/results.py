@@ -149,11 +149,6 @@ class Results:
         count = Counter(case for case, _ in named)
         return Rows({case: row for case, row in named if count[case] == 1}, self)
 
-    @cached_property
-    def seconds(self) -> Quantity:
-        """Return how long the measurement took."""
-        return Quantity(self.record.measured["seconds"], "s", f"{self.source}#/measured/seconds")
-
     def trace(self, case: str) -> Series:
         path = trace_path(self.path, case)
         source = f"{path.parent.name}/{path.name}"
