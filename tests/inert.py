@@ -63,9 +63,6 @@ class Survey:
     values: Mapping[str, Value]
     """Every derived value by its pointer."""
 
-    def measured(self, pointer: str) -> list[str]:
-        return measured(self.values, pointer)
-
     def numbers(self) -> Iterator[tuple[Claim, str, str]]:
         """Claim, name and pointer of every measured number that the words of a claim name."""
         for claim in self.perturbation.releases[self.release][self.section].section.claims:
@@ -74,7 +71,7 @@ class Survey:
                 continue
             for name in sorted(claim.wording.names & set(claim.numbers)):
                 for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):
-                    if self.measured(pointer):
+                    if measured(self.values, pointer):
                         yield claim, name, pointer
 
     def unread(self) -> set[str]:
@@ -82,7 +79,7 @@ class Survey:
         return {
             f"{self.section}.{claim.name} {name}"
             for claim, name, pointer in self.numbers()
-            if not ({pointer} <= claim.outcome.reads or set(self.measured(pointer)) <= claim.outcome.reads)
+            if not ({pointer} <= claim.outcome.reads or set(measured(self.values, pointer)) <= claim.outcome.reads)
         }
 
     def inert(self) -> set[str]:
@@ -98,7 +95,7 @@ class Survey:
 
         found = set()
         for claim, name, pointer in self.numbers():
-            if not any(moves(claim.name, *change) for change in changes(self.measured(pointer))):
+            if not any(moves(claim.name, *change) for change in changes(measured(self.values, pointer))):
                 found.add(f"{self.section}.{claim.name} {name}")
         return found
 

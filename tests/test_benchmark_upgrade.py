@@ -10,7 +10,6 @@ import pytest
 from measured_report.files.root import ROOT
 
 EXAMPLE = ROOT / "examples" / "benchmark-upgrade"
-MOST_LINES, MOST_BYTES = 555, 600_000
 TRACKED = subprocess.run(["git", "ls-files", "-z", "."], cwd=EXAMPLE, capture_output=True, text=True, check=True).stdout
 
 

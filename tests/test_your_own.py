@@ -15,7 +15,7 @@ FILE = re.compile(r"`([\w/.]+)` (?:measures|derives|says)[^`]*?.*?\n\n```\w+\n(.
 SCRIPT = re.compile(r"way is better:\n\n```python\n(.*?)```", re.DOTALL)
 LINES = re.compile(r"^ {4}(make .*)$", re.MULTILINE)
 UV = Path(sys.executable).with_name("uv")
-MOST_PYTHON, MOST_MARKDOWN, MOST_NAMES, MOST_BYTES = 40, 10, 12, 200 << 20
+MOST_BYTES = 200 << 20
 
 
 def files() -> dict[str, str]:

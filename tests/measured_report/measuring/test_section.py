@@ -133,11 +133,9 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 from measured_report.editions.project import Project
-from measured_report.measuring import batch
-from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
+from measured_report.measuring.batch import Batch
 from measured_report.measuring.section import Loop
 from measured_report.measuring.pool import host_pools
-from measured_report.measuring.run import section_module
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 root, log = sys.argv[1:]

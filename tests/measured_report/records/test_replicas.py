@@ -55,15 +55,12 @@ def test_a_replica_is_read_as_it_was_packed(project):
     records = [again(project, section) for section in SECTIONS]
     assert packed(records) == packed(records)
     (found,) = kept(project, *records).values()
-    digits = [
-        [float(f"{cell:.9g}") for row in record.rows for cell in row.values() if isinstance(cell, float)]
-        for record in records
-    ]
-    read = [
-        [cell for row in found[each.section].rows for cell in row.values() if isinstance(cell, float)]
-        for each in records
-    ]
-    assert digits == read
+    for record in records:
+        assert _floats(found[record.section]) == [float(f"{cell:.9g}") for cell in _floats(record)]
+
+
+def _floats(record) -> list[float]:
+    return [cell for row in record.rows for cell in row.values() if isinstance(cell, float)]
 
 
 def test_sections_of_other_code_are_left_out_and_named(project, capsys):

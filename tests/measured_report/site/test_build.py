@@ -144,18 +144,6 @@ def test_a_figure_links_only_the_data_that_is_there_and_is_one_line_without(toy)
     assert check_site(toy.project.site) == []
 
 
-BARE = """
-from pathlib import Path
-from measured_report.editions.project import Project
-from measured_report.site.check import check_site
-from measured_report.site.pages import rows_csv
-from measured_report.site.build import build
-
-build(Project("1.4.0", root=Path.cwd()))
-print(*check_site(Path("site")), sep="\\n", end="")
-"""
-
-
 def test_the_site_carries_what_a_section_offers(toy):
     module = MODULE.replace("import Figure,", "import Download, Figure,")
     module = module.replace("claims=[", 'downloads=[Download("a.py", "1 < 2\\n")], claims=[')
