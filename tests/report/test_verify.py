@@ -41,12 +41,12 @@ def found(machine: dict, shipped: float | None, stiff: float = STIFF) -> dict:
     ],
 )
 def test_the_bound_is_the_noise_on_its_processor_and_that_of_devices_elsewhere(edition, machine, shipped, said, agrees):
-    repeats = repeats_of(edition, found(machine, shipped))
-    first = next(repeat for repeat in repeats if repeat.processor == "NVIDIA H200")
-    assert said.split() == first.text.split()[-len(said.split()) :]
-    assert first.agrees is agrees
+    repeats = list(repeats_of(edition, found(machine, shipped)))
+    first, first_agrees = next(repeat for repeat in repeats if repeat[0].endswith("on NVIDIA H200"))
+    assert said.split() == first.split()[-len(said.split()) :]
+    assert first_agrees is agrees
     text, all_agree = verify(edition, found(machine, shipped))
-    assert all_agree is all(repeat.agrees for repeat in repeats)
+    assert all_agree is all(agrees for _, agrees in repeats)
     assert "devices: chosen for others" in text
 
 

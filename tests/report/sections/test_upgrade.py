@@ -45,17 +45,6 @@ def measure_upgrade(toy: Toy, ends: dict[str, str]) -> None:
         write_record(side.project.record_path("upgrade"), side.record(rows, section="upgrade"))
 
 
-def measure_noise(toy: Toy) -> None:
-    rows = [{"case": "a", "of": "as-shipped", "slip_mm": 1.0}]
-    write_record(toy.project.record_path("noise"), toy.record(rows, section="noise"))
-
-
-def turned(toy: Toy) -> str:
-    """What the page of the releases says of claims that turned."""
-    assert check_site(toy.project.site) == []
-    return (toy.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
-
-
 @pytest.fixture
 def upgraded(toy) -> Toy:
     """The real section on releases, beside one that stands for the noise."""
@@ -66,7 +55,8 @@ def upgraded(toy) -> Toy:
     toy.write("templates/sections/noise.md.j2", "# Noise\n")
     for name in ("upgrade", "noise"):
         toy.write(f"experiments/{name}.py", "from experiments.scene import slip\n")
-    measure_noise(toy)
+    rows = [{"case": "a", "of": "as-shipped", "slip_mm": 1.0}]
+    write_record(toy.project.record_path("noise"), toy.record(rows, section="noise"))
     return toy
 
 
@@ -95,7 +85,8 @@ def test_claims_that_turned_are_said_as_other_releases_say_them(upgraded):
     for release, slip in (("1.6.0", 0.4), ("1.7.0", 0.4), ("1.8.0", 0.5)):
         upgraded.of(release).measure([{**SOFT, "slip_mm": slip}, STIFF])
     upgraded.build()
-    said = turned(upgraded)
+    assert check_site(upgraded.project.site) == []
+    said = (upgraded.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
     assert ">toy</a></dt>" in said and "It helps" not in said
     assert "<b>1.8.0:</b> It does not" in said and "So too: 1.6.0, 1.7.0." in said
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in said
