@@ -25,13 +25,18 @@ PARTS = (turntable, controls, limits, bodies, tumbles, budget)
 """The modules of its parts; the last one reads what the limits are."""
 
 
-UPSTREAM = ("mujoco_warp-4.0.0-equality.patch", "mujoco_warp-4.0.0.patch", "newton-1.8.0.patch", "upstream.md")
-FILES = [
-    ROOT / f"experiments/simulation/{name}.py" for name in ("contact_bias", "contact_place", "compensated_positions")
-]
-FILES += [ROOT / f"assets/upstream/{name}" for name in UPSTREAM]
+FILES = (
+    "experiments/simulation/contact_bias.py",
+    "experiments/simulation/contact_place.py",
+    "experiments/simulation/compensated_positions.py",
+    "assets/upstream/mujoco_warp-4.0.0-equality.patch",
+    "assets/upstream/mujoco_warp-4.0.0.patch",
+    "assets/upstream/newton-1.8.0.patch",
+    "assets/upstream/upstream.md",
+)
+"""Said in full: what is kept of a section is made anew when a file changes that its code names."""
 
 
 def derive(results: Results) -> Section:
-    downloads = [Download(file.name, file.read_text(encoding="utf-8")) for file in FILES]
+    downloads = [Download(file.name, file.read_text(encoding="utf-8")) for file in map(ROOT.joinpath, FILES)]
     return replace(joined([part.derive(results) for part in PARTS]), downloads=downloads)
