@@ -1,9 +1,11 @@
 """Newton's own solvers beside MuJoCo Warp: the box on a table, and the shake itself."""
 
+from typing import Any
+
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_least, at_most, decided, greater
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Quantity, absent
-from measured_report.values.results import Results
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, cell_or_lost, departure, is_held, share, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, worlds_name
 
@@ -27,8 +29,6 @@ NAMES = {
 """Labels of solvers that are not their names."""
 LONG = "2ms"
 SCENES = {"step of 2 ms": LONG, "step of 1 ms": "1ms", "on a slope": "slope", "held still": "still"}
-AS_FAR = 10.0
-"""Chosen [%]: a hand that goes so much farther or less far than MuJoCo Warp's is shaken in another way."""
 OF_STEEL = "steel_stays slips_less anchors_help contacts_strain rows_overflow fails_sooner costs_more".split()
 
 
@@ -44,7 +44,9 @@ def derive(results: Results) -> Section:
     tables = {"boxes": _box_table(results, seen), "shakes": _shake_table(rows), "times": _time_table(times)}
     has_steel = ("steel", "3cm") in rows
     offered = Claim("offered", (HOLDS if has_steel else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
-    claims = [offered, _others_hold(rows, times, bound), _hands_go_as_far(results, rows)]
+    as_far = results.chosen("as_far", "a hand that goes farther off is shaken in another way", 10.0, unit="%")
+    hands = _hands(results, rows)
+    claims = [offered, _others_hold(rows, times, hands, bound, as_far), _hands_go_as_far(rows, hands, as_far)]
     if not has_steel:
         return Section(tables=tables, claims=claims, unmeasured=OF_STEEL)
     claims += [
@@ -102,11 +104,11 @@ def _shake_table(rows: RowsBy) -> Table:
     names = list(dict.fromkeys(variant for variant, _ in rows))
     shaken = [rows[name, "3cm"] for name in names]
     columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm"}
-    columns |= {"slip": [cell_or_lost(row, "slip_mm") for row in shaken], "creep": "creep_mm_per_cycle"}
+    columns |= {"slip": [_slip(row) for row in shaken], "creep": "creep_mm_per_cycle"}
     columns |= {"along over normal force": "friction_share"}
     columns |= {"normal force": "normal_force_n", "penetration": "penetration_mm"}
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
-        columns[above] = [cell_or_lost(rows[name, shake], "slip_mm") for name in names]
+        columns[above] = [_slip(rows[name, shake]) for name in names]
     return table_of("solver", map(_label, names), columns, shaken, told=rows["warp", "3cm"].shake_amplitude_m)
 
 
@@ -119,37 +121,46 @@ def _time_table(times: RowsBy) -> Table:
     return table_of("solver", map(_label, names), columns)
 
 
-def _others_hold(rows: RowsBy, times: RowsBy, bound: Quantity) -> Claim:
-    """Tell whether another solver than MuJoCo's keeps the slip below the bound; which, and what the fastest costs."""
-    others = {variant: row.slip_mm for (variant, shake), row in rows.items() if shake == "3cm" and variant != "warp"}
-    tests = {variant: at_most(slip, bound) for variant, slip in others.items()}
-    holding = [variant for variant, test in tests.items() if test == HOLDS]
-    unclear = [test for test in tests.values() if test.is_inconclusive]
-    outcome = decided(bool(holding), *(others[variant] for variant in holding or others))
-    timed = {variant: times[variant, TIMED_WORLDS[0]].frame_ratio for variant in holding}
-    timed = {variant: ratio for variant, ratio in timed.items() if ratio.value is not None}
-    fastest = min(timed, key=lambda variant: timed[variant].number, default="")
-    ratio = timed.get(fastest, absent("1", "none of them was timed"))
-    names = [_label(variant) for variant in holding if "-" not in variant]
-    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "ratio": ratio, "bound": bound}
-    return Claim(
-        "others_hold",
-        unclear[0] if unclear and not holding else outcome,
-        told | {"warp": rows["warp", "3cm"].slip_mm, "is_timed": bool(fastest), "are_many": len(names) > 1},
-    )
+def _slip(row: Row) -> Any:
+    return "fails" if row.plain.get("failure") else cell_or_lost(row, "slip_mm")
 
 
-def _hands_go_as_far(results: Results, rows: RowsBy) -> Claim:
-    """Tell whether the arm that is told the same goes as far in each solver that keeps the cube."""
-    mine = rows["warp", "3cm"].hand_amplitude_mm
-    kept = {name: row for (name, shake), row in rows.items() if shake == "3cm" and name != "warp" and is_held(row)}
-    off = {
-        name: departure(results, f"{name}_hand", "of how far the hand goes in MuJoCo Warp", row.hand_amplitude_mm, mine)
-        for name, row in kept.items()
+def _hands(results: Results, rows: RowsBy) -> dict[str, Value]:
+    """Derive how much farther or less far than in MuJoCo Warp the hand goes in each solver that keeps the cube [%]."""
+    mine, formula = rows["warp", "3cm"].hand_amplitude_mm, "of how far the hand goes in MuJoCo Warp, off it"
+    return {
+        name: departure(results, f"{name}_hand", formula, row.hand_amplitude_mm, mine)
+        for (name, shake), row in rows.items()
+        if shake == "3cm" and name != "warp" and is_held(row)
     }
-    worst = max(off, key=lambda name: off[name].value or 0.0, default="")
-    outcome = all_of(*(at_most(cell, AS_FAR, why="another shake") for cell in off.values()))
-    far = kept[worst].hand_amplitude_mm if worst else mine
+
+
+def _others_hold(rows: RowsBy, times: RowsBy, hands: dict[str, Value], bound: Quantity, as_far: Quantity) -> Claim:
+    """Tell whether another solver than MuJoCo's keeps the slip below the bound in the same shake, with weight and
+    without; which, and what the fastest costs."""
+    slips = {name: [rows[name, shake].slip_mm for shake in ("3cm", "weight")] for name in hands}
+    tests = {
+        name: all_of(*(at_most(slip, bound) for slip in slips[name]), at_most(hand, as_far))
+        for name, hand in hands.items()
+    }
+    holding = [name for name, test in tests.items() if test == HOLDS]
+    unclear = [test for test in tests.values() if test.is_inconclusive]
+    read = [slip for name in holding or slips for slip in slips[name]]
+    timed = {name: times[name, TIMED_WORLDS[0]].frame_ratio for name in holding}
+    timed = {name: ratio for name, ratio in timed.items() if ratio.value is not None}
+    fastest = min(timed, key=lambda name: timed[name].number, default="")
+    names = [_label(name) for name in holding if "-" not in name]
+    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound}
+    told |= {"ratio": timed.get(fastest, absent("1", "none of them was timed")), "warp": rows["warp", "3cm"].slip_mm}
+    outcome = unclear[0] if unclear and not holding else decided(bool(holding), *read)
+    return Claim("others_hold", outcome, told | {"is_timed": bool(fastest), "are_many": len(names) > 1})
+
+
+def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) -> Claim:
+    """Tell whether the arm that is told the same goes as far in each solver that keeps the cube."""
+    worst = max(hands, key=lambda name: hands[name].value or 0.0, default="warp")
+    outcome = all_of(*(at_most(hand, as_far, why="another shake") for hand in hands.values()))
+    far, mine = (rows[name, "3cm"].hand_amplitude_mm for name in (worst, "warp"))
     return Claim("hands_go_as_far", outcome, {"worst": _label(worst), "far": far, "mine": mine})
 
 

@@ -46,6 +46,20 @@ class Way:
         section, _, case = self.run.partition("/")
         return found.cell(section, case, column, unit)
 
+    def keeps(self, found: Found, bound: Quantity) -> Outcome:
+        """Tell whether the slip stays below a bound; in another solver with weight too, and in the same shake."""
+        slips, tests = [self.slip(found)], []
+        if self.is_other:
+            section, _, variant = self.timed.partition("/")
+            slips.append(found.cell(section, f"{variant}-weight", "slip_mm", "mm"))
+            tests.append(at_most(found.value(section, f"{variant}_hand", "%"), found.value(section, "as_far", "%")))
+        return all_of(*(at_most(slip, bound) for slip in slips), *tests)
+
+    @property
+    def is_other(self) -> bool:
+        """Whether it is another solver than MuJoCo's."""
+        return self.run.startswith(SOLVERS)
+
     def creep_mm(self, found: Found) -> float | None:
         """Return the slip of a cycle of the shake."""
         names = (("slip_mm", "mm"), ("shake_duration_s", "s"), ("shake_frequency_hz", "Hz"))
@@ -125,7 +139,7 @@ def advice(found: Found) -> list[Claim]:
 def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     """Choose among the ways in Newton that keep the slip below the bound: an argument before a patch, and of those that
     take as much the fastest."""
-    tests = {way: at_most(way.slip(found), bound) for way in WAYS if way.marker != IN_C}
+    tests = {way: way.keeps(found, bound) for way in WAYS if way.marker != IN_C}
     kept = [way for way, test in tests.items() if test == HOLDS]
     effort = min((way.effort for way in kept), default=PATCH)
     timed = [way for way in kept if way.effort == effort and ALONE in way.ratios(found)]
@@ -143,7 +157,7 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     numbers["seen"] = seen
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
     patches = [each for each in kept if each.effort == PATCH and ALONE in each.ratios(found)]
-    told = way.effort == ARGUMENT, way.run.startswith(SOLVERS), MANY in ratios, is_longer, bool(patches)
+    told = way.effort == ARGUMENT, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
         patch = min(patches, key=lambda each: each.ratios(found)[ALONE].number)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(found), "patch_ratio": patch.ratios(found)[ALONE]}
