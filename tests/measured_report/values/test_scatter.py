@@ -56,13 +56,28 @@ def test_an_outlier_widens_its_own_noise_and_not_that_of_others():
     assert odd.noise("slip_mm", own) > 10 * plain.noise("slip_mm", own)
 
 
+def test_an_engine_that_repeats_has_nothing_of_the_noise_of_one_that_does_not():
+    both = [
+        replace(
+            quiet,
+            rows=[
+                *({**row, "backend": "warp"} for row in quiet.rows),
+                *({**row, "case": f"{row['case']}-wild", "backend": "vbd"} for row in loud.rows),
+            ],
+        )
+        for quiet, loud in zip(records(2, 0.001, seed=1), records(2, 1.0, seed=2), strict=True)
+    ]
+    noises = [apart(both).noise("slip_mm", both[0].rows[place]) for place in (9, 49)]
+    assert noises[0] < 0.05 < 1.0 < noises[1]
+
+
 def test_times_of_another_kind_of_processor_are_no_noise():
     one, other = records(2, 0.05, column="frame_ms")
     other = replace(other, machine={**other.machine, "gpu": "another"})
-    assert "frame_ms" not in apart([one, other]).columns
-    assert "frame_ms" in apart([one, replace(other, machine=one.machine)]).columns
+    assert not apart([one, other]).of("frame_ms", {})
+    assert apart([one, replace(other, machine=one.machine)]).of("frame_ms", {})
     one, other = records(2, 0.05)
-    assert "slip_mm" in apart([one, replace(other, machine={**other.machine, "gpu": "another"})]).columns
+    assert apart([one, replace(other, machine={**other.machine, "gpu": "another"})]).of("slip_mm", {})
 
 
 def test_a_run_that_one_measurement_loses_is_at_the_edge():

@@ -126,27 +126,37 @@ def test_a_frame_takes_longer_by_more_than_is_known_of_it(editions, ratio, is_lo
 
 
 RK4 = "newton-rk4-50-stiff-3cm-plain-rounded"
+NOT_KAMINO = {"kamino-3cm": 5.0}
 
 
 @pytest.mark.parametrize(
     ("slips", "advised", "ends"),
     [
-        ({}, ("holds", "stiff pads"), ("fails", "the root cure")),
-        ({"stiff-pads": 5.0}, ("holds", "RK4, stiff pads"), ("fails", "the root cure")),
-        ({"stiff-pads": 5.0, RK4: 5.0}, ("fails", "the term"), ("fails", "the root cure")),
+        ({}, ("holds", "stiff pads"), ("holds", "Kamino")),
+        (NOT_KAMINO, ("holds", "stiff pads"), ("fails", "the root cure")),
+        ({"kamino-weight": 5.0}, ("holds", "stiff pads"), ("fails", "the root cure")),
+        ({"stiff-pads": 5.0, **NOT_KAMINO}, ("holds", "RK4, stiff pads"), ("fails", "the root cure")),
+        ({"stiff-pads": 5.0, RK4: 5.0, **NOT_KAMINO}, ("fails", "the term"), ("fails", "the root cure")),
         ({RK4: 0.05}, ("holds", "stiff pads"), ("holds", "RK4, stiff pads")),
         ({"as-shipped": 0.05}, ("holds", "as shipped"), ("holds", "as shipped")),
     ],
 )
 def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hold(editions, slips, advised, ends):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
-    for name in ("reproduction", "cure"):
+    for name in ("reproduction", "cure", "newton_solvers"):
         found[name] = with_cells(found[name], "slip_mm", slips)
     assert [(claim.outcome.name, claim.numbers["way"]) for claim in advice(Found(found))] == [advised, ends]
 
 
+def test_a_solver_whose_hand_goes_farther_is_not_advised(editions):
+    found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
+    found["newton_solvers"] = with_cells(found["newton_solvers"], "slip_mm", {"xpbd-3cm": 0.01, "xpbd-weight": 0.01})
+    assert advice(Found(found))[1].numbers["way"] == "Kamino"
+
+
 def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told_apart(editions):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
+    found["newton_solvers"] = with_cells(found["newton_solvers"], "slip_mm", NOT_KAMINO)
     untimed = found | {"speed": with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": None})}
     untimed["cure"] = with_cells(found["cure"], "slip_mm", {RK4: 5.0})
     assert advice(Found(untimed))[0].outcome.reason == "what holds the cube was not timed"

@@ -157,7 +157,8 @@ def _doubt(
     if not all(is_number(cell[column]) for cell in cells):
         return None, False, None
     noise, is_chosen = _noise(column, cells, floors)
-    known = [(each.columns[column], cell) for each, cell in zip(measured, cells, strict=True) if column in each.columns]
+    told = [(each.of(column, cell), cell) for each, cell in zip(measured, cells, strict=True)]
+    known = [(scatter, cell) for scatter, cell in told if scatter]
     noises = [scatter.noise(key_of(cell), cell[column]) for scatter, cell in known]
     if not any(noises):
         return noise, is_chosen, None

@@ -75,21 +75,25 @@ class Apart:
     """Holds how the measurements of a section are apart."""
 
     count: int = 1
-    columns: Mapping[str, Scatter] = field(default_factory=dict)
+    columns: Mapping[Key, Scatter] = field(default_factory=dict)
+    """By the column and what says whose numbers these are: an engine that repeats has nothing of one that does not."""
     edge: frozenset[Key] = frozenset()
     """Rows that were lost in one measurement and not in another, or are text otherwise: which of both is chance."""
 
+    def of(self, column: str, row: Row) -> Scatter | None:
+        """Find how numbers such as that of a row come out."""
+        return self.columns.get((column, *engine_of(row)))
+
     def noise(self, column: str, row: Row) -> float | None:
         """Return the noise of a number of a row; None where the measurements tell none."""
-        scatter = self.columns.get(column)
-        number = scattered(column, row)
+        scatter, number = self.of(column, row), scattered(column, row)
         if scatter is None or number is None:
             return None
         return max(scatter.noise(key_of(row), number), ROUNDING_SHARE * abs(number))
 
     def interval(self, column: str, row: Row) -> str:
         """Say between which numbers the measurements of a number of a row lie; empty where there is one."""
-        scatter = self.columns.get(column)
+        scatter = self.of(column, row)
         found = scatter.own.get(key_of(row)) if scatter else None
         return f"{scatter.freedom + 1} measurements from {found[1]:.6g} to {found[2]:.6g}" if scatter and found else ""
 
@@ -97,6 +101,11 @@ class Apart:
 def key_of(row: Row) -> Key:
     """Return what tells a row from the others of its section, in any measurement."""
     return tuple(row.get(name) for name in config().changes.keys)
+
+
+def engine_of(row: Row) -> Key:
+    """Return what tells whose numbers a row has, as to how well they repeat."""
+    return tuple(row.get(name) for name in config().repeating)
 
 
 def apart(records: Sequence[Record]) -> Apart:
@@ -107,13 +116,16 @@ def apart(records: Sequence[Record]) -> Apart:
     words = {name for name in words - {"case"} if name not in records[0].units and not name.endswith(REASON)}
     edge = frozenset(key for key in shared if any(len({rows[key].get(name) for rows in keyed}) > 1 for name in words))
     there = [key for key in shared if key not in edge and not is_lost(keyed[0][key])]
-    columns, shown = {}, records[0].processor  # whose times say nothing of those of another kind
+    columns: dict[Key, Scatter] = {}
+    shown = records[0].processor  # whose times say nothing of those of another kind
     for name in records[0].units:
         about = column_of(name)
         is_cost = "cost" in about.kinds or about.unit in TIMES
         mine = [rows for rows, record in zip(keyed, records, strict=True) if not is_cost or record.processor == shown]
-        if len(mine) > 1 and (scatter := _scatter(name, {key: [rows[key] for rows in mine] for key in there})):
-            columns[name] = scatter
+        cells: dict[Key, dict[Key, list[Row]]] = {}
+        for key in there if len(mine) > 1 else ():
+            cells.setdefault((name, *engine_of(keyed[0][key])), {})[key] = [rows[key] for rows in mine]
+        columns |= {each: scatter for each, found in cells.items() if (scatter := _scatter(name, found))}
     return Apart(len(records), columns, edge)
 
 
