@@ -1,4 +1,4 @@
-"""What this report shows besides its sections: cards, clips, the replay, and the picture of links to it."""
+"""What this report shows besides its sections: clips and the replay."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
@@ -9,21 +9,19 @@ from typing import Any
 from markupsafe import Markup
 
 from experiments.facts.clip_record import CLIPS, FIRST, clips_state
-from measured_report.editions.release import read_label
 from measured_report.editions.status import State
 from measured_report.files.atomic import short_path
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages import plugins
-from measured_report.pages.cache import DerivedCache
-from measured_report.pages.editions import Edition, results_digest
+from measured_report.pages.editions import results_digest
+from measured_report.pages.plugins import card
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
-from report.shared.arithmetic import CASES, Found
+from report.shared.arithmetic import Found
 
 __all__ = ["Plugins", "card", "scripts"]
 MEDIA = Path(__file__).with_name("media")
@@ -95,26 +93,6 @@ class Plugins(plugins.Plugins):
         if "lab" not in self.edition.chapters:
             return {}
         return {f"lab/{file.name}": file for file in (*LAB.glob("dist/*"), LAB / "lab.css")}
-
-
-def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
-    slips = {name: _slips(edition) for name, edition in editions.items() if not read_label(name).pins}
-
-    def make() -> bytes:
-        from report.media.card import draw_card  # it takes Matplotlib, which takes long to import
-
-        return draw_card(slips)
-
-    given = [f"{release} {slip}" for release, pair in slips.items() for slip in pair.items()]
-    return cache.value("card", MEDIA / "card.py", given, make)
-
-
-def _slips(edition: Edition) -> dict[str, Quantity | None]:
-    rows = [chapter.results.row for chapter in edition.chapters.values()]
-    return {
-        label: next((row[case].slip_mm for row in rows if case in row and "slip_mm" in row[case]), None)
-        for case, label in CASES.items()
-    }
 
 
 def scripts() -> Sequence[str]:

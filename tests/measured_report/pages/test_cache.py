@@ -164,7 +164,7 @@ def test_a_site_that_was_altered_is_built_again(built):
     assert files(built.project.site) == before
 
 
-ENTRIES = ("site", "card", "full.1.4.0.toy")
+ENTRIES = ("site", "full.1.4.0.toy")
 DAMAGE: dict[str, Callable[[Path], object]] = {
     "half": lambda path: path.write_bytes(path.read_bytes()[: path.stat().st_size // 2]),
     "a folder": lambda path: (path.unlink(), path.mkdir()),
