@@ -150,10 +150,12 @@ def _others_hold(rows: RowsBy, times: RowsBy, hands: dict[str, Value], bound: Qu
     timed = {name: ratio for name, ratio in timed.items() if ratio.value is not None}
     fastest = min(timed, key=lambda name: timed[name].number, default="")
     names = [_label(name) for name in holding if "-" not in name]
-    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound}
-    told |= {"ratio": timed.get(fastest, absent("1", "none of them was timed")), "warp": rows["warp", "3cm"].slip_mm}
+    warp, ratio = rows["warp", "3cm"].slip_mm, timed.get(fastest, absent("1", "none of them was timed"))
+    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound, "ratio": ratio, "warp": warp}
     outcome = unclear[0] if unclear and not holding else decided(bool(holding), *read)
-    return Claim("others_hold", outcome, told | {"is_timed": bool(fastest), "are_many": len(names) > 1})
+    told |= {"is_timed": bool(fastest), "are_many": len(names) > 1}
+    told |= {"is_longer": (ratio.value or 0.0) - 1.0 > (ratio.noise or 0.0)}
+    return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio), told)
 
 
 def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) -> Claim:
@@ -161,7 +163,11 @@ def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) ->
     worst = max(hands, key=lambda name: hands[name].value or 0.0, default="warp")
     outcome = all_of(*(at_most(hand, as_far, why="another shake") for hand in hands.values()))
     far, mine = (rows[name, "3cm"].hand_amplitude_mm for name in (worst, "warp"))
-    return Claim("hands_go_as_far", outcome, {"worst": _label(worst), "far": far, "mine": mine})
+    return Claim(
+        "hands_go_as_far",
+        outcome.having_read(far, mine),
+        {"worst": _label(worst), "far": far, "mine": mine, "is_farther": far.number > mine.number},
+    )
 
 
 def _slips_less(rows: RowsBy) -> Claim:

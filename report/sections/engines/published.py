@@ -68,7 +68,8 @@ def derive(results: Results) -> Section:
     agreed = [line[-1] is True for each, line in zip(PUBLISHED, lines, strict=True) if not each.is_bound]
     agreeing = results.value("agreeing", "how many agree", lambda *_: sum(agreed), *cells, across=True)
     count = results.value("compared", "numbers beside published ones", lambda *values: len(values), *cells, across=True)
-    claim = Claim("as_others_published", at_least(agreeing, count), {"count": count, "agreeing": agreeing})
+    told = {"count": count, "agreeing": agreeing, "are_most": 2 * sum(agreed) > len(agreed)}
+    claim = Claim("as_others_published", at_least(agreeing, count), told)
     return Section(tables={"published": table}, claims=[claim])
 
 

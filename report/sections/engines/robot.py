@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from measured_report.parts.claim import Claim, decided, greater
+from measured_report.parts.claim import Claim, all_of, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.arithmetic import Column, cell_count, cell_or_lost, extreme, table_of
@@ -46,7 +46,8 @@ def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
     slips = [rows[model, "3cm"].slip_mm for model in others if rows[model, "3cm"].slip_mm.value is not None]
     worst = extreme(results, "robot_worst", "farthest slip in another engine", max, slips)
     count = cell_count(results, "robot_count", "other contact models that keep the cube", slips)
-    return Claim("slips_farthest", greater(mine, worst), {"mine": mine, "held": held, "worst": worst, "count": count})
+    outcome = all_of(greater(mine, worst), greater(mine, held))
+    return Claim("slips_farthest", outcome, {"mine": mine, "held": held, "worst": worst, "count": count})
 
 
 def _only_it_loses(rows: RowsBy, others: list[str]) -> Claim:
