@@ -13,7 +13,7 @@ from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import DEVICES, Column, case_html, difference, largest_size, noise_floor, ratio, table_of
+from report.shared.arithmetic import DEVICES, Column, difference, largest_size, noise_floor, ratio, table_of
 from report.shared.drawing import CURE, SHIPPED, STIFF, name_lines
 from report.shared.timing import RowsBy, resolution, worlds_name
 
@@ -57,7 +57,7 @@ def derive(results: Results) -> Section:
         own = (row for (of, *_), row in timed.items() if of == device)
         known[device] = resolution(results, f"{device}_resolution", own)
     return Section(
-        tables={"audit": audit_table(results), "cost": cost_table(timed, differences, known)},
+        tables={"audit": audit_table(results)},
         figures={"cost": cost_figure(results, timed)},
         claims=[
             _faster_on_gpu(results, timed, known["cuda"]),
@@ -136,22 +136,6 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     if measured.value is None or measured.value % 1:
         return measured
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
-
-
-def cost_table(timed: Timed, differences: Mapping[str, Value], known: Mapping[str, Value]) -> Table:
-    cases = {case: row for (_, case, _), row in timed.items() if case in WHOLE}
-    places = sorted({(device, worlds) for device, _, worlds in timed}, key=lambda place: (place[0] == "cpu", place))
-    columns: dict[str, Column] = {
-        f"{DEVICES[device]}, {worlds_name(worlds)}": [
-            timed[device, case, worlds].frame_ms if (device, case, worlds) in timed else "" for case in cases
-        ]
-        for device, worlds in places
-    }
-    columns["memory"] = [timed[_device(timed), case, 1].buffer_bytes_per_world for case in cases]
-    if differences:
-        columns["change of slip, GPU"] = [differences.get(case, "") for case in cases]
-    said: dict[str, Any] = {f"on_{device}": within for device, within in known.items()}
-    return table_of("case", map(case_html, cases.values()), columns, **said)
 
 
 @dataclass(frozen=True)
