@@ -29,9 +29,6 @@ labels = {
     "gravity-9.81": "gravity as on Earth",
     "gravity-98.1": "gravity tenfold",
     "gravity--9.81": "gravity upward",
-    "buffers-contact-#": "room for {} contacts",
-    "buffers-constraint-#": "room for {} constraint rows",
-    "buffers-ample": "ample buffers",
 }
 
 LIMITS = {
@@ -66,7 +63,6 @@ def derive(results: Results) -> Section:
         claims.overlap(results),
         claims.gravity(results),
         claims.long(results),
-        claims.buffers(results),
     ]
     by_name = {claim.name: claim for claim in told}
     columns = {

@@ -205,18 +205,3 @@ def long(results: Results) -> Claim:
     is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
     also = HOLDS if is_lost else at_most(growth, bound)
     return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
-
-
-def buffers(results: Results) -> Claim:
-    """Tell whether every buffer that is too small is named, and those are that hold less than the grasp was seen to
-    need."""
-    rows, ample = family(results, "buffers"), results.row.get("buffers-ample")
-    peaks, fits, needed = {}, [], []
-    for kind in ("contact", "constraint"):
-        full = [row for row in rows if row["class"] == "overflow" and f"-{kind}-" in row.case]
-        formula = f"largest buffer of {kind}s that was too small"
-        too_few = most(results, f"{kind}s_too_few", formula, full, f"{kind}_max")
-        peak = peaks[f"{kind}s"] = cell_or_absent(ample, f"peak_{kind}_count", "1")
-        fits.append(at_most(peak, cell_or_absent(ample, f"{kind}_max", "1")))
-        needed.append(at_least(peak, too_few))
-    return family_claim(results, "buffers", rows, all_of(*fits, *needed), **peaks)

@@ -46,10 +46,6 @@ def passes(row: Row) -> bool | None:
             return is_stable(row) and row.penetration_mm.value < 0.01 * DEPTH_LARGEST * row.cube_edge_mm.value
         case "overlap":  # thrown out no faster than by an undamped spring
             return is_stable(row) and row.exit_speed_mm_s.value <= row.exit_bound_mm_s.value
-        case "buffers" if row.case == "buffers-ample":
-            return is_stable(row)
-        case "buffers":  # the failure names the buffer that was too small
-            return row.failure is not None and f"the {row.case.split('-')[1]} buffer" in row.failure
         case "long":  # creeps no faster in the end than in the beginning
             first, last = row.increment_first_mm_per_cycle.value, row.increment_last_mm_per_cycle.value
             return is_stable(row) and abs(last) <= GROWTH_LARGEST * abs(first)

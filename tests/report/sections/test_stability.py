@@ -5,7 +5,6 @@ import pytest
 from measured_report.values.results import Results
 from report.sections.stability.passing import passes
 
-SAID = "the contact buffer overflowed in frame 0"
 LOAD = [("creeping", 0.89, True), ("dropped", 0.89, False), ("dropped", 1.0, None), ("dropped", 1.11, True)]
 LOAD += [("creeping", 1.11, False), ("exploded", None, False)]
 JUDGED = {
@@ -28,15 +27,6 @@ JUDGED = {
     "overlap": (
         "class exit_speed_mm_s exit_bound_mm_s",
         [("creeping", 5.0, 5.0, True), ("creeping", 5.1, 5.0, False), ("dropped", 1.0, 5.0, False)],
-    ),
-    "buffers": (
-        "class case failure",
-        [
-            ("creeping", "buffers-ample", None, True),
-            ("overflow", "buffers-contact-8", SAID, True),
-            ("overflow", "buffers-constraint-12", SAID, False),
-            ("creeping", "buffers-contact-4", None, False),
-        ],
     ),
     "long": (
         "class increment_first_mm_per_cycle increment_last_mm_per_cycle",
