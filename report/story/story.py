@@ -69,7 +69,6 @@ def derive(releases: Releases, shown: str) -> Section:
             _fine_since(every, bound),
             _still_needed(every, bound),
             _with_mujoco(found, bound),
-            _with_both(found),
             _coarser_moves(found),
         ],
     )
@@ -170,19 +169,9 @@ def _still_needed(every: Mapping[str, Found], bound: Quantity) -> Claim:
 
 def _with_mujoco(found: Found, bound: Quantity) -> Claim:
     before, after = _slips(found, MUJOCO)
-    return Claim(
-        "with_mujoco", all_of(at_least(before, bound), _halved(before, after)), {"before": before, "after": after}
-    )
-
-
-def _with_both(found: Found) -> Claim:
-    cases, column = (f"{pads}/c/cone-pyramidal" for pads in ("as-shipped", "stiff")), "grasp_error_mm_per_cycle"
-    before, after = (found.cell("error_runtime", case, column, "mm/cycle") for case in cases)
-    return Claim("with_both", _halved(before, after), {"before": before, "after": after})
-
-
-def _halved(before: Quantity, after: Quantity) -> Outcome:
-    return decided(None not in (before.value, after.value) and 2.0 * after.number <= before.number, before, after)
+    is_halved = None not in (before.value, after.value) and 2.0 * after.number <= before.number
+    outcome = all_of(at_least(before, bound), decided(is_halved, before, after))
+    return Claim("with_mujoco", outcome, {"before": before, "after": after})
 
 
 def _coarser_moves(found: Found) -> Claim:
