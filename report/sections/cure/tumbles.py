@@ -1,37 +1,18 @@
 """Bodies that tumble, with the exact term and without: does it put energy into any of them?"""
 
 import math
-from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import extreme, rows_with, table_of, total
+from report.shared.arithmetic import extreme, rows_with, total
 
-VARIANTS = {
-    "plain": "nothing done",
-    "aside": "started a hair aside",
-    "exact": "exact term",
-    "points": "material points",
-}
-"""Headings by variant."""
+VARIANTS = ("plain", "aside", "exact")
+"""Nothing done, the same started a hair aside, and the exact term."""
 
 
 def derive(results: Results) -> Section:
-    rows = rows_with(results, "tumbling", "step_ms")
-    bodies = dict.fromkeys(row.tumbling for row in rows)
-    formula = "worlds of all steps whose energy ends over 1 % above its start, or as no number"
-    counts: dict[str, dict[str, Value]] = {}
-    for variant, body in product(VARIANTS, bodies):
-        cells = [row[f"{variant}_gain_count"] for row in rows if row.tumbling == body]
-        counts.setdefault(variant, {})[body] = total(results, f"{variant}_{body}_gains", formula, cells)
-    columns = {heading: list(counts[variant].values()) for variant, heading in VARIANTS.items()}
-    gain = results.chosen("tumble_gain", "less can be rounding", 1.0, unit="%")
-    return Section(
-        tables={"tumbles": table_of("body", bodies, columns, rows, gain=gain)},
-        claims=[_gains_nothing(results, rows, counts, gain)],
-    )
+    return Section(claims=[_gains_nothing(results, rows_with(results, "tumbling", "step_ms"))])
 
 
 def _by_chance(*counts: float) -> float:
@@ -41,10 +22,12 @@ def _by_chance(*counts: float) -> float:
     return min(sum(plain), sum(aside)) + 3.0 * math.sqrt(1.0 + differ)
 
 
-def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str, Value]], gain: Value) -> Claim:
+def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
     formula = "worlds whose energy ends over 1 % above its start, or as no number"
-    gains = {name: total(results, f"{name}_gains", formula, counts[name].values()) for name in VARIANTS}
+    gains = {
+        name: total(results, f"{name}_gains", formula, [row[f"{name}_gain_count"] for row in rows]) for name in VARIANTS
+    }
     formula = "the smaller count of both sets without it, and three times the root of one more than they differ by"
     cells = [row[f"{name}_gain_count"] for row in rows for name in ("plain", "aside")]
     chance = results.value("tumble_chance", formula, _by_chance, *cells)
@@ -54,6 +37,7 @@ def _gains_nothing(results: Results, rows: list[Row], counts: dict[str, dict[str
         name: extreme(results, f"tumble_{name}", f"the {name} step", choose, [row.step_ms for row in rows])
         for name, choose in (("shortest", min), ("longest", max))
     }
+    gain = results.chosen("tumble_gain", "less can be rounding", 1.0, unit="%")
     spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, unit="rad/s")
     numbers = {"worlds": worlds, "spin": spin, "gain": gain} | gains | steps
     return Claim("tumbling_gains_nothing", outcome, numbers)
