@@ -29,7 +29,7 @@ PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "inte
 def derive(results: Results) -> Section:
     points = points_of(results)
     rk4 = claims.rk4_in_warp(points)
-    told = [claims.pads_decide(points), claims.c_is_cheapest(points), rk4, claims.rk4_with_stiff_pads(points)]
+    told = [claims.pads_decide(points), rk4, claims.rk4_with_stiff_pads(points)]
     told += [claims.reference_converged(points), claims.solver_effort(points), claims.crossover(points)]
     errors = [row[ERROR] for row in points.settings]
     numerical = Figure(lambda: draw_numerical(points), errors, {"rk4_warp": rk4.outcome == HOLDS})
@@ -37,7 +37,7 @@ def derive(results: Results) -> Section:
 
 
 def _front_table(points: Points) -> Table:
-    best = (row for backend in points.engines for row in points.best(points.backend_front, (backend,)))
+    best = (row for backend in points.engines for row in points.best(backend))
     rows = [row for row in best if row[ERROR].value > LEAST_ERROR_MM]
     engines = [{"mujoco-c": "C", "warp-cpu": "Warp, CPU"}.get(row.backend, "Warp") for row in rows]
     columns: dict[str, Column] = {"engine": engines, "settings": _settings, "numerical error": ERROR}

@@ -7,14 +7,13 @@ from functools import partial
 import numpy as np
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.parts.claim import Claim, Outcome, all_of, at_least, at_most, contiguous, decided, greater, within
+from measured_report.parts.claim import Claim, all_of, at_least, at_most, contiguous, greater, within
 from report.sections.error_runtime.runs import (
     ENGINES,
     ERROR,
     GRASP,
     PADS,
     SHIPPED,
-    TIME,
     Points,
     counts,
     holds_cube,
@@ -22,8 +21,6 @@ from report.sections.error_runtime.runs import (
     with_shipped_steps,
 )
 from report.shared.arithmetic import cell_count, quantile, ratio, resolved, share
-
-SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
 
 def pads_decide(points: Points) -> Claim:
@@ -42,18 +39,6 @@ def pads_decide(points: Points) -> Claim:
         greater(soft, stiff, noise=seen),
     )
     return Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
-
-
-def c_is_cheapest(points: Points) -> Claim:
-    front = points.best(points.front)
-    shipped = points[SHIPPED]
-    warp, c = shipped[TIME], points[SHIPPED_C][TIME]
-    compared = [row[column] for row in points.settings if row.case in points.backend_front for column in (ERROR, TIME)]
-    outcome = all_of(decided(all(row.backend == "mujoco-c" for row in front), *compared), greater(warp, c))
-    if not front:
-        outcome = Outcome("unknown", "no run counts").having_read(*compared)
-    engine = ENGINES[shipped.backend] if shipped else "Warp"
-    return Claim("c_is_cheapest", outcome, {"c": c, "warp": warp, "engine": engine})
 
 
 def rk4_in_warp(points: Points) -> Claim:

@@ -1,6 +1,6 @@
 """Points of the diagram of error against run time, sorted."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from experiments.facts.case import AS_SHIPPED
@@ -33,10 +33,8 @@ class Points:
     """Many worlds at once, fewest first."""
     floors: Mapping[str, Value]
     """Distance of Warp from C with the same steps, by pads [mm]."""
-    front: frozenset[str]
-    """Cases that no other setting of the same pads and model beats in numerical error and run time."""
     backend_front: frozenset[str]
-    """The same among those of one backend."""
+    """Cases that no other setting of the same pads, model and backend beats in numerical error and run time."""
 
     def __getitem__(self, case: str) -> Row:
         return self.results.row[case]
@@ -57,10 +55,10 @@ class Points:
         found = (row for row in self.references if row["pads"] == pads and is_own_model(row))
         return next(found, self[f"{pads}/reference"])[GRASP]
 
-    def best(self, cases: frozenset[str], backends: Collection[str] = ENGINES) -> list[Row]:
-        """Select the rows on a front, by pads and rising time, but those of Warp that gain less on the row before than
-        Warp's floor: no one can tell that."""
-        rows = [row for row in self.settings if row.case in cases and row.backend in backends]
+    def best(self, backend: str) -> list[Row]:
+        """Select the rows on the front of a backend, by pads and rising time, but those of Warp that gain less on the
+        row before than Warp's floor: no one can tell that."""
+        rows = [row for row in self.settings if row.case in self.backend_front and row.backend == backend]
         kept: list[Row] = []
         for row in sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row[TIME].value or 0.0)):
             floor = 0.0 if row.backend == "mujoco-c" else self.floors[row["pads"]].value or 0.0
@@ -86,7 +84,6 @@ def points_of(results: Results) -> Points:
         references=[row for row in results.rows if row.method == "reference"],
         worlds=[row for row in results.rows if row.case.startswith("worlds-")],
         floors=floors,
-        front=front(own_model, "pads"),
         backend_front=front(own_model, "pads", "backend"),
     )
 
