@@ -6,7 +6,7 @@ from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, a
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, cell_or_lost, departure, is_held, share, table_of
+from report.shared.arithmetic import Column, cell_or_lost, creep_or_unseen, departure, is_held, share, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, worlds_name
 
 order = 188
@@ -66,15 +66,14 @@ def _label(name: str) -> str:
 
 
 def _box_table(results: Results, seen: dict[str, Quantity]) -> Table:
-    """Make a line for each of Newton's solvers; one that is excused has the reason."""
+    """Make a line for each of Newton's solvers; one that is excused has the reason beside its name."""
     names = list(dict.fromkeys(row["solver"] for row in results.rows if "solver" in row))
     excused = [row for row in results.rows if "of" in row and "solver" not in row]
     columns: dict[str, Column] = {
-        above: [_of_box(results, name, end, seen) for name in names]
-        + [row.plain["growth_per_s_reason"] if end == LONG else "" for row in excused]
+        above: [*(_of_box(results, name, end, seen) for name in names), *("" for _ in excused)]
         for above, end in SCENES.items()
     }
-    solvers = [*map(_label, names), *(row["of"] for row in excused)]
+    solvers = [*map(_label, names), *(f"{row['of']}: {row.plain['growth_per_s_reason']}" for row in excused)]
     return table_of("solver", solvers, columns, walk=seen["%/s"], creep=seen["mm/s"])
 
 
@@ -104,7 +103,7 @@ def _shake_table(rows: RowsBy) -> Table:
     names = list(dict.fromkeys(variant for variant, _ in rows))
     shaken = [rows[name, "3cm"] for name in names]
     columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm"}
-    columns |= {"slip": [_slip(row) for row in shaken], "creep": "creep_mm_per_cycle"}
+    columns |= {"slip": [_slip(row) for row in shaken], "creep": creep_or_unseen}
     columns |= {"along over normal force": "friction_share"}
     columns |= {"normal force": "normal_force_n", "penetration": "penetration_mm"}
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
@@ -210,7 +209,8 @@ def _fails_sooner(rows: RowsBy) -> Claim:
     lost = {name: bool(rows[name, "10cm"].dropped) for name in ("warp", "steel")}
     cells = [rows[name, "10cm"].wander_mm for name in lost]
     found = OPPOSITE if lost["warp"] and not lost["steel"] else decided(lost["steel"] and not lost["warp"], *cells)
-    return Claim("fails_sooner", found.having_read(*cells), {"wide": rows["steel", "10cm"].shake_amplitude_m})
+    told = {"wide": rows["steel", "10cm"].shake_amplitude_m, "are_lost": lost["steel"]}
+    return Claim("fails_sooner", found.having_read(*cells), told)
 
 
 def _costs_more(times: RowsBy) -> Claim:

@@ -162,6 +162,12 @@ def cell_or_lost(row: Row, column: str) -> Any:
     return "lost" if row.plain.get("dropped") and getattr(cell, "value", cell) is None else cell
 
 
+def creep_or_unseen(row: Row) -> Any:
+    """Return the creep of a row for a table, in words where its slip is not seen."""
+    is_seen = row.slip_mm.value is None or row.slip_mm.value > (row.slip_mm.noise or 0.0)
+    return cell_or_lost(row, "creep_mm_per_cycle") if is_seen else "not seen"
+
+
 def rows_with(results: Results, *columns: str) -> list[Row]:
     """Return list the rows that have something in each of these columns, by which the parts of a section tell their
     rows."""

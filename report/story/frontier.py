@@ -25,8 +25,8 @@ UNSEEN = {
     "the root cure, stiff pads": ("cure_cost", "firm_unseen"),
 }
 """Section and value of how much longer the frames of a way may take and are not seen to."""
-NOTHING, ARGUMENT, PATCH = range(3)
-"""What it takes to have a way, in the order in which they are advised; an argument is one of a constructor."""
+NOTHING, ARGUMENT, SOLVER, PATCH = range(4)
+"""What it takes to have a way, in the order in which they are advised; an argument is one of MuJoCo's solver."""
 
 
 @dataclass(frozen=True)
@@ -47,24 +47,25 @@ class Way:
         return found.cell(section, case, column, unit)
 
     def keeps(self, found: Found, bound: Quantity) -> Outcome:
-        """Tell whether the slip stays below a bound; in another solver with weight too, and in the same shake."""
+        """Tell whether the slip stays below a bound; in another solver without weight too, and in the same shake."""
         slips, tests = [self.slip(found)], []
         if self.is_other:
             section, _, variant = self.timed.partition("/")
-            slips.append(found.cell(section, f"{variant}-weight", "slip_mm", "mm"))
+            slips.append(found.cell(section, f"{variant}-3cm", "slip_mm", "mm"))
             tests.append(at_most(found.value(section, f"{variant}_hand", "%"), found.value(section, "as_far", "%")))
         return all_of(*(at_most(slip, bound) for slip in slips), *tests)
 
     @property
     def is_other(self) -> bool:
         """Whether it is another solver than MuJoCo's."""
-        return self.run.startswith(SOLVERS)
+        return self.effort == SOLVER
 
     def creep_mm(self, found: Found) -> float | None:
-        """Return the slip of a cycle of the shake."""
-        names = (("slip_mm", "mm"), ("shake_duration_s", "s"), ("shake_frequency_hz", "Hz"))
-        slip, seconds, per_second = (self.slip(found, *name).value for name in names)
-        return None if None in (slip, seconds, per_second) else slip / (seconds * per_second)
+        """Return the slip of a cycle of the shake, or what would be seen where it is less."""
+        names = (("shake_duration_s", "s"), ("shake_frequency_hz", "Hz"))
+        slip, (seconds, per_second) = self.slip(found), (self.slip(found, *name).value for name in names)
+        there = None not in (slip.value, seconds, per_second)
+        return max(slip.number, slip.noise or 0.0) / (seconds * per_second) if there else None
 
     def ratios(self, found: Found) -> dict[int, Quantity]:
         """Return the times that were measured, by number of worlds."""
@@ -81,7 +82,7 @@ def _cure(model: str, parts: str = "plain-rounded") -> str:
 
 def _solver(name: str, marker: str, variant: str = "") -> Way:
     run = f"{SOLVERS}/{variant or name.lower()}"
-    return Way(name, ARGUMENT, f"{run}-3cm", run, SERIES[4], marker)
+    return Way(name, SOLVER, f"{run}-weight", run, SERIES[4], marker)
 
 
 WAYS = (
@@ -122,7 +123,7 @@ def figure(found: Found) -> Figure:
             x = times(ratios)
             style = {"marker": way.marker, "markevery": 1, "linestyle": ":", "linewidth": 0.8}
             axes.plot(x, [way.creep_mm(found)] * len(x), label=way.name, color=way.colour, **style)
-        axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="creep [mm/cycle]")
+        axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
         return drawing
 
@@ -137,13 +138,13 @@ def advice(found: Found) -> list[Claim]:
 
 
 def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
-    """Choose among the ways in Newton that keep the slip below the bound: an argument before a patch, and of those that
-    take as much the fastest."""
+    """Choose among the ways in Newton that keep the slip below the bound: an argument before another solver before any
+    patch, and of those that take as much the fastest."""
     tests = {way: way.keeps(found, bound) for way in WAYS if way.marker != IN_C}
     kept = [way for way, test in tests.items() if test == HOLDS]
     effort = min((way.effort for way in kept), default=PATCH)
     timed = [way for way in kept if way.effort == effort and ALONE in way.ratios(found)]
-    near = [test for way, test in tests.items() if test.is_inconclusive and way.effort < PATCH == effort]
+    near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
     untimed = "what holds the cube was not timed" if kept else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "seen": none, "bound": bound}
@@ -157,7 +158,7 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     numbers["seen"] = seen
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
     patches = [each for each in kept if each.effort == PATCH and ALONE in each.ratios(found)]
-    told = way.effort == ARGUMENT, way.is_other, MANY in ratios, is_longer, bool(patches)
+    told = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
         patch = min(patches, key=lambda each: each.ratios(found)[ALONE].number)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(found), "patch_ratio": patch.ratios(found)[ALONE]}

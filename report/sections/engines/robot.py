@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from measured_report.parts.claim import Claim, all_of, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, cell_count, cell_or_lost, extreme, table_of
+from report.shared.arithmetic import Column, Found, cell_count, cell_or_lost, creep_or_unseen, extreme, table_of
 from report.shared.timing import RowsBy
 
 MUJOCO = "mujoco-c"
@@ -24,7 +24,7 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
     models = list(dict.fromkeys(model for model, _ in rows))
     columns: dict[str, Column] = {
         "slip": "slip_mm",
-        "creep": "creep_mm_per_cycle",
+        "creep": creep_or_unseen,
         "shaken 100 mm": [cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models],
         "held still": [cell_or_lost(rows[model, "held"], "slip_mm") for model in models],
         "along over normal force": "friction_share",
@@ -46,8 +46,12 @@ def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
     slips = [rows[model, "3cm"].slip_mm for model in others if rows[model, "3cm"].slip_mm.value is not None]
     worst = extreme(results, "robot_worst", "farthest slip in another engine", max, slips)
     count = cell_count(results, "robot_count", "other contact models that keep the cube", slips)
-    outcome = all_of(greater(mine, worst), greater(mine, held))
-    return Claim("slips_farthest", outcome, {"mine": mine, "held": held, "worst": worst, "count": count})
+    stiff = Found(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm", "mm")
+    still = [rows[model, "held"].slip_mm for model in others]
+    still_worst = extreme(results, "robot_worst_held", "the same with the arm held still", max, still)
+    numbers = {"mine": mine, "held": held, "worst": worst, "count": count, "stiff": stiff, "still": still_worst}
+    outcome = all_of(greater(mine, worst), greater(mine, held)).having_read(stiff, still_worst)
+    return Claim("slips_farthest", outcome, numbers)
 
 
 def _only_it_loses(rows: RowsBy, others: list[str]) -> Claim:

@@ -17,7 +17,7 @@ from measured_report.site.check import check_site
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.shared.arithmetic import Found
-from report.story.frontier import advice, figure
+from report.story.frontier import WAYS, advice, figure
 from report.story.story import _advice
 from report.story.story import derive as story_of
 
@@ -146,6 +146,22 @@ def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hol
     for name in ("reproduction", "cure", "newton_solvers"):
         found[name] = with_cells(found[name], "slip_mm", slips)
     assert [(claim.outcome.name, claim.numbers["way"]) for claim in advice(Found(found))] == [advised, ends]
+
+
+def test_an_argument_of_the_solver_at_hand_is_advised_before_a_faster_solver(editions):
+    found = {section: chapter.results for section, chapter in editions["1.8.0"].chapters.items()}
+    assert advice(Found(found))[1].numbers["way"] == "Steel"
+    found["cure"] = with_cells(found["cure"], "slip_mm", {RK4: 0.05})
+    assert advice(Found(found))[1].numbers["way"] == "RK4, stiff pads"
+
+
+def test_other_solvers_are_drawn_with_weight_and_what_is_not_seen_at_what_would_be(editions):
+    found = Found({section: chapter.results for section, chapter in editions["1.8.0"].chapters.items()})
+    ways = {way.name: way for way in WAYS}
+    assert ways["XPBD"].creep_mm(found) > 1.0, "with weight the cube slides out"
+    steel = ways["Steel"].slip(found)
+    shakes_s = steel.noise / ways["Steel"].creep_mm(found)
+    assert steel.value < steel.noise and 10.0 < shakes_s < 13.0
 
 
 def test_a_solver_whose_hand_goes_farther_is_not_advised(editions):
