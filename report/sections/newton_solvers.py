@@ -162,11 +162,8 @@ def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) ->
     worst = max(hands, key=lambda name: hands[name].value or 0.0, default="warp")
     outcome = all_of(*(at_most(hand, as_far, why="another shake") for hand in hands.values()))
     far, mine = (rows[name, "3cm"].hand_amplitude_mm for name in (worst, "warp"))
-    return Claim(
-        "hands_go_as_far",
-        outcome.having_read(far, mine),
-        {"worst": _label(worst), "far": far, "mine": mine, "is_farther": far.number > mine.number},
-    )
+    numbers = {"worst": _label(worst), "far": far, "mine": mine}
+    return Claim("hands_go_as_far", outcome.having_read(far, mine), numbers)
 
 
 def _slips_less(rows: RowsBy) -> Claim:
