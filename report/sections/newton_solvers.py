@@ -162,7 +162,7 @@ def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) ->
     worst = max(hands, key=lambda name: hands[name].value or 0.0, default="warp")
     outcome = all_of(*(at_most(hand, as_far, why="another shake") for hand in hands.values()))
     far, mine = (rows[name, "3cm"].hand_amplitude_mm for name in (worst, "warp"))
-    numbers = {"worst": _label(worst), "far": far, "mine": mine}
+    numbers = {"worst": _label(worst), "far": far, "mine": mine, "is_farther": far.number > mine.number}
     return Claim("hands_go_as_far", outcome.having_read(far, mine), numbers)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from measured_report.parts.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
@@ -31,8 +31,8 @@ MODELS = {
     "physx": "PhysX, TGS",
     "discrete-20ms": "MuJoCo C, integrator discrete",
 }
-OURS = {"c": ("MuJoCo C", "mujoco"), "warp": ("MuJoCo Warp", "mujoco-warp")}
-"""Engines of which other sections have the numbers, and their packages."""
+OURS = {"c": "MuJoCo C", "warp": "MuJoCo Warp"}
+"""Engines of which other sections have the numbers."""
 MUJOCO = ("mjx", "discrete-20ms")
 CONTINUOUS = "drake-continuous-point"
 
@@ -72,11 +72,11 @@ def derive(results: Results) -> Section:
 
 
 def _lines(results: Results) -> Iterator[Line]:
-    found, packages = Found(results.others), results.record.identity.packages
-    for engine, (name, package) in OURS.items():
+    found, newton = Found(results.others), f"Newton {results.record.identity.packages['newton']}"
+    for engine, name in OURS.items():
         walks = [found.cell("cure", f"{run}-{engine}", "growth_per_s", "1/s") for run in ("plain", "half-step")]
         sink = found.cell("scenes", f"within-pads-{engine}", "steady_creep_mm_s", "mm/s")
-        yield _line(results, engine, (name, packages[package]), walks, sink)
+        yield _line(results, engine, (name, newton), walks, sink)
     for model, name in MODELS.items():
         step = "0ms" if model == CONTINUOUS else LONG
         long, short, pinch = (
@@ -104,7 +104,7 @@ def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
 
 def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     """Tell whether it walks nowhere else as fast, and half the step does not help; MJX ran where the others did."""
-    mujoco = {*(name for name, _ in OURS.values()), *(MODELS[name] for name in MUJOCO)}
+    mujoco = {*OURS.values(), *(MODELS[name] for name in MUJOCO)}
     mine = next(line for line in lines if line.name == MODELS["mjx"])
     others = [line.walk for line in lines if line.name not in mujoco and line.walk.value is not None]
     worst = results.value("worst_other", "fastest walk in another engine", max, *others, unit="%/s")
@@ -122,6 +122,7 @@ def _test_lets_through(results: Results) -> Claim:
     times = ratio(results, "soft_times", formula, soft.slip_mm, shipped.slip_mm)
     passes = (at_most(row.slip_mm, bound) for row in (soft, shipped))
     outcome = all_of(*passes, at_least(times, 10.0, why="far more"))
-    numbers = {"slip": shipped.slip_mm, "kd": soft.pad_kd, "soft": soft.slip_mm, "bound": bound}
+    is_more = greater(soft.slip_mm, shipped.slip_mm).said
+    numbers = {"slip": shipped.slip_mm, "kd": soft.pad_kd, "soft": soft.slip_mm, "is_more": is_more, "bound": bound}
     numbers |= {"amplitude": shipped.shake_amplitude_m, "frequency": shipped.shake_frequency_hz}
     return Claim("test_lets_through", outcome, numbers | {"seconds": shipped.shake_duration_s})

@@ -50,7 +50,9 @@ def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
     still = [rows[model, "held"].slip_mm for model in others]
     still_worst = extreme(results, "robot_worst_held", "the same with the arm held still", max, still)
     numbers = {"mine": mine, "held": held, "worst": worst, "count": count, "stiff": stiff, "still": still_worst}
-    outcome = all_of(greater(mine, worst), greater(mine, held)).having_read(stiff, still_worst)
+    # Stiff pads were measured on another machine, in the same engine, which repeats to the last bit.
+    is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value
+    outcome = all_of(*(greater(mine, slip) for slip in (worst, held, still_worst)), decided(is_less, stiff))
     return Claim("slips_farthest", outcome, numbers)
 
 
