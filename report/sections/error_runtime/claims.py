@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, contiguous, greater
-from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, SHIPPED, Points, counts, with_shipped_steps
+from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, SHIPPED, Points, counts
 from report.shared.arithmetic import quantile, ratio, share
 
 
@@ -47,13 +47,6 @@ def rk4_in_warp(points: Points) -> Claim:
     )
     numbers = {"cost": cost, "error": error, "before": before, "few": few, "many": many}
     return Claim("rk4_warp", outcome.having_read(seen), numbers | {"seen": seen, "is_as_long": is_as_long})
-
-
-def rk4_with_stiff_pads(points: Points) -> Claim:
-    coarse, with_steps = "stiff/c-rk4/substeps-4", with_shipped_steps("stiff", "c")
-    few, shipped = points[coarse][ERROR], points[with_steps][ERROR]
-    numbers = {"few": few, "shipped": shipped, "count": points[coarse].substeps, "many": points[with_steps].substeps}
-    return Claim("rk4_with_stiff_pads", greater(few, shipped, noise=points.floors["stiff"]), numbers)
 
 
 def reference_converged(points: Points) -> Claim:
