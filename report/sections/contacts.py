@@ -6,7 +6,7 @@ from measured_report.parts.claim import Claim, Outcome, all_of, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import CASES, Column, departure, difference, noise_floor, size_share, table_of
+from report.shared.arithmetic import CASES, departure, difference, noise_floor, size_share, table_of
 
 order = 70
 page = "cause"
@@ -25,17 +25,9 @@ def derive(results: Results) -> Section:
     )
     run = next((row for row in more_runs if row.case == "as-shipped"), results.row["as-shipped"])
     shown = [row for row in rows if row.case == "as-shipped"]
-    slides: dict[str, Column] = {
-        "from the left-out term": [row.predicted_slide_mm for row in left_out],
-        "in the rows": [row.slide_mm for row in left_out],
-        "in the rows, term put back": [row.slide_mm for row in restored],
-    }
     ends = _term_restored(results, left_out, restored)
     return Section(
-        tables={
-            "rows": table_of("row", [row.row for row in shown], ROWS, shown),
-            "slide": table_of("slide of the friction rows", CASES.values(), slides),
-        },
+        tables={"rows": table_of("row", [row.row for row in shown], ROWS, shown)},
         claims=[
             _far_inside_cone(results, run),
             *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
