@@ -15,9 +15,9 @@ import numpy as np
 from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M, response_of, settled_impedance, shared_slide_m_s
-from newton_lint.scene import Scene
+from newton_lint.scene import Scene, changed
 from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, pair_indices, predicted_hold, touches_of
-from newton_lint.stepped import Run, changed, contact_forces, free_joints
+from newton_lint.stepped import Run, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
 """Creep under its own weight from which a body is said to slip."""

@@ -14,9 +14,8 @@ from newton_lint.law import M
 from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
-from newton_lint.scene import Scene
+from newton_lint.scene import Scene, changed
 from newton_lint.settle import Hold, Work, held, pair_indices, predicted_hold, settled, started
-from newton_lint.stepped import changed
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1

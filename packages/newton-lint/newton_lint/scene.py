@@ -16,6 +16,14 @@ FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 SPHERE, CAPSULE = int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE)
 
 
+def changed(model: mujoco.MjModel, **options: float) -> mujoco.MjModel:
+    """Return a copy of a model with other options."""
+    model = copy.copy(model)
+    for name, value in options.items():
+        setattr(model.opt, name, value)
+    return model
+
+
 @dataclass(frozen=True)
 class Engine:
     """An engine whose rules count, and options in place of the scene's."""
@@ -28,14 +36,10 @@ class Engine:
 
     def asked(self, model: mujoco.MjModel) -> mujoco.MjModel:
         """Return a model with what is asked for in place of what the scene says."""
-        if (self.timestep_s, self.cone, self.impratio) == (None, None, None):
-            return model
-        model = copy.copy(model)
-        opt = model.opt
-        opt.timestep = self.timestep_s or opt.timestep
-        opt.cone = CONES.index(self.cone) if self.cone else opt.cone
-        opt.impratio = self.impratio or opt.impratio
-        return model
+        cone = CONES.index(self.cone) if self.cone else None
+        options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
+        asked = {name: value for name, value in options.items() if value is not None}
+        return changed(model, **asked) if asked else model
 
 
 @dataclass(frozen=True)

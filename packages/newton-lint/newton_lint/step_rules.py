@@ -13,9 +13,9 @@ from newton_lint.findings import Advice, Change, Finding
 from newton_lint.law import EULER, IMPLICITFAST, M, clamped, response_of, stiffness
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.rules import DEEP_M
-from newton_lint.scene import Scene
+from newton_lint.scene import Scene, changed
 from newton_lint.scene_rules import WEIGHTLESS
-from newton_lint.stepped import MOST_DOFS, Run, changed, contact_forces, free_joints, run, starts
+from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run, starts
 from newton_lint.target import Target
 
 THROWN_M_S = 0.5

@@ -1,6 +1,5 @@
 """What a scene does when MuJoCo C steps it from its start and its keyframes."""
 
-import copy
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -8,6 +7,7 @@ from dataclasses import dataclass, field
 import mujoco
 import numpy as np
 
+from newton_lint.scene import FREE
 from newton_lint.settle import started
 from newton_lint.target import Target
 
@@ -21,7 +21,6 @@ MOST_STARTS = 4
 MOST_DOFS = 3000
 """What moves in more ways is not stepped: a step takes seconds."""
 BAD = {int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")): f"BAD{name}" for name in ("QPOS", "QVEL", "QACC")}
-FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 
 
 @dataclass(frozen=True)
@@ -133,11 +132,3 @@ def contact_forces(model: mujoco.MjModel, data: mujoco.MjData, contacts: Sequenc
     for index, force in zip(contacts, found, strict=True):
         mujoco.mj_contactForce(model, data, index, force)
     return found
-
-
-def changed(model: mujoco.MjModel, **options: float) -> mujoco.MjModel:
-    """Return a copy of a model with other options."""
-    model = copy.copy(model)
-    for name, value in options.items():
-        setattr(model.opt, name, value)
-    return model
