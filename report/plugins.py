@@ -15,7 +15,6 @@ from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages import plugins
 from measured_report.pages.editions import results_digest
-from measured_report.pages.plugins import card
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
@@ -23,7 +22,7 @@ from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
 from report.shared.arithmetic import Found
 
-__all__ = ["Plugins", "card", "scripts"]
+__all__ = ["Plugins", "scripts"]
 MEDIA = Path(__file__).with_name("media")
 LAB = ROOT / "assets/lab"
 """The engine that a page runs, and the scripts that do."""

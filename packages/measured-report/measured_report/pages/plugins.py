@@ -13,7 +13,7 @@ class Plugins:
     """Show what one edition has besides."""
 
     picture = ""
-    """Address of the picture that others show with a link to its pages, seen from them; empty: that of ``card``."""
+    """Address of the picture that others show with a link to its pages, seen from them; empty where there is none."""
 
     def __init__(self, edition: Any):  # an Edition, whose module reads this one
         self.edition = edition
@@ -40,11 +40,6 @@ class Plugins:
     def pages(self, templates: Any) -> Mapping[str, str]:
         """Return further pages, as HTML by their file, to lie beside the edition's own."""
         return {}
-
-
-def card(editions: Mapping[str, Any], cache: Any) -> bytes | None:
-    """Return the picture, as PNG, that others show with a link to the site."""
-    return None
 
 
 def scripts() -> Sequence[str]:

@@ -19,7 +19,6 @@ from measured_report.files.processes import forked
 from measured_report.files.root import ROOT
 from measured_report.pages.cache import DerivedCache
 from measured_report.pages.editions import Chapter, Edition
-from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.pages.replicas import replica_files
 from measured_report.pages.sections import FRONT
@@ -32,7 +31,6 @@ from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 
 FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # as OWASP has it
-CARD = "card.png"  # the picture for links to the site
 ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 LOGO = "static/logo.svg"
@@ -153,7 +151,6 @@ class Site:
             "address": self.address and f"{self.address}{place}",
             "root": edition.root,
             "folder": self.editions[self.shown].project.results.name,
-            "card": CARD if (self.folder / CARD).exists() else "",
             "icon": ICON if icon.is_file() else "",
             "logo": LOGO if (edition.project.root / LOGO).is_file() else "",
             "citation": self.citation,
@@ -211,8 +208,6 @@ class Site:
         self._write("404.html", self.templates.layout("404.html.j2", {"address": self.address}))
         if (ROOT / "LICENSE").is_file():
             self._write("license.txt", ROOT / "LICENSE")
-        if card := plugins().card(self.editions, self.cache):
-            self._write(CARD, card)
         self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
         self._write(".gitkeep", "")
 
