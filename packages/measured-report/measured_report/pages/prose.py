@@ -89,7 +89,7 @@ class Text:
         text = LINK.sub(lambda link: token(printed, Mark(f"#{link[1]}")), text)
         slugs = {
             "baselevel": level,
-            "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),
+            "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub("", title), separator)]),
         }
         markdown = Markdown(extensions=["toc", "fenced_code", "tables"], extension_configs={"toc": slugs})
         body = HEADING.sub(SELF, TITLE.sub("", markdown.convert(text)))
