@@ -6,9 +6,21 @@ from functools import partial
 
 import numpy as np
 
-from measured_report.parts.claim import Claim, all_of, at_least, at_most, contiguous, greater
-from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, SHIPPED, Points, counts
-from report.shared.arithmetic import quantile, ratio, share
+from experiments.facts.case import AS_SHIPPED
+from measured_report.parts.claim import Claim, all_of, at_least, at_most, contiguous, greater, within
+from report.sections.error_runtime.runs import (
+    ENGINES,
+    ERROR,
+    GRASP,
+    PADS,
+    SHIPPED,
+    Points,
+    counts,
+    holds_cube,
+    uses_all_iterations,
+    with_shipped_steps,
+)
+from report.shared.arithmetic import cell_count, quantile, ratio, resolved, share
 
 
 def pads_decide(points: Points) -> Claim:
@@ -49,6 +61,13 @@ def rk4_in_warp(points: Points) -> Claim:
     return Claim("rk4_warp", outcome.having_read(seen), numbers | {"seen": seen, "is_as_long": is_as_long})
 
 
+def rk4_with_stiff_pads(points: Points) -> Claim:
+    coarse, with_steps = "stiff/c-rk4/substeps-4", with_shipped_steps("stiff", "c")
+    few, shipped = points[coarse][ERROR], points[with_steps][ERROR]
+    numbers = {"few": few, "shipped": shipped, "count": points[coarse].substeps, "many": points[with_steps].substeps}
+    return Claim("rk4_with_stiff_pads", greater(few, shipped, noise=points.floors["stiff"]), numbers)
+
+
 def reference_converged(points: Points) -> Claim:
     results, references = points.results, [row[ERROR] for row in points.references]
     plotted = [row[ERROR] for row in points.settings if counts(row)]
@@ -60,6 +79,25 @@ def reference_converged(points: Points) -> Claim:
     bound = results.chosen("reference_bound", "well below what is measured with it", 10.0)
     numbers = {"worst": worst, "least": least, "margin": margin}
     return Claim("reference_converged", at_least(margin, bound), numbers)
+
+
+def solver_effort(points: Points) -> Claim:
+    """Compare solver, iterations and line search with those shipped, and contacts made anew in each substep."""
+    floor, rows = points.floors["as-shipped"], [row for row in points.settings if row["pads"] == "as-shipped"]
+    runs = [row for row in rows if row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")]
+    runs += [row for row in rows if row.case.endswith(f"newton-each-substep/substeps-{AS_SHIPPED.substeps}")]
+    errors = [row[ERROR] for row in runs if holds_cube(row) and not uses_all_iterations(row)]
+    formula = "largest change of the numerical error by solver, iterations, line search or contacts in each substep"
+    base = points[SHIPPED][ERROR]
+    change = points.results.value(
+        "effort_change", formula, lambda base, *found: max(abs(each - base) for each in found), base, *errors, unit="mm"
+    )
+    formula = "runs with other solver effort that hold the cube and converge"
+    count = cell_count(points.results, "effort_count", formula, errors)
+    cells = [row.substeps for row in runs]
+    tried = cell_count(points.results, "effort_tried", "runs with other solver effort", cells)
+    outcome = all_of(within(change, floor), resolved(floor, base))
+    return Claim("solver_effort", outcome, {"change": change, "floor": floor, "count": count, "tried": tried})
 
 
 def crossover(points: Points) -> Claim:
