@@ -2,10 +2,10 @@
 
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.variants import variant_section
+from report.shared.variants import variant_section, variants_of
 
 order = 30
-reads = ("noise",)
+reads = ("noise", "reproduction")
 label = "contact points"
 labels = {
     "contacts-#hz": "contacts at {} Hz",
@@ -16,4 +16,4 @@ labels = {
 
 
 def derive(results: Results) -> Section:
-    return variant_section(results, "contacts-60hz")
+    return variant_section(results, variants_of(results, "contacts-60hz"))

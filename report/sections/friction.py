@@ -2,13 +2,13 @@
 
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.variants import variant_section
+from report.shared.variants import variant_section, variants_of
 
 order = 40
-reads = ("noise",)
+reads = ("noise", "reproduction")
 label = "friction coefficient"
 labels = {"pad-mu-#": "pads' friction {}", "cube-mu-#": "cube's friction {}"}
 
 
 def derive(results: Results) -> Section:
-    return variant_section(results, "pad-mu-1")
+    return variant_section(results, variants_of(results, "pad-mu-1"))

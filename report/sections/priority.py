@@ -31,7 +31,7 @@ EXACT = "what a material gives is exact"
 
 
 def derive(results: Results) -> Section:
-    claims = [_cube_does_not_move_slip(results), _equal_priorities_mix(results)]
+    claims = [_cube_does_not_count(results), _cube_does_not_move_slip(results), _equal_priorities_mix(results)]
     return Section(tables={"materials": by_case(results.rows, COLUMNS)}, claims=claims)
 
 
@@ -39,6 +39,17 @@ def _has_pads_timeconst(row: Row) -> bool:
     """Tell whether the contact's timeconst is 2 / kd of the pads."""
     kd = row.pad_kd.value if "pad_kd" in row else AS_SHIPPED.pad_kd
     return row.timeconst_s.value is not None and math.isclose(row.timeconst_s.value, 2 / kd, rel_tol=1e-3)
+
+
+def _cube_does_not_count(results: Results) -> Claim:
+    rows, spreads = [results.row[case] for case in CUBE], []
+    for column in ("timeconst_s", "dampratio", "friction", "dmin", "dmax"):
+        cells = [row[column] for row in rows]
+        formula = f"largest less smallest {column} of the contact, over the three stiffnesses of the cube"
+        spreads.append(spread(results, f"cube_{column}_spread", formula, cells))
+    largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
+    numbers = {"low": rows[0].cube_ke, "high": rows[-1].cube_ke, "timeconst": rows[1].timeconst_s}
+    return Claim("cube_does_not_count", at_most(largest, 0.0, why="no difference at all"), numbers)
 
 
 def _cube_does_not_move_slip(results: Results) -> Claim:

@@ -2,15 +2,15 @@
 
 from collections.abc import Mapping
 
-from measured_report.parts.claim import Claim, at_most
+from measured_report.parts.claim import Claim, all_of, at_most, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.shared.arithmetic import excess, largest_size
-from report.shared.variants import variant_section
+from report.shared.arithmetic import excess, largest_size, noise_floor
+from report.shared.variants import Variants, change_of, variant_section, variants_of
 
 order = 50
-reads = ("noise",)
+reads = ("noise", "reproduction")
 label = "solver and time step"
 labels = {
     "iterations-15": "shipped settings",
@@ -23,6 +23,7 @@ labels = {
 
 ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
 PADS = ("as-shipped", "stiff-pads")
+CONVERGED = ("iterations-200", "tolerance-1e-10")
 
 
 def derive(results: Results) -> Section:
@@ -32,8 +33,32 @@ def derive(results: Results) -> Section:
         drifts = results.row[f"{case}-noslip"].drift_mm_s, results.row[case].drift_mm_s
         changes[case] = excess(results, f"{case}_change", formula, *drifts)
     remedies = (*changes, *(f"{case}-noslip" for case in changes))
-    claims = [_noslip_does_not_help(results, engine, changes) for engine in ENGINES]
-    return variant_section(results, "iterations-15", apart=remedies, claims=claims)
+    variants = variants_of(results, "iterations-15", apart=remedies)
+    claims = [
+        _converged(results, variants),
+        _does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio"),
+        _does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps"),
+        *(_noslip_does_not_help(results, engine, changes) for engine in ENGINES),
+    ]
+    return variant_section(results, variants, *claims)
+
+
+def _converged(results: Results, variants: Variants) -> Claim:
+    more, tighter = map(results.row.__getitem__, CONVERGED)
+    formula = "larger difference in slip from the baseline, of more iterations and of a tighter tolerance"
+    differences = [change_of(results, case) for case in CONVERGED]
+    largest = largest_size(results, "convergence_difference", formula, differences, unit="mm")
+    numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
+    outcome = all_of(within(largest, noise_floor(results, "slip_floor")), variants.seen)
+    return Claim("solver_has_converged", outcome, variants.numbers | numbers, effect=variants.slips)
+
+
+def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
+    row, formula = results.row[case], f"slip of the baseline less that of {case}"
+    reduction = results.value(f"{case}_reduction", formula, lambda a: -a, change_of(results, case), unit="mm")
+    numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
+    outcome = all_of(within(reduction, noise_floor(results, "slip_floor")), variants.seen)
+    return Claim(claim, outcome, variants.numbers | numbers, effect=variants.slips)
 
 
 def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:

@@ -1,36 +1,54 @@
 """Cases that each change one thing, against the baseline that was measured with them."""
 
 from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 
-from measured_report.parts.claim import Claim, Outcome, greater
+from measured_report.parts.claim import Claim, Outcome, at_least, greater
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity, Value
-from measured_report.values.results import Results
-from report.shared.arithmetic import by_case, case_html, difference, largest_size, noise_floor, share
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import (
+    by_case,
+    case_html,
+    difference,
+    largest_size,
+    noise_floor,
+    other_value,
+    resolved,
+    share,
+)
 
 
-def variant_section(
-    results: Results, baseline: str, *, apart: Collection[str] = (), claims: Sequence[Claim] = ()
-) -> Section:
-    """Compare the slip of every row, but for the cases ``apart``, with that of the case ``baseline``: their table,
-    whether one is the cause, and more claims."""
-    reference, rows = results.row[baseline], [row for row in results.rows if row.case not in (baseline, *apart)]
-    slip, floor, changes = reference.slip_mm, noise_floor(results, "slip_floor"), {}
-    for row in rows:
-        formula = f"slip of {row.case} less that of {reference.case}"
-        changes[row.case] = difference(results, f"{row.case}_difference", formula, row.slip_mm, slip)
-    formula = "largest difference in slip from the baseline, either way"
-    largest = largest_size(results, "largest_difference", formula, changes.values(), unit="mm")
-    formula = "largest difference in slip from the baseline, of the baseline's slip"
-    of_slip = share(results, "largest_share", formula, largest, slip)
-    farthest = max(rows, key=lambda row: abs(changes[row.case].value or 0.0), default=reference)
+@dataclass(frozen=True)
+class Variants:
+    """The rows of one section, whose slips are compared."""
+
+    baseline: Row
+    rows: Sequence[Row]
+    """Without the baseline."""
+    slips: Outcome
+    """Whether the baseline slips at all, so that there is something to explain."""
+    seen: Outcome
+    """Whether a change that matters would be seen beside the noise."""
+    numbers: dict[str, Quantity | str]
+    """What the wording of a claim can name."""
+
+
+def change_of(results: Results, case: str) -> Quantity:
+    """Return the slip of a case less that of the baseline [mm]."""
+    return results.derived.get(f"{case}_difference") or absent("mm", f"there is no single row of case {case}")
+
+
+def variant_section(results: Results, variants: Variants, *claims: Claim) -> Section:
+    """Make the section of variants: their table, whether one is the cause, and more claims."""
     bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
-    cause = is_small(results, "cause", largest, bound, slip, floor)
-    numbers = {"largest": largest, "share": of_slip, "most": case_html(farthest), "baseline": slip}
-    readings = [reading(change, floor, results.derived["cause_limit"]) for change in changes.values()]
-    columns = {"slip": "slip_mm", "change": ["", *changes.values()], "reading": ["as shipped", *readings]}
-    table = by_case([reference, *rows], columns)
-    return Section(tables={"cases": table}, claims=[Claim("not_the_cause", cause, numbers), *claims])
+    largest, floor = results.derived["largest_difference"], noise_floor(results, "slip_floor")
+    cause = is_small(results, "cause", largest, bound, variants.baseline.slip_mm, floor)
+    changes = [change_of(results, row.case) for row in variants.rows]
+    readings = [reading(change, floor, results.derived["cause_limit"]) for change in changes]
+    columns = {"slip": "slip_mm", "change": ["", *changes], "reading": ["as shipped", *readings]}
+    table = by_case([variants.baseline, *variants.rows], columns)
+    return Section(tables={"cases": table}, claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
 
 
 def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
@@ -42,6 +60,26 @@ def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
     if abs(change.number) < limit.number:
         return "too little for a cause"
     return "slips less" if change.number < 0 else "slips farther"
+
+
+def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) -> Variants:
+    """Compare every row of the section, but for the cases ``apart``, with the row of the case ``baseline``."""
+    reference, rows = results.row[baseline], [row for row in results.rows if row.case not in (baseline, *apart)]
+    found = {}
+    for row in rows:
+        formula = f"slip of {row.case} less that of {reference.case}"
+        found[row.case] = difference(results, f"{row.case}_difference", formula, row.slip_mm, reference.slip_mm)
+    formula = "largest difference in slip from the baseline, either way"
+    largest = largest_size(results, "largest_difference", formula, found.values(), unit="mm")
+    formula = "largest difference in slip from the baseline, of the baseline's slip"
+    of_slip = share(results, "largest_share", formula, largest, reference.slip_mm)
+    farthest = max(rows, key=lambda row: abs(found[row.case].value or 0.0), default=reference)
+    floor = noise_floor(results, "slip_floor")
+    slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
+    formula = "noise of the slip, of the baseline's slip"
+    seen = resolved(share(results, "floor_share", formula, floor, reference.slip_mm), 5.0, why="no change to speak of")
+    numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": case_html(farthest)}
+    return Variants(reference, rows, slips, seen, numbers | {"baseline": reference.slip_mm, "floor": floor})
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
