@@ -104,8 +104,14 @@ def _shake_table(rows: RowsBy) -> Table:
     shaken = [rows[name, "3cm"] for name in names]
     columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm"}
     columns |= {"slip": [_slip(row) for row in shaken], "creep": creep_or_unseen}
-    columns |= {"along over normal force": "friction_share"}
-    columns |= {"normal force": "normal_force_n", "penetration": "penetration_mm"}
+    means = {
+        "along over normal force": "friction_share",
+        "normal force": "normal_force_n",
+        "penetration": "penetration_mm",
+    }
+    columns |= {
+        above: ["lost" if row.plain.get("dropped") else row[mean] for row in shaken] for above, mean in means.items()
+    }
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
         columns[above] = [_slip(rows[name, shake]) for name in names]
     return table_of("solver", map(_label, names), columns, shaken, told=rows["warp", "3cm"].shake_amplitude_m)
