@@ -71,7 +71,9 @@ def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str
     each = [
         for_geom(scene, geom, {"solref": said}, gain) for geom in geoms if (said := solref(model.geom_solref[geom]))
     ]
-    together = tuple({(one.element, one.attributes): one for way in each for one in way.changes}.values())
+    together = tuple(
+        {(one.element or one.subject, one.attributes): one for way in each for one in way.changes}.values()
+    )
     alone = tuple(change for way in each for change in (ways_of(way)[-1].changes))
     ways = [Advice(together, gain)] + ([Advice(alone, "")] if alone != together else [])
     return either(*ways)

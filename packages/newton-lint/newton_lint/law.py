@@ -112,7 +112,7 @@ def response_of(contact: Contact, option: Option, d: float | None = None) -> Res
     h = option.timestep_s
     safe_step = h if option.refsafe and not option.discrete else 0.0
     pyramid = option.cone == "pyramidal"
-    stiff, damp = stiffness(contact, option, d), _normal_damping(contact, option, d)
+    stiff, damp = stiffness(contact, option, d), normal_damping(contact, option, d)
     own = contact.solreffriction
     has_own = not pyramid and any(own) and (own[0] > 0.0) == (own[1] > 0.0)
     inverse_b = response(own if has_own else solref_taken(contact.solref), dmax, safe_step)
@@ -150,7 +150,7 @@ def stiffness(contact: Contact, option: Option, d: float) -> float:
     return min(k, 1.0 / (option.timestep_s**2 * d)) if option.refsafe and option.discrete else k
 
 
-def _normal_damping(contact: Contact, option: Option, d: float) -> float:
+def normal_damping(contact: Contact, option: Option, d: float) -> float:
     """Return b of a contact's normal row [1/s], which ``discrete`` gives the stiffness that it has under refsafe."""
     solref = solref_taken(contact.solref)
     dmax = clamped(contact.solimp[1])

@@ -6,7 +6,7 @@ import numpy as np
 
 from newton_lint.combined import Contacts
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of
-from newton_lint.law import M, clamped, response_of, settled_depth_m, stiffness
+from newton_lint.law import M, clamped, normal_damping, response_of, settled_depth_m, stiffness
 from newton_lint.output import shown
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
@@ -86,7 +86,7 @@ def _table(scene: Scene, contacts: Contacts, pair: int, one: int, other: int) ->
         yield "  ".join([f"{name:8}", *(f"{_said(value):{WIDTH}}" for value in values), rule]).rstrip()
     dmax, response = clamped(contact.solimp[1]), response_of(contact, option)
     ke = stiffness(contact, option, dmax) * dmax**2
-    kd = dmax / (response.acceleration_s + 0.5 * option.timestep_s)
+    kd = normal_damping(contact, option, dmax) * dmax
     yield f"as Newton's ke and kd: {ke:.4g} and {kd:.4g}, an acceleration for each m and each m/s, and no N/m"
     depth, slide = M * settled_depth_m(contact, option, 1.0), M * response.load_m_s_n
     yield f"1 N on a point presses it {depth:.3g} mm deep; held against 1 N along it, it creeps at {slide:.3g} mm/s"

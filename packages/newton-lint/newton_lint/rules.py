@@ -194,7 +194,8 @@ def depth(scene: Scene) -> Iterator[Hits]:
     first, second = contacts.solref.T
     lies = scene.free[body] & ~scene.free[model.geom_bodyid[other]] & (first * second > 0.0)
     lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body])
-    timeconst = np.maximum(first, 2.0 * option.timestep_s)
+    is_clamped = option.refsafe and not option.discrete
+    timeconst = np.maximum(first, 2.0 * option.timestep_s) if is_clamped else first
     with np.errstate(divide="ignore"):
         inverse_k = np.where(first > 0.0, (timeconst * second) ** 2, -1.0 / first)
     soft = (1.0 - np.clip(contacts.solimp[:, 1], 0.0, 1.0)) * inverse_k

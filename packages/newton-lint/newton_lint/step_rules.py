@@ -10,7 +10,7 @@ import numpy as np
 
 from newton_lint.advice import for_option
 from newton_lint.findings import Advice, Change, Finding
-from newton_lint.law import EULER, IMPLICITFAST, M, clamped, response_of, stiffness
+from newton_lint.law import EULER, IMPLICITFAST, M, clamped, normal_damping, stiffness
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.rules import DEEP_M
 from newton_lint.scene import Scene, changed
@@ -181,8 +181,9 @@ def _tunnels(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Fi
         if pair < 0 or time_s > LATEST_S or seen.bad:
             continue
         contact, option = scene.contacts.contact(pair), scene.option
-        stiff = stiffness(contact, option, clamped(contact.solimp[1])) ** 0.5
-        damped = 0.5 * (math.e - 1.0) / (response_of(contact, option).acceleration_s + 0.5 * step_s)
+        dmax = clamped(contact.solimp[1])
+        stiff = stiffness(contact, option, dmax) ** 0.5
+        damped = 0.5 * (math.e - 1.0) * normal_damping(contact, option, dmax)
         deep = speed * max(step_s, 0.5 * step_s + 1.0 / max(stiff + damped, mujoco.mjMINVAL))  # within 2 %
         if deep > sizes[wall] + sizes[own]:
             after = _again(target, model, index, time_s + STOPS_S).data

@@ -1,0 +1,342 @@
+"""What a hold bears and how it creeps, worked by hand on a slope and in a pinch, and the thresholds of grips.
+
+With solimp 0.9 at each depth a box of mass m on four points creeps by g sin θ / 4 · (1 - d) timeconst / 2, as w is 1/m.
+"""
+
+import math
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+import pytest
+
+from newton_lint.command import main
+from newton_lint.grip import _found, _is_between, gripped
+from newton_lint.law import DISCRETE
+from newton_lint.prescribe import Setting, _rank, along, candidates, measured, prescribed, turn, with_setting, within
+from newton_lint.report import scene_of
+from newton_lint.scene import changed
+from newton_lint.settle import Hold, Work, _told, held, predicted_hold
+from newton_lint.stepped import runs_of
+from newton_lint.target import Target
+from tests.newton_lint.cases import Case
+from tests.newton_lint.test_questions import TIPS
+
+FLAT = "0.9 0.9 0.001 0.5 2"
+SOFT = "0.1 0.1 0.001 0.5 2"
+SIN = 0.2 / math.hypot(1.0, 0.2)
+COS = 1.0 / math.hypot(1.0, 0.2)
+CREEP = 1e3 * 9.81 * SIN / 4.0 * 0.1 * 0.01
+"""Of a slope of 0.2 with 20 ms [mm/s]."""
+
+
+def hold_of(kind: str = "incline", work: Work | None = None, **changes) -> tuple:
+    target = Case(kind, tuple({"solimp": FLAT, **changes}.items())).target
+    scene = scene_of(target)
+    return scene, target, held(scene, target, work or Work("held"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "lift", "creep"),
+    [
+        ({}, 0.0, CREEP),
+        ({"impratio": 4, "mass": 2}, 0.0, CREEP / 4.0),
+        ({"cone": "pyramidal", "mu": 0.5}, 0.0, CREEP * 1.25),  # 1 + μ²
+        ({"cone": "pyramidal", "mu": 0.5, "impratio": 4}, 0.0, CREEP * 1.25 / 4.0),
+        ({}, 9.81, 2.0 * CREEP),
+        ({"option": 'noslip_iterations="20"'}, 0.0, 0.0),
+    ],
+)
+def test_a_slope_is_borne_by_four_points(changes, lift, creep):
+    _, _, hold = hold_of(work=Work("held", lift_m_s2=lift), **changes)
+    mass = changes.get("mass", 0.5)
+    assert hold.load_n == pytest.approx(mass * (9.81 + lift) * SIN, rel=1e-3)
+    assert hold.mm_s == pytest.approx(creep, rel=2e-3, abs=1e-9) and hold.rests and not hold.slides
+    assert (hold.point_count, hold.data.time, hold.acceleration_mm_s) == pytest.approx((4, 0.5, 0.0))
+    assert sum(touch.normal_n for touch in hold.touches) == pytest.approx(mass * 9.81 * COS, rel=1e-3)
+    for touch in hold.touches:
+        assert touch.weight_1_kg == pytest.approx(1.0 / mass, rel=1e-4)
+        assert touch.normal[2] == pytest.approx(1.0) and touch.softer == pytest.approx(1.0, rel=1e-3)
+
+
+@pytest.mark.parametrize(("cone", "used"), [("elliptic", 0.2 * math.sqrt(2.0)), ("pyramidal", 0.4)])
+def test_a_cone_is_used_by_the_length_of_friction_and_a_pyramid_by_the_sum_of_its_axes(cone, used):
+    target = Case("incline", (("cone", cone), ("solimp", FLAT))).target
+    target.model.opt.gravity[:] = 2.0, 2.0, -10.0
+    touches = held(scene_of(target), target, Work("held")).touches
+    normals = sum(touch.normal_n for touch in touches)
+    assert sum(touch.used * touch.normal_n for touch in touches) / normals == pytest.approx(used, rel=1e-3)
+
+
+def test_of_two_frictions_the_lower_gives_way_by_the_square():
+    """R along it is (0.8 / 0.4)² times the first axis's: the diagonal of both has (1 + 4) / 2."""
+    rest = '<contact><pair geom1="floor" geom2="box" friction="0.8 0.4" {}/></contact>'.format(f'solimp="{FLAT}"')
+    target = Case("incline", (("rest", rest),)).target
+    target.model.opt.gravity[:] = 1.0, 1.0, -10.0
+    scene = scene_of(target)
+    hold = held(scene, target, Work("held"))
+    assert [touch.softer for touch in hold.touches] == pytest.approx([2.5] * 4, rel=1e-2)
+    # The ellipse's radius there is 0.8 / √2.5, which √2 N a kilogram need 2.8 N to press with.
+    for share, slides in ((0.27, True), (0.29, False)):
+        touches = [replace(touch, normal_n=share * touch.normal_n) for touch in hold.touches]
+        assert predicted_hold(scene, hold.body, touches, Work("held"), hold.data).slides == slides
+
+
+def test_what_turns_leaves_its_centripetal_acceleration_out():
+    _, _, hold = hold_of("turn", Work("held", turn_rad_s=0.5))
+    assert hold.acceleration_mm_s == pytest.approx((0.9 * 10.0 - 1.0) * 0.25, rel=1e-3)  # (1/b - h/2) ω² r
+    # Of the load m ω² r on one point R/b is (1 - d) timeconst / 2 / m; the table, of 1e6 kg m², adds none.
+    assert hold.mm_s == pytest.approx(8.0 * 0.25 + 0.1 * 10.0 * 0.25, rel=2e-3)
+
+
+def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
+    """An axis at 0.4 m leaves 0.6 m of it."""
+    text = Case("turn", (("solimp", FLAT),)).text.replace('<body name="table">', '<body name="table" pos="0.4 0 0">')
+    target = Target("scene", mujoco.MjModel.from_xml_string(text))
+    hold = held(scene_of(target), target, Work("held", turn_rad_s=0.5))
+    assert hold.acceleration_mm_s == pytest.approx(8.0 * 0.25 * 0.6, rel=1e-3)
+    assert hold.mm_s == pytest.approx((8.0 + 1.0) * 0.25 * 0.6, rel=2e-3)
+
+    own = mujoco.MjData(target.model)
+    turn(target.model, own, hold, 0.5)
+    assert own.qvel == pytest.approx([0.5, 0.0, 0.5 * 0.6, 0.0])  # v = ω × r, with the hand
+
+
+def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_first():
+    """A box that comes before the box on which it lies, in a lift of twice the gravity: 3 m g sin θ."""
+    text = Case("incline", (("solimp", FLAT),)).text
+    floor = next(line for line in text.splitlines() if 'name="floor"' in line)
+    below = f"<body>{floor.replace('plane', 'box')}</body>".replace("<geom", '<geom pos="0 0 -1"')
+    text = text.replace(floor, "").replace("</worldbody>", f"{below}</worldbody>")
+    target = Target("scene", mujoco.MjModel.from_xml_string(text))
+    hold = held(scene_of(target), target, Work("held", lift_m_s2=2.0 * 9.81))
+    assert hold.touches[0].geoms == (0, 1) and hold.load_n == pytest.approx(3.0 * 0.5 * 9.81 * SIN, rel=1e-3)
+
+
+def test_a_touch_counts_by_its_share_of_the_last_fifth():
+    """What falls for 0.45 s touches in the second half of 0.4 to 0.5 s."""
+    fall = 0.5 * 9.81 * 0.45**2
+    changes = {"slope": 0.0, "shape": "sphere", "solref": "0.02 3"}
+    target = Case("incline", tuple(changes.items())).target
+    target.model.qpos0[2] = 0.05 + fall
+    hold = held(scene_of(target), target, Work("held"))
+    assert hold.point_count == pytest.approx(0.5, abs=0.03)
+    [touch] = hold.touches
+    assert touch.normal_n * 0.1 == pytest.approx(0.5 * 9.81 * 0.45, rel=0.2)  # a mean over all steps: it is stopped
+
+
+@pytest.mark.parametrize(("above", "speed", "is_held"), [(0.035, -1.0, True), (-0.0055, 0.0, True), (0.1, 0.0, False)])
+def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(above, speed, is_held):
+    """After 40 to 50 ms of 0.5 s, after 4 to 5 ms, and never."""
+    target = Case("incline", (("slope", 0.0), ("shape", "sphere"), ("solref", "0.02 0.25"))).target
+    target.model.opt.gravity[:] = 0.0
+    data = mujoco.MjData(target.model)
+    data.qpos[2], data.qvel[2] = 0.05 + above, speed
+    hold = held(scene_of(target), replace(target, data=data), Work("held"))
+    assert (hold is not None and hold.slides) == is_held
+
+
+def test_what_is_at_the_edge_of_its_cone_or_moves_much_faster_slides():
+    scene, _, hold = hold_of()
+    for used, slides in ((0.9985, False), (0.9995, True)):
+        touches = [replace(touch, used=used) for touch in hold.touches]
+        assert predicted_hold(scene, hold.body, touches, Work("held"), hold.data).slides == slides
+    softer = [replace(touch, weight_1_kg=1e6 * touch.weight_1_kg) for touch in hold.touches]
+    assert predicted_hold(scene, hold.body, softer, Work("held"), hold.data).slides  # faster than 1 m/s
+    for speed, slides in ((0.14, False), (0.16, True)):  # 3 · (0.5 mm/s + 50 mm/s)
+        hold.data.qvel[:] = speed, 0.0, 0.0, 0.0, 0.0, 0.0
+        mujoco.mj_forward(scene.model, hold.data)
+        found = predicted_hold(scene, hold.body, hold.touches, Work("held"), hold.data)
+        assert (found.slides, found.moves_mm_s) == (slides, pytest.approx(1e3 * speed, rel=1e-3))
+
+
+@pytest.mark.parametrize(
+    ("mm_s", "moves", "below", "rule", "value"),
+    [
+        (1.0, 2.4, 1.1, None, None),  # rests up to twice its creep and 0.5 mm/s
+        (1.0, 2.6, 1.1, "unsettled", 2.6),
+        (1.0, 2.4, 0.9, "creep", 1.0),
+        (math.inf, 1.0, 0.9, "slides", 3.0),
+    ],
+)
+def test_a_hold_that_moves_more_than_it_creeps_has_not_settled(mm_s, moves, below, rule, value):
+    scene, _, hold = hold_of()
+    found = list(Hold(hold.body, "held", hold.touches, 3.0, mm_s, 0.0, moves, hold.data).findings(scene, below))
+    assert [(each.rule, each.value) for each in found] == ([(rule, value)] if rule else [])
+
+
+def grips(rule: str, target: Target) -> list:
+    scene = scene_of(target)
+    return [each for each in gripped(scene, runs_of(scene.model, target)) if each.rule == rule]
+
+
+@pytest.mark.parametrize(
+    ("changes", "creep"),
+    [
+        ({"solref": "0.044 1"}, 2.2 * CREEP),  # 1.06 mm/s
+        ({"solref": "0.04 1"}, None),  # 0.96 mm/s
+        ({"solref": "0.09 1", "impratio": 2}, 2.25 * CREEP),
+        ({"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0155}, 1e3 * 9.81 * 0.0155 / 4.0 * 0.9 * 0.035),
+        ({"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0145}, None),  # below 0.015 of its weight
+    ],
+)
+def test_from_a_millimetre_a_second_on_it_slips_and_ten_times_impratio_makes_it_a_tenth(changes, creep):
+    found = grips("slip", Case("incline", tuple({"solimp": FLAT, **changes}.items())).target)
+    assert [each.value for each in found] == ([] if creep is None else [pytest.approx(creep, rel=0.02)])
+    assert all(each.used == pytest.approx(0.1 * each.value, rel=1e-3) for each in found)
+    assert all((each.shape, each.against) == ("held", ("floor",)) for each in found)
+
+
+@pytest.mark.parametrize(("share", "said"), [(0.25, False), (0.35, True)])
+def test_what_moves_by_less_than_three_tenths_of_its_creep_does_not_slip(share, said):
+    scene, _, hold = hold_of(solref="0.09 1")
+    hold.data.qvel[:] = 1e-3 * share * 4.5 * CREEP, 0.0, 0.0, 0.0, 0.0, 0.0
+    mujoco.mj_forward(scene.model, hold.data)
+    assert bool(list(_found(scene, hold.body, list(hold.touches), hold.data, "the start"))) == said
+
+
+def test_discrete_weighs_what_a_row_says_of_itself():
+    """By 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
+    scene, _, hold = hold_of()
+    discrete = replace(scene, model=changed(scene.model, integrator=DISCRETE))
+    one, other = (_told(each, hold.data, 0)[11] for each in (scene, discrete))
+    assert other / one == pytest.approx(1.0 + 2.0 / 9.0 + 0.9 / 81.0)
+
+
+@pytest.mark.parametrize(("grip", "spare"), [(27, (2 * 27 - 0.5 * 9.81) / 0.5), (28, None)])
+def test_a_grip_that_bears_little_besides_its_load_is_weak(grip, spare):
+    """From 100 m/s² of (μ N - m g) / m on it is firm, 54.9 N here; the pads press as the motors do."""
+    found = grips("grip", Case("pinch", (("grip", grip),)).target)
+    assert [each.value for each in found] == ([] if spare is None else [pytest.approx(spare, rel=0.01)])
+
+
+def test_fingers_oppose_each_other_from_120_degrees_on():
+    [one, other, *_] = hold_of()[2].touches
+    for degrees, between in ((119.0, False), (121.0, True)):
+        angle = math.radians(degrees)
+        turned = replace(other, normal=np.array([math.sin(angle), 0.0, math.cos(angle)]), geoms=(0, 7))
+        assert _is_between([one, turned]) == between
+    assert not _is_between([one, replace(other, normal=-one.normal)])  # of the same pair of geoms
+
+
+@pytest.mark.parametrize(
+    ("timeconst", "degrees", "said"),
+    [(0.02, 0, True), (0.0029, 0, True), (0.0026, 0, False), (0.02, 44, True), (0.02, 46, False)],
+)
+def test_between_two_fingers_that_close_it_would_creep(timeconst, degrees, said):
+    """By m g / 2 · (1 - d) w timeconst / 2, from 1 mm/s on; fingers close up to a cosine of 0.7 to each other."""
+    way = f"{math.cos(math.radians(degrees))} {math.sin(math.radians(degrees))} 0"
+    text = TIPS.replace('impratio="100"/>', f'timestep="0.001"/><default><geom solref="{timeconst} 1" {{}}/></default>')
+    text = text.format(f'solimp="{FLAT}"').replace('"1 0 0"', f'"{way}"').replace('"-1 0 0"', f'"-{way}"')
+    text = text.replace("0.03 0 0", "0.05 0 0").replace("30 30", "0 0")
+    model = mujoco.MjModel.from_xml_string(text)
+    found = grips("slip", Target("scene", model))
+    weight = float(model.body_invweight0[[model.body("body").id, model.body("left").id], 0].sum())
+    creep = 1e3 * 0.05 * 9.81 / 2.0 * 0.1 * weight * timeconst / 2.0
+    assert [each.value for each in found] == ([pytest.approx(creep, rel=1e-3)] if said else [])
+    assert all(each.used == pytest.approx(0.1 * creep, rel=1e-3) and "2 times" in each.message for each in found)
+
+
+MOTORS = '<actuator><motor joint="l"/><motor joint="r"/></actuator>'
+WELD = '<equality><weld body1="hand"/></equality>'
+
+
+@pytest.mark.parametrize(
+    ("joint", "rest", "said"),
+    [
+        ("<freejoint/>", MOTORS + WELD, True),
+        ("<freejoint/>", MOTORS, False),
+        ("", '<actuator><motor joint="l"/></actuator>', True),
+        ("", "", False),
+    ],
+)
+def test_a_hand_is_driven_and_does_not_fall(joint, rest, said):
+    text = TIPS.replace("0.03 0 0", "0.05 0 0").replace('impratio="100"', "").partition("  <actuator>")[0]
+    hand = f'<body name="hand">{joint}<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'
+    model = mujoco.MjModel.from_xml_string(text.replace('<body name="hand">', hand) + rest + "</mujoco>")
+    assert bool(grips("slip", Target("scene", model))) == said
+
+
+def test_candidates_creep_as_the_law_says():
+    scene, _, hold = hold_of()
+    creeps = {str(setting): creep for setting, creep in candidates(scene, hold, Work("held"))}
+    assert len(creeps) == 4 * 4 * 3 * 2 - 4 * 2 - 1  # 2 ms takes half the step, and as it is is none
+    shares = {'impratio="10"': 0.1, 'impratio="1000"': 1e-3, 'solref="0.01 1"': 0.5, 'solref="0.005 1"': 0.25}
+    shares |= {'timestep="0.001"': 1.0, 'timestep="0.0005" solref="0.002 1"': 0.1, 'noslip_iterations="10"': 0.0}
+    model = with_setting(scene, Setting(0.005, (("impratio", 10.0),)), hold)
+    assert model.geom_solref.tolist() == [[0.005, 1.0]] * 2 and model.opt.impratio == 10.0
+    for setting, share in shares.items():
+        assert creeps[setting] == pytest.approx(share * CREEP, rel=2e-3, abs=1e-9)
+    more = {"cone": "pyramidal", "impratio": 100, "solref": "0.01 1", "option": 'noslip_iterations="20"'}
+    pyramid, _, hold = hold_of(**more)
+    others = {str(setting) for setting, _ in candidates(pyramid, hold, Work("held"))}
+    assert len(others) == 3 * 2 * 3 - 2 - 1 and 'cone="elliptic" impratio="1000"' in others
+
+
+def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
+    scene, target, hold = hold_of()
+    kinds = {
+        "plain": (Setting(0.01), 0.079),
+        "noslip": (Setting(None, (("noslip_iterations", 10.0),)), 0.01),  # counts twice
+        "shorter": (Setting(None, (("timestep", 0.001),)), 0.01),
+        "over": (Setting(0.01), 0.081),
+        "far": (Setting(0.01), 3.0),
+    }
+    assert sorted(kinds, key=lambda name: _rank(kinds[name], 0.1, scene)) == list(kinds)
+    lifted = measured(scene, target, Work("held", lift_m_s2=9.81), Setting(), hold, 0.0)
+    assert lifted.measured_mm_s == pytest.approx(2.0 * CREEP, rel=0.01)
+    trials = prescribed(scene, target, Work("held"), 1e-12)[1]
+    assert len(trials) == 6 and trials[0].measured_mm_s == pytest.approx(CREEP, rel=0.01) == trials[0].predicted_mm_s
+
+
+def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
+    scene, _, hold = hold_of("turn", slope=0.0)
+    model, data = scene.model, mujoco.MjData(scene.model)
+    data.qpos[0], data.qpos[1] = math.radians(90.0), 0.5
+    mujoco.mj_kinematics(model, data)
+    assert within(data, hold.body, hold.touches[0].support) == pytest.approx([0.0, -1.5, 0.099])
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT) | int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+    data.qpos[:], data.qvel[:] = 0.0, (0.0, 0.3, 0.4, -0.9)
+    mujoco.mj_step(model, data)
+    assert along(model, data, hold, 0.1) == pytest.approx(0.05)  # 0.5 m/s for 0.1 s
+
+
+@pytest.mark.parametrize("integrator", ["Euler", "RK4"])
+@pytest.mark.parametrize(
+    ("solref", "friction", "kes"),
+    [("0.02 1", "", "2500 and 100,"), ("-900 -40", "", "900 and 40,"), ("0.02 1", "0.005 1", "2500 and 100,")],
+)
+def test_ke_and_kd_are_those_of_the_normal(integrator, solref, friction, kes, tmp_path, capsys):
+    """1 / timeconst² and 2 / timeconst, whatever the integrator and the friction; w is 1 / 0.5 kg."""
+    path = tmp_path / "scene.xml"
+    own = (
+        f'<contact><pair geom1="floor" geom2="box" solref="{solref}" solimp="{FLAT}" solreffriction="{{}}"/></contact>'
+    )
+    changes = {
+        "integrator": integrator,
+        "solref": solref,
+        "solimp": FLAT,
+        "rest": own.format(friction) * bool(friction),
+    }
+    path.write_text(Case("incline", tuple(changes.items())).text)
+    assert main(["pair", str(path), "floor", "box"]) == 0
+    out = capsys.readouterr().out
+    depth = 0.1 * 2.0 * (0.0004 if solref[0] == "0" else 1.0 / 900.0)
+    creep = 0.1 * 2.0 * (0.0025 if friction else 0.01 if solref[0] == "0" else 1.0 / 40.0)
+    assert kes in out and f" {1e3 * depth:.3g} mm deep" in out and f"at {1e3 * creep:.3g} mm/s" in out
+
+
+@pytest.mark.parametrize(
+    ("changes", "geoms", "why"),
+    [
+        ({"rest": '<worldbody><geom name="wall" size="1"/></worldbody>'}, ["floor", "wall"], "do not move against"),
+        ({"box": 'contype="4"', "floor": 'conaffinity="2"'}, ["floor", "box"], None),
+        ({"box": 'contype="4" conaffinity="4"'}, ["floor", "box"], "[1, 4] and conaffinity [1, 4] have no bit"),
+        ({"rest": '<contact><exclude body1="world" body2="held"/></contact>'}, ["box", "floor"], "an <exclude> names"),
+    ],
+)
+def test_it_is_said_why_two_geoms_never_touch(changes, geoms, why, tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    path.write_text(Case("incline", tuple(changes.items())).text)
+    assert main(["pair", str(path), *geoms]) == bool(why)
+    assert (why or "as Newton's ke") in capsys.readouterr().out

@@ -1,0 +1,287 @@
+"""What a run is said to show, worked by hand, and the thresholds of what is found in it and of what does harm."""
+
+import math
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+import pytest
+
+from newton_lint.mend import _told, harm
+from newton_lint.report import scene_of
+from newton_lint.step_rules import stepped
+from newton_lint.stepped import Run, run, runs_of
+from newton_lint.target import Target
+
+BALL = """
+<mujoco>
+  <option gravity="0 0 {g}" {option}>{flag}</option>
+  <worldbody><geom name="floor" type="plane" size="9 9 1" {floor}/>
+    <body name="ball" pos="0 0 {z}"><freejoint name="free"/>
+      <geom name="ball" type="{type}" size="0.1 0.1 0.1" mass="2"/></body>{more}
+  </worldbody>
+  {rest}
+</mujoco>
+"""
+USUAL = {"g": 0, "option": "", "flag": "", "floor": "", "z": 1, "type": "sphere", "more": "", "rest": ""}
+
+
+def of(**changes) -> Target:
+    return Target("scene", mujoco.MjModel.from_xml_string(BALL.format(**USUAL | changes)))
+
+
+def ran(target: Target, time_s: float = 0.2, force: float = 0.0, speed: tuple = (0, 0, 0)) -> Run:
+    data = mujoco.MjData(target.model)
+    data.xfrc_applied[1, 0], data.qvel[:3] = force, speed
+    return run(target.model, data, "the start", time_s)
+
+
+def rules(target: Target, seen: Run) -> dict[str, object]:
+    return {each.rule: each for each in stepped(scene_of(target), target, [seen])}
+
+
+@pytest.mark.parametrize("speed", [0.0, 1.5])
+def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
+    """6 N on 2 kg for 0.2 s: 0.6 m/s more, and (v + 0.6)²/2 - v²/2 of energy; a body that falls gains none."""
+    seen = ran(of(), force=6.0, speed=(speed, 0, 0))
+    assert seen.rise_m2_s2[0] == pytest.approx(0.5 * (speed + 0.6) ** 2 - 0.5 * speed**2)
+    assert seen.thrown_m_s[0] == pytest.approx(math.sqrt(0.36 + 1.2 * speed))
+    assert (seen.speeds_m_s[0], seen.time_s, seen.effort, seen.bad) == (pytest.approx(speed + 0.6), 0.2, 500.0, "")
+    target = of()
+    data = mujoco.MjData(target.model)
+    data.xfrc_applied[1, 3:] = 1.0
+    assert run(target.model, data, "the start", 0.2).rise_m2_s2[0] == 0.0  # what turns is not thrown
+    falls = ran(of(g=-9.81))
+    assert (falls.thrown_m_s[0], falls.speeds_m_s[0]) == (0.0, pytest.approx(1.962))
+    assert ran(of(g=-9.81, flag='<flag gravity="disable"/>'), speed=(0, 0, 2.0)).thrown_m_s[0] == pytest.approx(0.0)
+
+
+def test_overlaps_count_from_the_margin_on_and_depths_do_not():
+    """0.095 m over a plane with a margin of 0.01 a ball of 0.1 m is 5 mm deep, and pressed from 15 mm on."""
+    seen = ran(of(z=0.095, floor='margin="0.01"'), 0.002)
+    assert (seen.first, seen.deepest_m) == ({(0, 1): pytest.approx(0.015)}, pytest.approx(0.005))
+    assert ran(of(z=0.105, floor='margin="0.01"'), 0.002).deepest_m == 0.0
+
+
+@pytest.mark.parametrize(("time_s", "late"), [(0.024, True), (0.045, False)])
+def test_late_is_after_the_first_third(time_s, late):
+    """10 mm deep and upward with 1 m/s it is out after 10 ms at the latest: later than 8 ms, before 15."""
+    seen = ran(of(z=0.09, floor='solref="1 1"'), time_s, speed=(0, 0, 1.0))
+    assert seen.deepest_m == pytest.approx(0.01) and (seen.late_m > 0.0) == late
+
+
+@pytest.mark.parametrize(("iterations", "share"), [(1, 1.0), (100, 0.0)])
+def test_effort_is_steps_and_half_the_iterations(iterations, share):
+    target = of(g=-9.81, z=0.1, type="box", option=f'iterations="{iterations}"')
+    seen, data, count = ran(target), mujoco.MjData(target.model), 0
+    for _ in range(100):
+        mujoco.mj_step(target.model, data)
+        count += int(data.solver_niter.sum())
+    assert (seen.effort, seen.at_limit) == (pytest.approx(500.0 + 0.5 * count / 0.2), pytest.approx(share, abs=0.05))
+    assert 0.0 < seen.cost_s < 10.0
+
+
+PUSHED = '<actuator><motor joint="free" gear="1"/></actuator><keyframe><key qpos="0 0 1 1 0 0 0" ctrl="6"/></keyframe>'
+
+
+@pytest.mark.parametrize(("thrown", "said"), [(0.0, False), (1.1, False), (1.3, True)])
+def test_it_is_thrown_where_a_change_leaves_less_than_half(thrown, said):
+    """6 N give 2 kg 0.6 m/s in 0.2 s, whatever the time step: half of 1.2 m/s."""
+    target = of(rest=PUSHED)
+    still, seen = runs_of(target.model, target)
+    seen = replace(seen, rise_m2_s2=np.array([0.5 * thrown**2]))
+    found = [each for each in stepped(scene_of(target), target, [still, seen]) if each.rule == "thrown"]
+    assert [each.value for each in found] == ([pytest.approx(thrown)] if said else [])
+
+
+@pytest.mark.parametrize(("thrown", "said"), [(0.49, False), (0.51, True)])
+def test_from_half_a_metre_a_second_on_contacts_throw(thrown, said):
+    target = of(z=0.1)
+    seen = replace(ran(target), rise_m2_s2=np.array([0.5 * thrown**2]))
+    assert ("thrown" in rules(target, seen)) == said
+
+
+@pytest.mark.parametrize(
+    ("share", "deeper_m", "faster", "said"),
+    [
+        (0.51, 1.1e-3, 0.0, True),
+        (0.49, 1.1e-3, 0.0, False),
+        (0.51, 0.9e-3, 0.0, False),
+        (0.51, 0.0, 0.11, True),
+        (0.51, 0.0, 0.09, False),
+    ],
+)
+def test_iterations_are_too_few_where_more_make_a_millimetre(share, deeper_m, faster, said):
+    """In half of the steps, a millimetre of depth, or 0.1 m/s; ten times as many are tried."""
+    target = of(g=-9.81, z=0.1)
+    seen = ran(target)
+    seen = replace(seen, at_limit=share, deepest_m=seen.deepest_m + deeper_m, speeds_m_s=seen.speeds_m_s + faster)
+    found = rules(target, seen)
+    assert ("solver" in found) == said
+    assert not said or 'iterations="1000"' in str(found["solver"].advice)
+    assert not said or f"{1e3 * seen.deepest_m:.3g} → {1e3 * (seen.deepest_m - deeper_m):.3g} mm" in str(
+        found["solver"].advice
+    )
+
+
+@pytest.mark.parametrize(
+    ("depth", "scale", "thrown", "severity"),
+    [
+        (0.0049, 1.0, 0.0, None),  # 5 % of 0.1 m
+        (0.0051, 1.0, 0.0, "note"),
+        (0.0051, 1.0 / 101.0, 0.0, "warning"),  # a hundred times its weight
+        (0.0051, 1.0 / 99.0, 0.0, "note"),
+        (0.0051, 1.0, 0.51, "warning"),
+        (0.0051, 1.0, 0.49, "note"),
+    ],
+)
+def test_an_overlap_is_a_warning_where_it_presses_or_throws(depth, scale, thrown, severity):
+    """The floor bears the ball's weight; it is a share of it where gravity is scaled after that."""
+    target = of(g=-9.81, z=0.1)
+    seen = replace(ran(target, 1.0), first={(0, 1): depth}, rise_m2_s2=np.array([0.5 * thrown**2]))
+    target.model.opt.gravity *= scale
+    found = rules(target, seen).get("overlap")
+    assert (found.severity if found else None) == severity
+    assert not found or (found.shape, found.against) == ("floor", ("ball",))
+    assert scale > 1.0 / 100.0 or "19.6 N press them apart, 101 times the weight" in found.message
+    assert not found or found.value == pytest.approx(1e3 * depth)
+    assert not found or str(found.advice) == f"move one by {1e3 * depth:.3g} mm"
+
+
+@pytest.mark.parametrize(("depth_mm", "share", "said"), [(19, 0.0, 0), (21, 0.0, 1), (21, 0.48, 1), (21, 0.52, 0)])
+def test_what_lies_is_sunk_from_a_fifth_of_half_its_thickness_on(depth_mm, share, said):
+    """A box of 0.1 m by g (1 - d) timeconst² / 4; twice as deep as at the start, of which a share is taken."""
+    timeconst = math.sqrt(1e-3 * depth_mm / (9.81 * 0.1 / 4.0))
+    floor = f'priority="1" solref="{timeconst} 1" solimp="0.9 0.9 0.001" friction="1"'
+    target = of(g=-9.81, z=0.1 - 1e-3 * depth_mm, floor=floor, type="box")
+    seen = ran(target)
+    found = rules(target, replace(seen, first={(0, 1): share * 1e-3 * depth_mm})).get("depth")
+    assert bool(found) == bool(said)
+    assert not found or found.value == pytest.approx(depth_mm, rel=1e-3)
+    assert not found or f"{2.0 * 9.81 / 4.0:.3g} N on a point" in found.message
+
+
+@pytest.mark.parametrize("integrator", ["Euler", "RK4"])
+def test_a_wall_stops_what_flies_where_it_is_as_thick_as_a_damped_spring_yields(integrator):
+    """A critically damped spring yields by v / (e ω), ω = 1 / (dmax timeconst), and half a step passes before."""
+    wall = '<geom name="wall" type="box" size="0.01 1 1" pos="1 0 1"/>'
+    target = of(more=wall, rest='<keyframe><key qvel="20 0 0 0 0 0"/></keyframe>', option=f'integrator="{integrator}"')
+    runs = runs_of(target.model, target)
+    [found] = [each for each in stepped(scene_of(target), target, runs) if each.rule == "tunnel"]
+    deep = 20.0 * (0.001 + 0.95 * 0.02 / math.e)
+    assert found.value == pytest.approx(20.0) and f"{2.2e3 * (deep - 0.1):.3g} mm stop it" in str(found.advice)
+    assert f"through 20 mm, {0.99 / 20.0:.2g} s after keyframe 0" in found.message
+
+
+@pytest.mark.parametrize(("z", "said"), [(19.0, True), (20.5, False)])
+def test_what_falls_for_two_seconds_is_followed(z, said):
+    """By v = √(2 g h) and t = √(2 h / g)."""
+    slab = '<geom type="box" size="1 1 0.005"/>'
+    target = of(g=-9.81, z=z, more=slab, floor='contype="0" conaffinity="0"')
+    found = rules(target, ran(target)).get("tunnel")
+    assert bool(found) == said
+    assert not said or found.value == pytest.approx(math.sqrt(2.0 * 9.81 * (z - 0.005)))
+
+
+@pytest.mark.parametrize(("timeconst", "said"), [(0.043, False), (0.047, True)])
+def test_a_weld_is_open_from_a_millimetre_on(timeconst, said):
+    """By (1 - d) g timeconst², as a contact is pressed in."""
+    weld = f'<equality><weld body1="ball" solref="{timeconst} 1" solimp="0.95 0.95 0.001"/></equality>'
+    target = of(g=-9.81, rest=weld)
+    found = rules(target, ran(target, 1.0)).get("weld")
+    assert bool(found) == said
+    assert not found or found.value == pytest.approx(50.0 * 9.81 * timeconst**2, rel=0.02)
+
+
+ARM = """
+<body pos="2 0 1"><joint {} frictionloss="{}" solreffriction="{} 1"/><geom size="0.05" pos="{} 0 0" mass="1"/></body>
+"""
+
+
+@pytest.mark.parametrize(
+    ("timeconst", "share", "kind", "said"),
+    [
+        (0.02, 0.5, "slide", True),
+        (0.01, 0.5, "slide", True),
+        (0.009, 0.5, "slide", False),  # 4.66 mm/s
+        (0.02, 0.983, "slide", True),
+        (0.02, 0.995, "slide", False),
+        (0.02, 0.5, "hinge", True),
+    ],
+)
+def test_a_joint_sags_by_its_row_as_a_contact_creeps(timeconst, share, kind, said):
+    """R f / b = (1 - d)/d g dmax timeconst / 2, d 0.9 and dmax 0.95; a hinge by as much over its arm of 0.3 m."""
+    arm, axis = (0.3, "0 1 0") if kind == "hinge" else (0, "0 0 1")
+    joint = f'type="{kind}" axis="{axis}"'
+    target = of(g=-9.81, more=ARM.format(joint, 9.81 * (arm or 1.0) / share, timeconst, arm), z=0.1)
+    found = rules(target, ran(target)).get("sag")
+    assert bool(found) == said
+    speed = 0.1 / 0.9 * 9.81 * 0.95 * 0.5 * timeconst
+    turned = math.degrees(speed / 0.3) * 0.09 / (0.09 + 0.4 * 0.05**2)  # and the ball's own inertia
+    assert not found or found.value == pytest.approx(1e3 * speed if kind == "slide" else turned, rel=0.01)
+    assert not found or f"{found.value:.3g} → 0 {found.unit}, in MuJoCo C" in str(found.advice)  # noslip leaves R out
+
+
+@pytest.mark.parametrize(("count", "said"), [(990, False), (1010, True)])
+def test_a_hull_of_a_thousand_vertices_is_said(count, said, tmp_path):
+    """Of points on a sphere all are on their hull."""
+    z = np.linspace(-0.99, 0.99, count)
+    turn, wide = 2.4 * np.arange(count), np.sqrt(1.0 - z**2)
+    points = np.stack([wide * np.cos(turn), wide * np.sin(turn), z], axis=1).ravel()
+    path = tmp_path / "scene.xml"
+    asset = f'<asset><mesh name="rock" vertex="{" ".join(f"{each:.6f}" for each in points)}"/></asset>'
+    path.write_text(BALL.format(**USUAL | {"more": '<geom type="mesh" mesh="rock" pos="5 0 9"/>', "rest": asset}))
+    target = Target("scene", mujoco.MjModel.from_xml_path(str(path)), path=path)
+    found = rules(target, ran(target, 0.01)).get("hull")
+    assert (found.value if found else None) == (count if said else None)
+
+
+HARM = [
+    ({}, {"deepest_m": 0.01104}, ""),  # 1.1 times 10 mm and 0.05 mm
+    ({}, {"deepest_m": 0.01106}, "deepest contact 10 → 11.1 mm"),
+    ({}, {"late_m": 0.00554}, ""),
+    ({}, {"late_m": 0.00556}, "deepest contact at the end 5 → 5.56 mm"),
+    ({}, {"speed": 1.051}, ""),  # 1.05 times 1 m/s and 2 mm/s
+    ({}, {"speed": -1.053}, "what moves fastest"),
+    ({}, {"effort": 1790.0}, ""),
+    ({}, {"effort": 1810.0}, "1.8 times as much"),
+    ({}, {"cost_s": 5.9}, ""),
+    ({}, {"cost_s": 6.02}, "costs 3 times as much"),
+    ({}, {"bad": "BADQACC"}, "blows up after 0.2 s"),
+    ({"bad": "BADQACC"}, {"deepest_m": 1.0}, ""),
+    ({"thrown": 0.51}, {"thrown": 0.24, "late_m": 0.009}, ""),  # it lies now
+    ({"thrown": 0.51}, {"thrown": 0.26, "late_m": 0.009}, "at the end"),
+    ({"thrown": 0.49}, {"thrown": 0.24, "late_m": 0.009}, "at the end"),
+    ({"thrown": 0.51}, {"thrown": 0.24, "late_m": 0.009, "deepest_m": 0.0101}, "at the end"),
+    ({"rule": "lost"}, {"late_m": 0.009, "deepest_m": 0.0019, "effort": 9e9}, ""),
+    ({"rule": "lost"}, {"late_m": 0.009, "deepest_m": 0.0021}, "at the end"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "said"), HARM)
+def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
+    runs, seen = [], ran(of())
+    for given in (old, new):
+        given = {
+            "deepest_m": 0.01,
+            "late_m": 0.005,
+            "effort": 1000.0,
+            "cost_s": 2.0,
+            "speed": 1.0,
+            "thrown": 0.0,
+            **given,
+        }
+        data = mujoco.MjData(of().model)
+        data.qvel[:] = 0.0, given.pop("speed"), 0.0, 0.0, 0.0, 0.5
+        rise = np.array([0.5 * given.pop("thrown") ** 2])
+        rule = given.pop("rule", "depth")
+        runs.append((rule, replace(seen, data=data, rise_m2_s2=rise, **given)))
+    (rule, before), (_, after) = runs
+    found = harm([before], [after], [rule])
+    assert said in found and bool(found) == bool(said)
+
+
+def test_what_was_measured_is_told_in_millimetres_and_as_a_mean():
+    seen = ran(of())
+    runs = [replace(seen, deepest_m=0.01, cost_s=2.0), replace(seen, deepest_m=0.002, cost_s=1.0)]
+    assert _told(runs) == "deepest contact 10 mm, 1.5 s a simulated second"
