@@ -1,5 +1,6 @@
 """The term that friction rows leave out: the kernel and its twin in C against differences of the contact velocity."""
 
+from copy import copy
 from dataclasses import replace
 from itertools import product
 from types import SimpleNamespace
@@ -167,3 +168,61 @@ def test_a_solver_that_cannot_have_it_is_refused_in_a_line(solver, options, word
     with pytest.raises(ValueError, match=words) as error:
         contact_bias.install(solver, **options)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("solref", "dmax", "refsafe", "expected"),
+    [
+        ((0.02, 1.0), 0.95, True, 2.0 / 0.019),
+        ((0.001, 0.3), 0.5, True, 2.0 / (0.5 * 0.004)),
+        ((0.001, 0.3), 0.5, False, 4e3),
+    ]
+    + [
+        ((-500.0, -20.0), 0.8, True, 25.0),
+        ((0.02, 1.0), 1.5, True, 2.0 / (0.9999 * 0.02)),
+        ((0.02, 1.0), 0.0, True, 1e6),
+    ],
+)
+def test_damping_is_as_the_engine_documents_it(solref, dmax, refsafe, expected):
+    """b = 2 / (dmax timeconst), or damping / dmax; timeconst ≥ 2 · 2 ms under refsafe, 1e-4 ≤ dmax ≤ 0.9999."""
+    solimp = (0.1, dmax, 0.001, 0.5, 2.0)
+    engine = SimpleNamespace(
+        opt=SimpleNamespace(timestep=0.002, disableflags=0 if refsafe else contact_bias.NO_REFSAFE)
+    )
+    assert contact_bias_c.damping(engine, solref, solimp) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("own", [(0.0, 0.0), (0.01, 1.0)])
+def test_centred_the_term_is_less_by_what_a_step_damps(own):
+    """1 − h b / 2 of it, with b of each row: 2 / (0.95 · 20 ms), and of friction rows that have their own 10 ms."""
+    engine = SimpleNamespace(opt=SimpleNamespace(timestep=0.002, disableflags=0, cone=contact_bias.ELLIPTIC))
+    contact = SimpleNamespace(efc_address=1, dim=4, solref=np.array([0.02, 1.0]), solreffriction=np.array(own))
+    contact.solimp = np.array([0.9, 0.95, 0.001, 0.5, 2.0])
+    data = SimpleNamespace(efc_aref=np.zeros(6))
+    contact_bias_c.subtract(engine, data, contact, np.arange(1.0, 7.0), centred=True, normal=True)
+    normal, friction = 1.0 - 0.002 / 0.019, 1.0 - 0.002 / (0.0095 if any(own) else 0.019)
+    assert data.efc_aref == pytest.approx([0.0, -normal, -2.0 * friction, -3.0 * friction, -4.0 * friction, 0.0])
+
+
+@pytest.mark.parametrize("refsafe", [True, False])
+def test_centred_the_kernel_is_its_twin_in_c(tumble, refsafe):
+    """With timeconsts about two steps of 1 ms, a solref of stiffness and damping, and impedances up to 1."""
+    tumble = copy(tumble)
+    tumble.geom_solref[:, 0], tumble.geom_solimp[:, 1] = np.geomspace(0.001, 0.01, tumble.ngeom), 1.0
+    tumble.geom_solref[-1], tumble.geom_solimp[::2, 1] = (-500.0, -20.0), 0.8
+    tumble.opt.disableflags |= 0 if refsafe else contact_bias.NO_REFSAFE
+    with wp.ScopedDevice("cpu"):
+        m = mjw.put_model(tumble)
+        for data in states(tumble):
+            own = np.random.default_rng(1).uniform(0.001, 0.01, (data.ncon, 2))
+            for contact, solref in zip(data.contact, own, strict=True):
+                contact.solreffriction[:] = solref * (contact.dim == 3)
+            d = mjw.put_data(tumble, data)
+            mjw.com_vel(m, d)
+            mjw.rne(m, d)
+            d.efc.aref.zero_()
+            data.efc_aref[:] = 0.0
+            contact_bias.apply(m, d, wp.array([True], dtype=bool), centred=True, normal=True)
+            contact_bias_c.subtract_bias(tumble, data, centred=True, normal=True)
+            found = d.efc.aref.numpy()[0, : data.nefc]
+            assert np.linalg.norm(found - data.efc_aref) <= 1e-4 * np.linalg.norm(data.efc_aref)
