@@ -1,6 +1,6 @@
 # make help says what there is. Every target sets up .venv by itself, once; PYTHON=… takes another Python as it is.
 
-override OWN := lint
+override OWN := lint mutate
 include packages/measured-report/measured_report/skeleton/report.mk
 
 # Named for programs that read this file; any other command in measured_report/commands/ or report/commands/ will do.
@@ -27,6 +27,18 @@ lint: $(READY)
 	@"$$TYPED_PYTHON" -m ruff check .
 	@"$$TYPED_PYTHON" -m ruff format --check .
 	@"$$TYPED_PYTHON" -m mypy
+
+# Which errors in MODULE=values/format would the tests of its room miss? In a copy, as each is written into the file.
+.PHONY: mutate
+mutate: $(READY)
+	@"$$TYPED_PYTHON" -m uv sync --quiet --frozen --inexact --group mutation && PATH="$$PWD/.venv/bin:$$PATH" && \
+		module=$${TYPED_MODULE:-values/format} && kept=$$(git stash create) && root=$$PWD && tree=$$(mktemp -d) && \
+		trap 'git -C "$$root" worktree remove --force "$$tree"' EXIT && \
+		git worktree add --quiet --detach "$$tree" "$${kept:-HEAD}" && cd "$$tree" && \
+		sed "s|MODULE|$$module|; s|ROOM|$${module%/*}|" tests/mutation.toml > mutation.toml && \
+		cosmic-ray baseline mutation.toml && cosmic-ray init mutation.toml mutants && \
+		cr-filter-operators mutants mutation.toml && cosmic-ray exec mutation.toml mutants && \
+		cr-report --surviving-only --show-diff mutants && cr-rate --fail-over 5 mutants # what is left out counts as killed
 
 # Where there is no uv, the one of the lock is installed for the time being: of that version and those bytes.
 .venv/.ready: pyproject.toml uv.lock
