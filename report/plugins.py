@@ -13,8 +13,8 @@ from measured_report.editions.status import State
 from measured_report.files.atomic import short_path
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.findings.chapters import results_digest
 from measured_report.pages import plugins
-from measured_report.pages.editions import results_digest
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError

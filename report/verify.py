@@ -5,7 +5,7 @@ from itertools import product
 from typing import Any
 
 from measured_report.files.errors import ReportError
-from measured_report.pages.editions import Edition
+from measured_report.findings.editions import Edition
 from measured_report.parts.claim import within
 from measured_report.values.quantities import Quantity, absent
 

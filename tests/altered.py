@@ -20,8 +20,9 @@ from markupsafe import Markup
 
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
-from measured_report.pages.cache import DerivedCache
-from measured_report.pages.editions import Edition, editions_of
+from measured_report.findings.cache import DerivedCache
+from measured_report.findings.editions import Edition
+from measured_report.pages.editions import worded_editions
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Pictures
 from measured_report.records.columns import REASON, column_of, is_number, units_of
@@ -254,7 +255,7 @@ def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
     own = own_release()
     with project_of(scenario, [own, NEWEST] if scenario.name == CHECKED else [own]) as project:
         derived = DerivedCache(project.root)
-        found = said_of(editions_of(project, TEMPLATES, derived), own)
+        found = said_of(worded_editions(project, TEMPLATES, derived), own)
         if scenario.name != CHECKED:
             return found, []
         derived.keep({})

@@ -29,8 +29,9 @@ from measured_report.editions.status import states_of
 from measured_report.files.atomic import locked
 from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
-from measured_report.pages.cache import DerivedCache
-from measured_report.pages.editions import Edition, derive_edition, editions_of
+from measured_report.findings.cache import DerivedCache
+from measured_report.findings.editions import Edition, derive_edition
+from measured_report.pages.editions import WordedEdition, worded_editions
 from measured_report.pages.prose import Prose, Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import identity_of, package_versions
@@ -311,11 +312,11 @@ def site(tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def editions(site) -> Mapping[str, Edition]:
+def editions(site) -> Mapping[str, WordedEdition]:
     """What the tracked results of every release make, as it was kept when their site was built."""
     project = Project(own_release(), root=site.parent)
     with cached_sources(project.root), unchanged_files():
-        return editions_of(project, Templates(project.templates), DerivedCache(project.root))
+        return worded_editions(project, Templates(project.templates), DerivedCache(project.root))
 
 
 @pytest.fixture(scope="module")
@@ -372,7 +373,7 @@ def killed_at(stop: int, changes: Callable[[str, tuple], bool], work: Callable[[
 
 
 def derived(project: Project) -> Edition:
-    return derive_edition(project, Templates(project.templates))
+    return derive_edition(project)
 
 
 def contents(editions: Mapping[str, Edition], templates: Templates, release: str) -> list[Content]:
@@ -390,9 +391,8 @@ def undrawn(parts: Sequence[Prose]) -> str:
 
 
 def compared(*projects: Project) -> Comparison:
-    templates = Templates(projects[0].templates)
     with unchanged_files():
-        return compare(*(derive_edition(project, templates) for project in projects))
+        return compare(*map(derive_edition, projects))
 
 
 @pytest.fixture

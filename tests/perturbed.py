@@ -11,13 +11,15 @@ from typing import TYPE_CHECKING, Any
 from conftest import contents, undrawn
 
 from measured_report.files.config import config
-from measured_report.pages.editions import Chapters, Edition, derive_section
+from measured_report.findings.chapters import Chapters
+from measured_report.findings.editions import Edition
+from measured_report.findings.sections import derive_section
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace
-from measured_report.values.noise import NOISE, floors_of
+from measured_report.values.evidence import Evidence, repeats_of
 from measured_report.values.quantities import Pointer
 from measured_report.values.results import Results, Series
 
@@ -113,9 +115,10 @@ class Perturbation:
         """Nothing is derived from them yet."""
         tracked = self.releases[release][name].results
         record = records.get(tracked.source, tracked.record)
-        noise = records.get(f"{tracked.path.parent.name}/{NOISE}.json")
-        floors = floors_of(noise.rows, noise.units) if noise else tracked.floors
-        changed = {"record": record, "derived": {}, "floors": floors, "traces": traces}
+        noise = records.get(f"{tracked.path.parent.name}/{config().noise_section}.json")
+        repeats = repeats_of(noise.rows) if noise else tracked.evidence.repeats
+        evidence = tracked.evidence if record is tracked.record and not noise else Evidence(repeats=repeats)
+        changed = {"record": record, "derived": {}, "evidence": evidence, "traces": traces}
         return PerturbedResults(**{each.name: getattr(tracked, each.name) for each in fields(tracked)} | changed)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from experiments.facts.case import differences
 from measured_report.files.root import ROOT
-from measured_report.pages.sections import outline_of
+from measured_report.findings.sections import outline_of
 from measured_report.records.identity import sections
 from measured_report.site.check import check_site
 

@@ -33,7 +33,7 @@ def run_script(folder: Path, number: int, **settings: str) -> subprocess.Complet
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("#!/bin/bash\nexit 1\n" if name == "nvidia-smi" else PROGRAM)
         path.chmod(0o755)
-    script = textwrap.dedent(SCRIPT.findall((ROOT / ".github/workflows/upgrade.yml").read_text())[number])
+    script = textwrap.dedent(SCRIPT.findall((ROOT / ".github/workflows/upgrade.yml").read_text())[number + 1])
     given = {"FOLDER": folder, "GITHUB_OUTPUT": folder / "output", "PATH": f"{folder}:{os.environ['PATH']}", **settings}
     command = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script]
     return subprocess.run(command, cwd=folder, env=given, capture_output=True, text=True, check=False)
@@ -74,9 +74,18 @@ def test_the_workflow_keeps_one_issue(tmp_path, open_issue, call):
 
 @pytest.mark.parametrize("folder", WORKFLOWS, ids=["here", "new"])
 def test_the_job_that_may_write_runs_nothing_that_was_measured(folder):
-    first, writing = (folder / "upgrade.yml").read_text().split("\n  issue:\n")
-    assert ": write" not in first and "github.token" not in first and "issues: write" in writing
-    assert not re.search("uses:|build.py|make ", writing)
+    before, rest = (folder / "upgrade.yml").read_text().split("\n  upgrade:\n")
+    measuring, writing = rest.split("\n  issue:\n")
+    assert ": write" not in before + measuring and "github.token" not in measuring and "issues: write" in writing
+    assert not any(re.search("build.py|make ", job) for job in (before.partition("jobs:")[2], writing))
+    assert "uses:" not in writing
+
+
+@pytest.mark.parametrize("folder", WORKFLOWS, ids=["here", "new"])
+def test_what_was_measured_is_kept_and_used_the_next_time(folder):
+    text = (folder / "upgrade.yml").read_text()
+    kept = re.search(r"name: measured\n +path: (\S+)\n", text)[1]
+    assert f"name: before\n          path: {kept}\n" in text and "--name measured" in text
 
 
 def test_a_new_report_takes_the_uv_of_the_lock_by_its_bytes():

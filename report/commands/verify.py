@@ -4,10 +4,9 @@ import argparse
 
 from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
+from measured_report.findings.editions import derive_edition
 from measured_report.measuring.machine import gpus, measuring_device
 from measured_report.measuring.measure import measure_headline
-from measured_report.pages.editions import derive_edition
-from measured_report.pages.prose import Templates
 from report.verify import PROGRAM, verify
 
 OPTIONS = shared("edition", "device")
@@ -18,6 +17,6 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     device = measuring_device(arguments.device or ("cuda" if gpus() else "cpu"), project.profile)
     found = measure_headline(project, arguments.release, device, PROGRAM)
-    text, agrees = verify(derive_edition(project, Templates(project.templates)), found)
+    text, agrees = verify(derive_edition(project), found)
     print(text)
     return int(not agrees)

@@ -37,8 +37,7 @@ def packed_runs(results: Results) -> dict[str, Any]:
 
 
 def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any]:
-    """Return a run, sampled so that its last frame is among the samples; each column in 16 bits between its least and
-    largest value."""
+    """Return a run, sampled up to its last frame, each column in 16 bits between its least and its largest value."""
     run = kept_run(row, load_trace(trace_path(record, row["case"])))
     step = max(1, round(row["frame_rate_hz"] / row["kept_frame_step"] / SAMPLE_RATE_HZ))
     chosen = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
@@ -58,15 +57,13 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
             "position": run.begin_in_hand[:3, 3].tolist(),
             "quaternion": np.round(turn[run.shake_start], 9).tolist(),
         },
-        "low": low.tolist(),
-        "high": high.tolist(),
+        **{"low": low.tolist(), "high": high.tolist()},
         "samples": base64.b64encode(whole.T.tobytes()).decode(),
     }
 
 
 def quaternions(poses: np.ndarray) -> np.ndarray:
-    """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4], none the negative of what would follow from
-    the last.
+    """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4], each on the side of the last.
 
     Each is the largest eigenvector of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
     from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).

@@ -11,7 +11,7 @@ from markupsafe import Markup
 
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
-from measured_report.pages.editions import Chapter
+from measured_report.findings.chapters import Chapter
 from measured_report.pages.prose import Templates
 from measured_report.values.format import format_number
 from report.media.clips import Clips

@@ -6,7 +6,8 @@ from measured_report.parts.claim import Claim, Outcome, all_of, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import CASES, departure, difference, noise_floor, size_share, table_of
+from report.shared.arithmetic import CASES, departure, difference, noise_floor, size_share
+from report.shared.tables import table_of
 
 order = 70
 page = "cause"
@@ -26,16 +27,11 @@ def derive(results: Results) -> Section:
     run = next((row for row in more_runs if row.case == "as-shipped"), results.row["as-shipped"])
     shown = [row for row in rows if row.case == "as-shipped"]
     ends = _term_restored(results, left_out, restored)
-    return Section(
-        tables={"rows": table_of("row", [row.row for row in shown], ROWS, shown)},
-        claims=[
-            _far_inside_cone(results, run),
-            *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
-            _slide_accounts(results, run),
-            _missing_term(results, left_out, ends.outcome),
-            ends,
-        ],
-    )
+    tables = {"rows": table_of("row", [row.row for row in shown], ROWS, shown)}
+    claims = [_far_inside_cone(results, run)]
+    claims += [*_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s)]
+    claims += [_slide_accounts(results, run), _missing_term(results, left_out, ends.outcome), ends]
+    return Section(tables=tables, claims=claims)
 
 
 def _far_inside_cone(results: Results, run: Row) -> Claim:

@@ -7,7 +7,7 @@ from measured_report.parts.claim import Claim, all_of, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, table_of
+from report.shared.tables import Column, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, fine_enough, resolution, worlds_name
 
 order = 144
@@ -44,12 +44,9 @@ def derive(results: Results) -> Section:
 
 def _seen(results: Results, name: str, row: Row, extra: Value) -> Value:
     """Derive from how much on a frame is seen to take longer [%]: in one measurement, and in another one."""
-
-    def known(resolution: float, _: float) -> float:
-        return max(100 * resolution, extra.noise or 0.0)
-
     formula = "how well the ratio is known by one measurement, or how far measurements are apart, the larger"
-    return results.value(name, formula, known, row.ratio_resolution, extra, unit="%", is_noise=True)
+    cells, apart = (row.ratio_resolution, extra), extra.noise or 0.0
+    return results.value(name, formula, lambda known, _: max(100 * known, apart), *cells, unit="%", is_noise=True)
 
 
 def _costs_nothing(results: Results, case: str, pairs: Sequence[tuple[Value, Value]], known: Value) -> Claim:

@@ -11,22 +11,11 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
+from report.shared import arithmetic
 from report.shared import drawing as colours
-from report.shared.arithmetic import (
-    Found,
-    by_case,
-    cell_count,
-    departure,
-    difference,
-    is_held,
-    largest_size,
-    noise_floor,
-    other_value,
-    quantile,
-    resolved,
-    share,
-)
+from report.shared.arithmetic import departure, largest_size, noise_floor, other_value, quantile, resolved, share
 from report.shared.drawing import mark_points
+from report.shared.tables import by_case
 
 order = 91
 page = "cause"
@@ -52,20 +41,18 @@ SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")
 
 def derive(results: Results) -> Section:
     formula = "drift measured with positions compensated, less that of the law, in size, of the latter"
-    runs = list(filter(is_held, results.rows))
+    runs = list(filter(arithmetic.is_held, results.rows))
     pairs = [(row.drift_mm_s, row.predicted_drift_mm_s) for row in runs]
     offs = [departure(results, f"off_kept_{row.case}", formula, *pair) for row, pair in zip(runs, pairs, strict=True)]
     follows, sources = _follows(results, runs, offs), [cell for pair in pairs for cell in pair]
     figure = Figure(lambda: _draw(runs), sources, {"follows": follows.outcome == HOLDS})
-    return Section(
-        tables={"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)},
-        figures={"law": figure},
-        claims=[_by_hand(results), follows],
-    )
+    tables = {"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)}
+    claims = [_by_hand(results), follows]
+    return Section(tables=tables, figures={"law": figure}, claims=claims)
 
 
 def _by_hand(results: Results) -> Claim:
-    row, stiffness = results.row[SHIPPED], partial(Found(results.others).cell, "stiffness", SHIPPED)
+    row, stiffness = results.row[SHIPPED], partial(arithmetic.Found(results.others).cell, "stiffness", SHIPPED)
     dmax = stiffness("dmax")
     substep = other_value(results, "stiffness", "substep", unit="s")
     step = results.value("step_ms", "substep in ms", lambda seconds: 1e3 * seconds, substep, unit="ms")
@@ -76,7 +63,7 @@ def _by_hand(results: Results) -> Claim:
     formula = "half of dmax · timeconst · ⟨J̇q̇⟩"
     trailing = results.value("trailing", formula, lambda d, t, g: d * t * g / 2e3, dmax, timeconst, g, unit="mm/s")
     back = results.value("back", "half of h · ⟨J̇q̇⟩", lambda h, g: h * g / 2e3, step, g, unit="mm/s")
-    rough = difference(results, "rough", "the first less the second", trailing, back)
+    rough = arithmetic.difference(results, "rough", "the first less the second", trailing, back)
     off = departure(results, "rough_off", "how far that is from the drift, of the latter", rough, row.drift_mm_s)
     # A point that swings along an arc of radius r has v² / r toward its axis: on average half of (2πfA)² / r.
     cells = (stiffness(f"shake_{name}", unit) for name, unit in SHAKE.items())
@@ -101,7 +88,7 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     formula = "different responses of these runs, to a thousandth of themselves"
     distinct = results.value("response_count", formula, lambda *s: len({f"{each:.3g}" for each in s}), *responses)
     drifts, formula = [row.drift_mm_s for row in runs], "noise of the drift, of the fastest"
-    fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts, unit="mm/s")
+    fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts)
     noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
     formula, laws = "drift that the law gives to nine in ten runs, at least", [row.predicted_drift_mm_s for row in runs]
     slow = results.value("law_least", formula, lambda *a: quantile(1 - MOST, *map(abs, a)), *laws, unit="mm/s")
@@ -110,11 +97,11 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     if outcome == FAILS and (told := resolved(scatter, within["most"])) != HOLDS:
         outcome = told.having_read(width, distinct)
     numbers: dict[str, Quantity] = {**within, "bound": bound, "width": width, "distinct": distinct}
-    numbers["count"] = cell_count(results, "count_kept", "runs that keep the cube, positions compensated", offs)
-    numbers["tried"] = cell_count(results, "tried_count", "runs that were tried", [row.pad_ke for row in results.rows])
-    is_wide = all_of(
-        at_least(width, 3.0, why="enough to see a law"), at_least(distinct, 5, why="more than a line takes")
-    )
+    formula, tried = "runs that keep the cube, positions compensated", [row.pad_ke for row in results.rows]
+    numbers["count"] = arithmetic.cell_count(results, "count_kept", formula, offs)
+    numbers["tried"] = arithmetic.cell_count(results, "tried_count", "runs that were tried", tried)
+    many = at_least(distinct, 5, why="more than a line takes")
+    is_wide = all_of(at_least(width, 3.0, why="enough to see a law"), many)
     if outcome != FAILS and is_wide != HOLDS:
         reason = "the friction rows of all runs brake too much alike to tell"
         outcome = Outcome("unknown", reason).having_read(width)

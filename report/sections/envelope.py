@@ -10,8 +10,9 @@ from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most,
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
-from report.shared.arithmetic import Column, noise_floor, resolved, table_of
+from report.shared.arithmetic import noise_floor, resolved
 from report.shared.maps import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
+from report.shared.tables import Column, table_of
 
 order = 120
 page = "fix"
@@ -28,12 +29,11 @@ def derive(results: Results) -> Section:
     shipped, stiff = _drops(results, trace, lost, held)
     seconds = results.row["as-shipped-3cm-1hz"].shake_duration_s
     about = {"shipped": lost["as-shipped"], "stiff": lost["stiff"], "seconds": seconds}
-    about |= {"keeps": stiff.outcome == HOLDS, "is_crossed": any(count.value for count in lost.values())}
-    return Section(
-        tables={"shakes": _shakes(results, trace)},
-        figures={"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)},
-        claims=[shipped, stiff, _map_gain(results, trace)],
-    )
+    about |= {"keeps": stiff.outcome == HOLDS, "drops": shipped.outcome == HOLDS}
+    tables = {"shakes": _shakes(results, trace)}
+    figures = {"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)}
+    claims = [shipped, stiff, _map_gain(results, trace)]
+    return Section(tables=tables, figures=figures, claims=claims)
 
 
 def _shakes(results: Results, trace: Series) -> Table:
@@ -65,10 +65,8 @@ def _drops(results: Results, trace: Series, lost: Mapping[str, Value], held: Val
     cells = results.value("cells", "cells of the map on each side", lambda frame: len(frame) // len(SIDES), trace)
     drops = decided(bool(shipped.value), shipped)
     never = at_most(stiff, 0, why="no cell is dropped")
-    return (
-        Claim("as_shipped_drops", drops, {"lost": shipped, "cells": cells}),
-        Claim("stiff_pads_never_drop", never, {"lost": stiff, "cells": cells, "held": held}),
-    )
+    claim = Claim("as_shipped_drops", drops, {"lost": shipped, "cells": cells})
+    return claim, Claim("stiff_pads_never_drop", never, {"lost": stiff, "cells": cells, "held": held})
 
 
 def _map_gain(results: Results, trace: Series) -> Claim:
@@ -76,9 +74,7 @@ def _map_gain(results: Results, trace: Series) -> Claim:
     middle = results.value("map_gain_median", formula, lambda frame: median(_gains(frame)), trace)
     least = results.value("map_gain_least", "least ratio on the map", lambda frame: _gains(frame).min(), trace)
     formula = "least of the differences of the slips, as shipped less stiff, in size"
-    gap = results.value(
-        "map_gap_least", formula, lambda frame: abs(np.subtract(*_slips(frame))).min(), trace, unit="mm"
-    )
+    gap = results.value("map_gap_least", formula, lambda map: abs(np.subtract(*_slips(map))).min(), trace, unit="mm")
     outcome = all_of(at_least(least, 1.0, why="less slip"), resolved(noise_floor(results, "slip_floor"), gap))
     return Claim("map_gain", outcome, {"median": middle, "least": least})
 

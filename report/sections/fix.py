@@ -16,10 +16,8 @@ label = "the fix as files"
 
 def derive(results: Results) -> Section:
     shipped, fixed = results.row["as-shipped"], results.row["fixed"]
-    return Section(
-        claims=[_recommended(results, shipped, fixed), _patch_rounds_up(results), _test_tells(shipped, fixed)],
-        downloads=[Download(name, text) for name, text in fix_files().items()],
-    )
+    claims = [_recommended(results, shipped, fixed), _patch_rounds_up(results), _test_tells(shipped, fixed)]
+    return Section(claims=claims, downloads=[Download(name, text) for name, text in fix_files().items()])
 
 
 def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
@@ -30,8 +28,7 @@ def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
 
 
 def _patch_rounds_up(results: Results) -> Claim:
-    """Compare the patch's ke and kd with those beyond which the engine, whose shortest timeconst is two steps, makes no
-    contact harder."""
+    """Compare the patch's ke and kd with those of the shortest timeconst, two steps: no contact is harder."""
     step = other_value(results, "stiffness", "substep", unit="s")
     dt = results.value("step_ms", "the same in ms", lambda step: 1e3 * step, step, unit="ms")
     least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", lambda step: 1 / step, step)

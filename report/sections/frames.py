@@ -3,7 +3,8 @@
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, noise_floor, share, table_of
+from report.shared.arithmetic import noise_floor, share
+from report.shared.tables import Column, table_of
 
 order = 60
 reads = ("noise",)
@@ -16,10 +17,8 @@ ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
 
 def derive(results: Results) -> Section:
     claims = [_cube_moves_in_fingers(results), _robot_is_still(results)]
-    columns: dict[str, Column] = {
-        "displacement": "displacement_mm",
-        "of the cube's way": lambda row: _part(results, row),
-    }
+    columns: dict[str, Column] = {"displacement": "displacement_mm"}
+    columns["of the cube's way"] = lambda row: _part(results, row)
     pairs = table_of("what in what", [row.pair for row in results.rows], columns, results.rows)
     return Section(tables={"pairs": pairs}, claims=claims)
 

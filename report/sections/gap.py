@@ -3,7 +3,8 @@
 from measured_report.parts.claim import Claim, all_of, decreases, equal_within
 from measured_report.parts.section import Section
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import by_case, noise_floor, share, spread
+from report.shared.arithmetic import noise_floor, share, spread
+from report.shared.tables import by_case
 from report.shared.variants import is_small
 
 order = 110

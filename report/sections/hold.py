@@ -37,22 +37,14 @@ def derive(results: Results) -> Section:
     numbers: dict[str, Any] = {"shaken": shaken.slip_mm, "held": long.slip_mm, "stiff": stiff.slip_mm}
     numbers |= {"shake_duration": shaken.shake_duration_s, "hold_duration": long.shake_duration_s}
     numbers["is_so"] = all_of(goes_on.outcome, keeps.outcome) == HOLDS
-    return Section(
-        figures={"motion": Figure(lambda: _draw_motion(traces), list(traces.values()), numbers)},
-        claims=[
-            _drift_needs_cycle(results, results.row["hold"].drift_mm_s, shaken.drift_mm_s),
-            goes_on,
-            keeps,
-            _creep_is_rounding(results, *(results.row[f"precision-{name}"] for name in PRECISION)),
-        ],
-    )
+    figures = {"motion": Figure(lambda: _draw_motion(traces), list(traces.values()), numbers)}
+    claims = [_drift_needs_cycle(results, results.row["hold"].drift_mm_s, shaken.drift_mm_s), goes_on, keeps]
+    claims += [_creep_is_rounding(results, *(results.row[f"precision-{name}"] for name in PRECISION))]
+    return Section(figures=figures, claims=claims)
 
 
 def _drift_needs_cycle(results: Results, held: Quantity, shaken: Quantity) -> Claim:
-    """Tell whether there is no drift to speak of with the arm held still.
-
-    What drifts the other way when held is no part of the drift when shaken, but a cause that takes no shake.
-    """
+    """Tell whether a held cube hardly drifts; if the other way, that is no part of the drift but takes no shake."""
     formula = "drift with the arm held still, of the drift as shipped, in size"
     part = size_share(results, "hold_share", formula, held, shaken)
     there = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)

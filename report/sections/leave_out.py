@@ -13,8 +13,9 @@ from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import DEVICES, Column, difference, largest_size, noise_floor, ratio, table_of
+from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio
 from report.shared.drawing import CURE, SHIPPED, STIFF, name_lines
+from report.shared.tables import Column, table_of
 from report.shared.timing import RowsBy, resolution, worlds_name
 
 order = 150
@@ -56,16 +57,11 @@ def derive(results: Results) -> Section:
     for device in DEVICES:
         own = (row for (of, *_), row in timed.items() if of == device)
         known[device] = resolution(results, f"{device}_resolution", own)
-    return Section(
-        tables={"audit": audit_table(results)},
-        figures={"cost": cost_figure(results, timed)},
-        claims=[
-            _faster_on_gpu(results, timed, known["cuda"]),
-            _faster_on_cpu(results, timed, known["cpu"]),
-            _less_memory(results, timed),
-            _same_slip_on_gpu(results, differences),
-        ],
-    )
+    tables = {"audit": audit_table(results)}
+    figures = {"cost": cost_figure(results, timed)}
+    claims = [_faster_on_gpu(results, timed, known["cuda"]), _faster_on_cpu(results, timed, known["cpu"])]
+    claims += [_less_memory(results, timed), _same_slip_on_gpu(results, differences)]
+    return Section(tables=tables, figures=figures, claims=claims)
 
 
 def _device(timed: Timed) -> str:
@@ -118,7 +114,7 @@ def _same_slip_on_gpu(results: Results, differences: Mapping[str, Value]) -> Cla
     """Compare means over the worlds that each case was run in."""
     floor = noise_floor(results, "slip_floor")
     formula = "largest difference in slip from the reference of that device, either way"
-    largest = largest_size(results, "cuda_largest_difference", formula, differences.values(), unit="mm")
+    largest = largest_size(results, "cuda_largest_difference", formula, differences.values())
     return Claim("same_slip_on_gpu", within(largest, floor), {"largest": largest, "floor": floor})
 
 
@@ -166,16 +162,13 @@ def cost_figure(results: Results, timed: Timed) -> Figure:
     device = _device(timed)
     counts = sorted({1, *(worlds for of, case, worlds in timed if (of, case) == (device, REFERENCE))})
     falls = [_fall(results, timed, device, worlds) for worlds in dict.fromkeys((counts[-1], 1))]
-    times = Markup("; ").join(
-        Markup("{}: {}, then {}").format(worlds_name(fall.worlds), *(end.frame_ms for end in fall.ends))
-        for fall in falls
-    )
-    before, after = (end.frame_ms for end in falls[0].ends)
-    numbers: dict[str, Any] = {"times": times, "worlds": worlds_name(counts[-1]), "before": before, "after": after}
-    sources = [
-        cell for fall in falls for cell in (*(step for step, _ in fall.steps.values()), fall.rest, before, after)
-    ]
-    return Figure(lambda: _draw_falls(falls), sources, numbers)
+    said, ends = Markup("{}: {}, then {}"), [[end.frame_ms for end in fall.ends] for fall in falls]
+    told = [said.format(worlds_name(fall.worlds), *each) for fall, each in zip(falls, ends, strict=True)]
+    before, after = ends[0]
+    numbers: dict[str, Any] = {"times": Markup("; ").join(told), "worlds": worlds_name(counts[-1])}
+    sources = [cell for fall in falls for cell in (*(step for step, _ in fall.steps.values()), fall.rest)]
+    numbers |= {"before": before, "after": after}
+    return Figure(lambda: _draw_falls(falls), [*sources, before, after], numbers)
 
 
 def _draw_falls(falls: Sequence[Fall]) -> Drawing:

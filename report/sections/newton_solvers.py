@@ -6,7 +6,8 @@ from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, a
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, cell_or_lost, creep_or_unseen, departure, is_held, share, table_of
+from report.shared.arithmetic import departure, is_held, share
+from report.shared.tables import Column, cell_or_lost, creep_or_unseen, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, worlds_name
 
 order = 188
@@ -49,15 +50,10 @@ def derive(results: Results) -> Section:
     claims = [offered, _others_hold(rows, times, hands, bound, as_far), _hands_go_as_far(rows, hands, as_far)]
     if not has_steel:
         return Section(tables=tables, claims=claims, unmeasured=OF_STEEL)
-    claims += [
-        _steel_stays(results, seen["%/s"]),
-        _slips_less(rows),
-        _anchors_help(rows),
-        _contacts_strain(results, rows),
-        _rows_overflow(results, rows),
-        _fails_sooner(rows),
-        _costs_more(times),
-    ]
+    warp, steel = (rows[name, "3cm"].slip_mm for name in ("warp", "steel"))
+    slips_less = Claim("slips_less", greater(warp, steel), {"warp": warp, "steel": steel})
+    claims += [_steel_stays(results, seen["%/s"]), slips_less, _anchors_help(rows)]
+    claims += [_contacts_strain(results, rows), _rows_overflow(results, rows), _fails_sooner(rows), _costs_more(times)]
     return Section(tables=tables, claims=claims)
 
 
@@ -104,11 +100,8 @@ def _shake_table(rows: RowsBy) -> Table:
     shaken = [rows[name, "3cm"] for name in names]
     columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm"}
     columns |= {"slip": [_slip(row) for row in shaken], "creep": creep_or_unseen}
-    means = {
-        "along over normal force": "friction_share",
-        "normal force": "normal_force_n",
-        "penetration": "penetration_mm",
-    }
+    means = {"along over normal force": "friction_share", "normal force": "normal_force_n"}
+    means["penetration"] = "penetration_mm"
     columns |= {
         above: ["lost" if row.plain.get("dropped") else row[mean] for row in shaken] for above, mean in means.items()
     }
@@ -133,32 +126,27 @@ def _slip(row: Row) -> Any:
 def _hands(results: Results, rows: RowsBy) -> dict[str, Value]:
     """Derive how much farther or less far than in MuJoCo Warp the hand goes in each solver that keeps the cube [%]."""
     mine, formula = rows["warp", "3cm"].hand_amplitude_mm, "of how far the hand goes in MuJoCo Warp, off it"
-    return {
-        name: departure(results, f"{name}_hand", formula, row.hand_amplitude_mm, mine)
-        for (name, shake), row in rows.items()
-        if shake == "3cm" and name != "warp" and is_held(row)
-    }
+    held = {name: row for (name, shake), row in rows.items() if shake == "3cm" and name != "warp" and is_held(row)}
+    cells = {name: row.hand_amplitude_mm for name, row in held.items()}
+    return {name: departure(results, f"{name}_hand", formula, cell, mine) for name, cell in cells.items()}
 
 
 def _others_hold(rows: RowsBy, times: RowsBy, hands: dict[str, Value], bound: Quantity, as_far: Quantity) -> Claim:
-    """Tell whether another solver than MuJoCo's keeps the slip below the bound in the same shake, with weight and
-    without; which, and what the fastest costs."""
+    """Tell which other solvers keep the slip below the bound in the same shake, with and without weight."""
     slips = {name: [rows[name, shake].slip_mm for shake in ("3cm", "weight")] for name in hands}
-    tests = {
-        name: all_of(*(at_most(slip, bound) for slip in slips[name]), at_most(hand, as_far))
-        for name, hand in hands.items()
-    }
+    below = {name: [at_most(slip, bound) for slip in cells] for name, cells in slips.items()}
+    tests = {name: all_of(*below[name], at_most(hand, as_far)) for name, hand in hands.items()}
     holding = [name for name, test in tests.items() if test == HOLDS]
     unclear = [test for test in tests.values() if test.is_inconclusive]
     read = [slip for name in holding or slips for slip in slips[name]]
-    timed = {name: times[name, TIMED_WORLDS[0]].frame_ratio for name in holding}
-    timed = {name: ratio for name, ratio in timed.items() if ratio.value is not None}
+    taken = [(name, times[name, TIMED_WORLDS[0]].frame_ratio) for name in holding]
+    timed = {name: ratio for name, ratio in taken if ratio.value is not None}
     fastest = min(timed, key=lambda name: timed[name].number, default="")
     names = [_label(name) for name in holding if "-" not in name]
     warp, ratio = rows["warp", "3cm"].slip_mm, timed.get(fastest, absent("1", "none of them was timed"))
-    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound, "ratio": ratio, "warp": warp}
+    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound, "warp": warp}
     outcome = unclear[0] if unclear and not holding else decided(bool(holding), *read)
-    told |= {"is_timed": bool(fastest), "are_many": len(names) > 1}
+    told |= {"is_timed": bool(fastest), "are_many": len(names) > 1, "ratio": ratio if fastest else ""}
     told |= {"is_longer": (ratio.value or 0.0) - 1.0 > (ratio.noise or 0.0)}
     return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio), told)
 
@@ -168,14 +156,9 @@ def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) ->
     worst = max(hands, key=lambda name: hands[name].value or 0.0, default="warp")
     outcome = all_of(*(at_most(hand, as_far, why="another shake") for hand in hands.values()))
     far, mine = (rows[name, "3cm"].hand_amplitude_mm for name in (worst, "warp"))
-    numbers = {"worst": _label(worst), "far": far, "mine": mine, "is_farther": far.number > mine.number}
+    is_farther = None not in (far.value, mine.value) and far.value > mine.value
+    numbers = {"worst": _label(worst), "far": far, "mine": mine, "is_farther": is_farther}
     return Claim("hands_go_as_far", outcome.having_read(far, mine), numbers)
-
-
-def _slips_less(rows: RowsBy) -> Claim:
-    """Tell whether the cube slips less far in Steel than in MuJoCo Warp, in the same scene without weight."""
-    warp, steel = (rows[name, "3cm"].slip_mm for name in ("warp", "steel"))
-    return Claim("slips_less", greater(warp, steel), {"warp": warp, "steel": steel})
 
 
 def _anchors_help(rows: RowsBy) -> Claim:
@@ -207,8 +190,7 @@ def _rows_overflow(results: Results, rows: RowsBy) -> Claim:
 
 
 def _fails_sooner(rows: RowsBy) -> Claim:
-    """Tell whether Steel loses the cube in a wide shake in which MuJoCo Warp keeps it; the other way round is the
-    opposite."""
+    """Tell whether in a wide shake Steel alone loses the cube; that MuJoCo Warp alone does is the opposite."""
     lost = {name: bool(rows[name, "10cm"].dropped) for name in ("warp", "steel")}
     cells = [rows[name, "10cm"].wander_mm for name in lost]
     found = OPPOSITE if lost["warp"] and not lost["steel"] else decided(lost["steel"] and not lost["warp"], *cells)

@@ -32,10 +32,7 @@ def derive(results: Results) -> Section:
 
 
 def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) -> Value:
-    """Say how far apart two runs of one case may come out in ``metric``, or the least resolved.
-
-    On a CPU all runs are alike to the last bit, but a change that only rounds differently is no finding there either.
-    """
+    """Say how far apart two runs may come out, or, where all are alike to the last bit, how far rounding moves them."""
     unit = UNITS[metric]
     formula = f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured"
     bounds = []
@@ -49,10 +46,7 @@ def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) 
 
 
 def _noise_is_small(results: Results, first: Sequence[Row], floors: Mapping[str, Value]) -> Claim:
-    def of_mean(floor: float, *found: float) -> float:
-        return 100 * floor / abs(fmean(found))
-
-    shares = {}
+    of_mean, shares = lambda floor, *found: 100 * floor / abs(fmean(found)), {}
     for metric, floor in floors.items():
         formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
         cells = floor, *(row[METRICS[metric]] for row in first)

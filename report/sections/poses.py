@@ -2,7 +2,7 @@
 
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import by_case
+from report.shared.tables import by_case
 
 order = 25
 label = "see it move"

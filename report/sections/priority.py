@@ -6,7 +6,8 @@ from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, greater, within
 from measured_report.parts.section import Section
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, by_case, noise_floor, share, spread
+from report.shared.arithmetic import noise_floor, share, spread
+from report.shared.tables import Column, by_case
 
 order = 100
 page = "fix"

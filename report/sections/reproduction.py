@@ -13,7 +13,8 @@ from measured_report.parts.claim import Claim, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import DEVICES, by_case, departure, ratio, spread
+from report.shared.arithmetic import DEVICES, departure, ratio, spread
+from report.shared.tables import by_case
 
 order = 10
 label = "the shake test"
@@ -49,10 +50,9 @@ def derive(results: Results) -> Section:
     _scene(results, shipped, stiff)
     slips, steady = _slips(results, shipped), _steady(results, shipped, results.trace("as-shipped"))
     there = [row for row in results.rows if "slip_mm" in row]
-    return Section(
-        tables={"cases": by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})},
-        claims=[slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)],
-    )
+    tables = {"cases": by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})}
+    claims = [slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)]
+    return Section(tables=tables, claims=claims)
 
 
 def _scene(results: Results, shipped: Row, stiff: Row) -> None:
@@ -71,28 +71,26 @@ def _slips(results: Results, shipped: Row) -> Claim:
     return Claim("slips", at_least(shipped.slip_mm, bound), numbers)
 
 
-def _increment(results: Results, name: str, which: str, part: Callable, cells: Sequence) -> Value:
+def _increment(results: Results, name: str, part: Callable, cells: Sequence) -> Value:
     """Derive the mean of a part of the increments after the first cycle, which starts the shake from rest."""
 
     def mean(*found: Any) -> float:
         increments = part(_cycle_increments(*found)[1:])
         return float(increments.mean()) if len(increments) else np.nan
 
-    return results.value(f"increment_{name}", f"mean increment {which} cycles after the first", mean, *cells, unit="mm")
+    formula = f"mean increment in the {name} half of the cycles after the first"
+    return results.value(f"increment_{name}", formula, mean, *cells, unit="mm")
 
 
 def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
-    """Compare, of the cycles after the first, as many early and late ones, each an even number, since odd and even
-    differ."""
+    """Compare as many early and late cycles after the first, an even number of each, since odd and even differ."""
 
     def half(later: np.ndarray) -> int:
         return len(later) // 4 * 2
 
     cells = (trace, shipped.shake_frequency_hz)
-    early = _increment(results, "earlier", "in the earlier half of the", lambda later: later[: half(later)], cells)
-    late = _increment(
-        results, "later", "in the later half of the", lambda later: later[len(later) - half(later) :], cells
-    )
+    ends = {"earlier": lambda later: later[: half(later)], "later": lambda later: later[len(later) - half(later) :]}
+    early, late = (_increment(results, name, part, cells) for name, part in ends.items())
     formula = "largest even number of cycles of which there are two sets after the first cycle"
     count = results.value("steady_cycle_count", formula, lambda *found: half(_cycle_increments(*found)[1:]), *cells)
     formula = "size of the difference between the two halves, of the earlier"

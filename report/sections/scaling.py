@@ -7,7 +7,7 @@ from measured_report.parts.claim import Claim, all_of, at_least
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, table_of
+from report.shared.tables import Column, table_of
 from report.shared.timing import TIMED_WORLDS, fine_enough, resolution, worlds_name
 
 order = 170
@@ -28,10 +28,9 @@ WAYS = {
 def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "way" not in row]
     worst = resolution(results, "resolution", rows)
-    columns: dict[str, Column] = {
-        **{"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": "frame_ratio"},
-        **{"all substeps": "world_substeps_per_s", "memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"},
-    }
+    columns: dict[str, Column] = {"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": "frame_ratio"}
+    columns |= {"all substeps": "world_substeps_per_s", "memory": "bytes_per_world"}
+    columns |= {"buffers": "buffer_bytes_per_world"}
     tables = {"worlds": table_of("worlds", [str(row.worlds) for row in rows], columns, rows, resolution=worst)}
     cheap = _first_worlds_are_cheap(results, rows)
     if len(rows) == len(results.rows):  # on a CPU, and in releases that were measured before
@@ -50,11 +49,8 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     bound = results.chosen("cheap_bound", "a frame no longer than this many times that of one world", 2.0)
     formula = "most worlds with which, as with all fewer, a frame takes no longer than so many times that of one"
     cheap = results.value("cheap_worlds", formula, cheap_count, bound, *times)
-    return Claim(
-        "first_worlds_are_cheap",
-        at_least(cheap, rows[1].worlds),
-        {"cheap": cheap, "bound": bound, "next": rows[1].worlds},
-    )
+    outcome = at_least(cheap, rows[1].worlds)
+    return Claim("first_worlds_are_cheap", outcome, {"cheap": cheap, "bound": bound, "next": rows[1].worlds})
 
 
 def _beside_benchmark(results: Results) -> tuple[Table, Claim]:

@@ -1,6 +1,7 @@
 """Is it the solver? Its convergence, its treatment of friction, the time step, and MuJoCo's own remedy for slip."""
 
 from collections.abc import Mapping
+from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, at_most, within
 from measured_report.parts.section import Section
@@ -34,12 +35,10 @@ def derive(results: Results) -> Section:
         changes[case] = excess(results, f"{case}_change", formula, *drifts)
     remedies = (*changes, *(f"{case}-noslip" for case in changes))
     variants = variants_of(results, "iterations-15", apart=remedies)
-    claims = [
-        _converged(results, variants),
-        _does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio"),
-        _does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps"),
-        *(_noslip_does_not_help(results, engine, changes) for engine in ENGINES),
-    ]
+    claims = [_converged(results, variants)]
+    claims += [_does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio")]
+    claims += [_does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps")]
+    claims += [*(_noslip_does_not_help(results, engine, changes) for engine in ENGINES)]
     return variant_section(results, variants, *claims)
 
 
@@ -47,7 +46,7 @@ def _converged(results: Results, variants: Variants) -> Claim:
     more, tighter = map(results.row.__getitem__, CONVERGED)
     formula = "larger difference in slip from the baseline, of more iterations and of a tighter tolerance"
     differences = [change_of(results, case) for case in CONVERGED]
-    largest = largest_size(results, "convergence_difference", formula, differences, unit="mm")
+    largest = largest_size(results, "convergence_difference", formula, differences)
     numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
     outcome = all_of(within(largest, noise_floor(results, "slip_floor")), variants.seen)
     return Claim("solver_has_converged", outcome, variants.numbers | numbers, effect=variants.slips)
@@ -64,12 +63,9 @@ def _does_not_help(results: Results, variants: Variants, claim: str, case: str, 
 def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:
     formula = f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}"
     of_engine = (changes[f"{pads}-{engine}"] for pads in PADS)
-    largest = largest_size(results, f"{engine}_change", formula, of_engine, unit="%")
-    drifts = {
-        name + end: results.row[f"{pads}-{engine}{way}"].drift_mm_s
-        for pads, end in zip(PADS, ("", "_stiff"), strict=True)
-        for name, way in (("without", ""), ("treated", "-noslip"))
-    }
+    largest = largest_size(results, f"{engine}_change", formula, of_engine)
+    named = product(zip(PADS, ("", "_stiff"), strict=True), (("without", ""), ("treated", "-noslip")))
+    drifts = {name + end: results.row[f"{pads}-{engine}{way}"].drift_mm_s for (pads, end), (name, way) in named}
     iterations = results.row[f"{PADS[0]}-{engine}-noslip"].noslip_iterations
     name, same = f"noslip_does_not_help_in_{engine.replace('-', '_')}", at_most(largest, 10.0, why="the same drift")
     return Claim(name, same, {"iterations": iterations, **drifts})

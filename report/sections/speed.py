@@ -4,7 +4,7 @@ from measured_report.parts.claim import Claim, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.shared.arithmetic import by_case
+from report.shared.tables import by_case
 from report.shared.timing import resolution
 
 order = 160

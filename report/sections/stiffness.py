@@ -1,6 +1,7 @@
 """The cause, named; what ke and kd become in the contact that the solver has; and which of them holds the cube."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -13,18 +14,9 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
 from report.shared import drawing as colours
-from report.shared.arithmetic import (
-    SETTLES,
-    by_case,
-    extreme,
-    is_held,
-    noise_floor,
-    other_value,
-    quantile,
-    ratio,
-    share,
-)
+from report.shared.arithmetic import SETTLES, extreme, is_held, noise_floor, other_value, quantile, ratio, share
 from report.shared.drawing import mark_points
+from report.shared.tables import by_case
 
 order = 90
 page = "cause"
@@ -68,11 +60,8 @@ def derive(results: Results) -> Section:
     # A cube that was lost has other contacts than those with the pads.
     columns = {above: ["" if row.dropped else row[name] for row in rows] for above, name in COLUMNS.items()}
     columns["reading"] = [_reading(results, row) for row in rows]
-    return Section(
-        tables={"contacts": by_case(rows, columns)},
-        figures={"sweep": sweep},
-        claims=[cause(results), not_creep_under_load(results), ke_is_no_spring(results), alone, together],
-    )
+    claims = [cause(results), not_creep_under_load(results), ke_is_no_spring(results), alone, together]
+    return Section(tables={"contacts": by_case(rows, columns)}, figures={"sweep": sweep}, claims=claims)
 
 
 def _reading(results: Results, row: Row) -> str:
@@ -80,11 +69,12 @@ def _reading(results: Results, row: Row) -> str:
     shipped, bound = results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm")
     if None in (row.slip_mm.value, shipped.value, bound.value) or not is_held(row):
         return "lost" if row.dropped else ""
-    if row.slip_mm.value < bound.value:
+    if at_most(row.slip_mm, bound) == HOLDS:
         return "holds"
-    if row.slip_mm.number > 1.1 * shipped.number:
-        return "slips farther"
-    return "slips less" if row.slip_mm.number < 0.9 * shipped.number else "slips as far"
+    for said, test, times in (("slips farther", at_least, 1.1), ("slips less", at_most, 0.9)):
+        if test(row.slip_mm, replace(shipped, value=times * shipped.number)) == HOLDS:
+            return said
+    return "slips as far"
 
 
 def has_slip(results: Results) -> Outcome:

@@ -3,19 +3,12 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
-
-from markupsafe import Markup
 
 from measured_report.parts.claim import FAILS, Outcome, at_most
-from measured_report.parts.section import Section, Table
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 
-Column = str | Callable[[Row], Any] | Sequence
-"""A column of a table: a column of the record, what makes a cell of a row, or the cells."""
-NAMED_COUNT = 6
-"""Cases that a sentence names at most."""
 CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 """Cases that many sections measure, and what they are called."""
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
@@ -44,19 +37,21 @@ difference = _of_two(lambda a, b: a - b)
 size_difference = _of_two(lambda a, b: abs(a - b))
 
 
-def largest_size(results: Results, name: str, formula: str, cells: Iterable[Quantity], *, unit: str = "1") -> Value:
-    """Derive the largest of the cells, signs left out; without a number when one of them has none."""
-    return results.value(name, formula, lambda *found: max(map(abs, found)), *cells, unit=unit)
+def _of_cells(function: Callable[..., float], unit: str = "") -> Callable[..., Value]:
+    """Make what derives a value of any number of cells, all of which it takes, in their unit where none is given."""
+
+    def derive(results: Results, name: str, formula: str, cells: Iterable[Quantity]) -> Value:
+        cells = list(cells)
+        return results.value(name, formula, function, *cells, unit=unit or next((cell.unit for cell in cells), "1"))
+
+    return derive
 
 
-def total(results: Results, name: str, formula: str, cells: Iterable[Quantity]) -> Value:
-    """Derive the sum of the cells, which are counts."""
-    return results.value(name, formula, lambda *counts: sum(counts), *cells)
-
-
-def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity]) -> Value:
-    """Derive the largest less the smallest."""
-    return results.value(name, formula, lambda *found: max(found) - min(found), *cells, unit=cells[0].unit)
+largest_size = _of_cells(lambda *cells: max(map(abs, cells)))
+spread = _of_cells(lambda *cells: max(cells) - min(cells))
+total = _of_cells(lambda *counts: sum(counts), "1")
+cell_count = _of_cells(lambda *cells: len(cells), "1")
+"""How many cells there are, as a value that points to them."""
 
 
 def extreme(
@@ -71,11 +66,6 @@ def extreme(
 def quantile(share: float, *found: float) -> float:
     """Return the number that so large a share of these do not exceed; which run is the farthest of many is chance."""
     return sorted(found)[math.ceil(share * len(found)) - 1]
-
-
-def cell_count(results: Results, name: str, formula: str, cells: Sequence[Quantity]) -> Value:
-    """Say how many cells there are, as a value that points to them."""
-    return results.value(name, formula, lambda *found: len(found), *cells)
 
 
 def noise_floor(results: Results, name: str) -> Quantity:
@@ -113,64 +103,8 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     return Found(results.others).value(section, name, unit)
 
 
-def by_case(rows: Sequence[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool) -> Table:
-    """Make a table with a line for each row, under the name of its case."""
-    return table_of("case", [case_html(row) for row in rows], columns, rows, **numbers)
-
-
-def case_html(row: Row) -> Markup:
-    """Return the label of a row's case, its code name in the title."""
-    return Markup('<span class="case" title="{}">{}</span>').format(row["case"], row.label)
-
-
-def some_html(names: Sequence[Markup]) -> Markup:
-    """Name as many as a sentence can hold, and that there are others."""
-    return Markup("; ").join(names[:NAMED_COUNT]) + (" and others" if len(names) > NAMED_COUNT else "")
-
-
-def table_of(
-    heading: str,
-    names: Iterable[Any],
-    columns: Mapping[str, Column],
-    rows: Iterable[Row] = (),
-    **numbers: Quantity | str | bool,
-) -> Table:
-    """Make a table with a line for each name.
-
-    Args:
-        heading: Stands above the names.
-        columns: By what stands above it, a column of the record, what makes a cell of a row, or the cells.
-        rows: A row for each name, for columns that are not given by their cells.
-        numbers: What the caption can name.
-    """
-    import pandas as pd  # it takes long, and what is kept from before needs none of it
-
-    rows = list(rows)
-
-    def cells(column: Column) -> list:
-        if isinstance(column, str):
-            return [cell_or_lost(row, column) for row in rows]
-        return list(map(column, rows) if callable(column) else column)
-
-    found = {above: cells(column) for above, column in columns.items()}
-    return Table(pd.DataFrame(found, index=pd.Index(list(names), name=heading), dtype=object), numbers)
-
-
-def cell_or_lost(row: Row, column: str) -> Any:
-    """Return a cell of a table, in words where the cube was lost."""
-    cell = row[column]
-    return "lost" if row.plain.get("dropped") and getattr(cell, "value", cell) is None else cell
-
-
-def creep_or_unseen(row: Row) -> Any:
-    """Return the creep of a row for a table, in words where its slip is not seen."""
-    is_seen = row.slip_mm.value is None or row.slip_mm.value > (row.slip_mm.noise or 0.0)
-    return cell_or_lost(row, "creep_mm_per_cycle") if is_seen else "not seen"
-
-
 def rows_with(results: Results, *columns: str) -> list[Row]:
-    """Return list the rows that have something in each of these columns, by which the parts of a section tell their
-    rows."""
+    """Return the rows with something in each of these columns, by which the parts of a section tell their rows."""
     return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
 
 
@@ -180,8 +114,7 @@ def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it wa
 
 
 def is_held(row: Row) -> bool:
-    """Tell whether a run keeps the cube. One that comes to its shake too late to go through a cycle of it has shown
-    nothing: a hand that trembles takes seconds longer to close and to lift."""
+    """Tell whether a run keeps the cube through a cycle at least: a hand that trembles may shake too late."""
     return None not in (row.slip_mm.value, row.cycle_count.value)
 
 
@@ -191,4 +124,5 @@ def joined(parts: Sequence[Section]) -> Section:
         tables={name: table for part in parts for name, table in part.tables.items()},
         figures={name: figure for part in parts for name, figure in part.figures.items()},
         claims=[claim for part in parts for claim in part.claims],
+        unmeasured=[name for part in parts for name in part.unmeasured],
     )

@@ -25,12 +25,12 @@ HELD_HEIGHT_M = 0.15
 
 def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value:
     """Count cells of a side of the map whose cube ends lower than ``held``, or nowhere."""
-    return results.value(
-        f"lost_{side.replace('-', '_')}",
-        f"cells of side {side} whose cube ends lower than held_height, or nowhere",
-        lambda frame, least: int((~(frame["cube_height_m"][frame["side"] == side] >= least)).sum()),
-        *(trace, held),
-    )
+
+    def lost(frame: pd.DataFrame, least: float) -> int:
+        return int((~(frame["cube_height_m"][frame["side"] == side] >= least)).sum())
+
+    formula = f"cells of side {side} whose cube ends lower than held_height, or nowhere"
+    return results.value(f"lost_{side.replace('-', '_')}", formula, lost, trace, held)
 
 
 def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
@@ -45,8 +45,7 @@ def held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:
 
 
 def draw_maps(frame: pd.DataFrame, sides: Mapping[str, str]) -> Drawing:
-    """Draw the slip of every cell, and which of them lose the cube, a panel for each of the ``sides``, which have
-    labels."""
+    """Draw the slip of every cell, and which lose the cube, a panel for each of the ``sides`` under its label."""
     drawing, panels = new_figure(7.2, 4.0, ncols=len(sides), sharey=True)
     drawing.set_layout_engine("constrained", wspace=0.06)
     for axes, (side, label) in zip(panels, sides.items(), strict=True):

@@ -18,8 +18,7 @@ def worlds_name(count: int) -> str:
 
 
 class RowsBy(dict):
-    """Rows by the cells that tell them apart, but for those that lost one; of what was not measured, a row without
-    anything."""
+    """Rows by the cells that tell them apart, but for those that lost one; an empty row of what was not measured."""
 
     def __init__(self, results: Results, rows: Iterable[Row], *columns: str):
         self.results = results
@@ -33,8 +32,7 @@ class RowsBy(dict):
 
 
 def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
-    """Derive to within what share the ratios of these rows are known [%], the largest of them; the reference has none,
-    and others may have no time."""
+    """Derive to within what share all ratios of these rows are known [%], but of the reference and of lost times."""
     formula = "half the 95 % interval of the ratio of two times measured in turn, the largest"
     cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row and row.ratio_resolution.value]
     return results.value(name, formula, lambda *found: 100 * max(found), *cells, unit="%", is_noise=True)

@@ -7,16 +7,8 @@ from measured_report.parts.claim import Claim, Outcome, at_least, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import (
-    by_case,
-    case_html,
-    difference,
-    largest_size,
-    noise_floor,
-    other_value,
-    resolved,
-    share,
-)
+from report.shared.arithmetic import difference, largest_size, noise_floor, other_value, resolved, share
+from report.shared.tables import by_case, case_html
 
 
 @dataclass(frozen=True)
@@ -70,7 +62,7 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
         formula = f"slip of {row.case} less that of {reference.case}"
         found[row.case] = difference(results, f"{row.case}_difference", formula, row.slip_mm, reference.slip_mm)
     formula = "largest difference in slip from the baseline, either way"
-    largest = largest_size(results, "largest_difference", formula, found.values(), unit="mm")
+    largest = largest_size(results, "largest_difference", formula, found.values())
     formula = "largest difference in slip from the baseline, of the baseline's slip"
     of_slip = share(results, "largest_share", formula, largest, reference.slip_mm)
     farthest = max(rows, key=lambda row: abs(found[row.case].value or 0.0), default=reference)
@@ -83,8 +75,7 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
-    """Tell whether a change of slip [mm] is less than ``bound`` percent of a slip, by more than the noise; more is the
-    opposite."""
+    """Tell whether a change [mm] is less than ``bound`` percent of a slip by more than noise; more is the opposite."""
     formula = f"{bound.written} % of the slip, signs left out"
     limit = results.value(f"{name}_limit", formula, lambda a, b: a / 100 * abs(b), bound, slip, unit="mm")
     return greater(limit, change, noise=noise)

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
@@ -114,21 +114,22 @@ def figure(found: Found) -> Figure:
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(found), *ratios.values())]
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
-    def times(ratios: dict[int, Quantity]) -> list[float]:
-        return [ratio.number * shipped[n].frame_ms.number / n for n, ratio in ratios.items() if n in shipped]
+    def times(ratios: dict[int, Quantity]) -> list[Quantity]:
+        each = [(ratio, shipped[n].frame_ms.number / n) for n, ratio in ratios.items() if n in shipped]
+        return [replace(a, value=a.number * length, noise=(a.noise or 0.0) * length) for a, length in each]
 
     def draw() -> Drawing:
         drawing, axes = new_figure(7.2, 5.0)
         for way, ratios in ways.items():
-            x = times(ratios)
+            x = [time.value for time in times(ratios)]
             style = {"marker": way.marker, "markevery": 1, "linestyle": ":", "linewidth": 0.8}
             axes.plot(x, [way.creep_mm(found)] * len(x), label=way.name, color=way.colour, **style)
         axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
         return drawing
 
-    is_right = all(each[0] >= each[-1] for each in map(times, ways.values()) if each)
-    return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many, "is_right": is_right})
+    right = all_of(*(greater(*each) for each in map(times, ways.values()) if len(each) > 1)).said
+    return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many, "right": right})
 
 
 def advice(found: Found) -> list[Claim]:
@@ -138,8 +139,7 @@ def advice(found: Found) -> list[Claim]:
 
 
 def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
-    """Choose among the ways in Newton that keep the slip below the bound: an argument before another solver before any
-    patch, and of those that take as much the fastest."""
+    """Choose the fastest of those ways in Newton that keep the slip below the bound and take the least effort."""
     tests = {way: way.keeps(found, bound) for way in WAYS if way.marker != IN_C}
     kept = [way for way, test in tests.items() if test == HOLDS]
     effort = min((way.effort for way in kept), default=PATCH)
@@ -147,15 +147,15 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
     untimed = "what holds the cube was not timed" if kept else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
-    numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "many": none, "seen": none, "bound": bound}
-    numbers |= {"patch": "", "patch_slip": numbers["slip"], "patch_ratio": none}
+    numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "bound": bound}
+    numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio"), "")  # it does without
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=lambda way: way.ratios(found)[ALONE].number)
     ratios = way.ratios(found)
     seen = found.value(*UNSEEN.get(way.name, ("", "")), "%")
-    numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, none)}
-    numbers["seen"] = seen
+    numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
+    numbers["seen"] = "" if seen.value is None else seen
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
     patches = [each for each in kept if each.effort == PATCH and ALONE in each.ratios(found)]
     told = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)

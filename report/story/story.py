@@ -4,14 +4,15 @@ from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
 
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity
 from report.sections.gap import CASES as CASES_OF_GAP
 from report.sections.priority import CUBE
 from report.sections.upgrade.ends import released
-from report.shared.arithmetic import CASES, Found, table_of
+from report.shared.arithmetic import CASES, Found
+from report.shared.tables import table_of
 from report.story import frontier
 from report.story.figures import FIX, draw_mechanism, draw_setup, draw_suspects
 
@@ -56,22 +57,14 @@ def derive(releases: Releases, shown: str) -> Section:
         return Section()
     bound, dimensions = found.value("reproduction", "slip_bound", "mm"), _dimensions(found)
     needed = {way: [_advice(_slips(found, way), bound) for found in every.values()] for way in WAYS}
-    return Section(
-        tables={"needed": table_of("release", every, needed), "setup": _setup(found, dimensions)},
-        figures={
-            "suspects": _suspects(found),
-            "mechanism": Figure(draw_mechanism, [found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")]),
-            "experiment": Figure(lambda: draw_setup(dimensions), list(dimensions.values()), dimensions),
-            "frontier": frontier.figure(found),
-        },
-        claims=[
-            *frontier.advice(found),
-            _fine_since(every, bound),
-            _still_needed(every, bound),
-            _with_mujoco(found, bound),
-            _coarser_moves(found),
-        ],
-    )
+    tables = {"needed": table_of("release", every, needed), "setup": _setup(found, dimensions)}
+    slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")
+    figures = {"suspects": _suspects(found), "mechanism": Figure(draw_mechanism, [slide])}
+    figures["experiment"] = Figure(lambda: draw_setup(dimensions), list(dimensions.values()), dimensions)
+    figures["frontier"] = frontier.figure(found)
+    claims = [*frontier.advice(found), _fine_since(every, bound), _still_needed(every, bound)]
+    claims += [_with_mujoco(found, bound), _coarser_moves(found)]
+    return Section(tables=tables, figures=figures, claims=claims)
 
 
 def _suspects(found: Found) -> Figure:

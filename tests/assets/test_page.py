@@ -234,7 +234,7 @@ def test_a_number_says_where_it_comes_from(site, tab):
         number.hover()
     said = tab.locator("#origin").inner_text()
     record = json.loads((site / "data" / number.get_attribute("data-src").partition("#")[0]).read_text())
-    assert f"{number.get_attribute('value')} mm, noise" in said
+    assert f"{number.get_attribute('value')} mm" in said and "±" in said
     assert f"Newton {own_release()}" in said and record["measured"]["date"][:10] in said
     assert (site / tab.locator("#origin a").get_attribute("href").partition("#")[0]).is_file()
     tab.keyboard.press("Escape")

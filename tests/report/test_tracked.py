@@ -11,8 +11,7 @@ from markupsafe import escape
 from measured_report.changes.compare import flips_between
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
-from measured_report.pages.editions import derive_edition
-from measured_report.pages.prose import Templates
+from measured_report.findings.editions import derive_edition
 from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.parts.section import Figure
 from measured_report.records.record import write_record
@@ -72,7 +71,7 @@ def test_no_claim_flips_by_noise_alone(release, editions, tmp_path):
             write_record(
                 project.record_path(section), replace(record, rows=[shaken(row, floors, chance) for row in record.rows])
             )
-    after = derive_edition(project, Templates(project.templates)).chapters
+    after = derive_edition(project).chapters
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
     assert [flip.text for flip in flips_between(before, {name: after[name] for name in before})] == []

@@ -6,7 +6,7 @@ import pytest
 
 from measured_report.editions.project import Project, own_release
 from measured_report.files.errors import ReportError
-from measured_report.pages.editions import Edition
+from measured_report.findings.editions import Edition
 from measured_report.records.record import load_record
 from report.verify import repeats_of, verify
 

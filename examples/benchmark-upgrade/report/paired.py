@@ -8,7 +8,7 @@ from textwrap import wrap
 
 import pandas as pd
 
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, extreme, rows_with, share, size_difference, size_share
 
@@ -28,11 +29,8 @@ def derive(results: Results) -> Section:
 
 def _of(runs: Runs, motions: Iterable[str], variant: str) -> list[tuple[str, Row, Row]]:
     """Name the runs of these motions, each with nothing done and in a variant."""
-    return [
-        ("_".join(run).replace(" ", "_"), found["plain"], found[variant])
-        for run, found in runs.items()
-        if run[0] in motions and {"plain", variant} <= set(found)
-    ]
+    both = {run: found for run, found in runs.items() if run[0] in motions and {"plain", variant} <= set(found)}
+    return [("_".join(run).replace(" ", "_"), found["plain"], found[variant]) for run, found in both.items()]
 
 
 def _stays_as_it_is(results: Results, runs: Runs) -> Claim:
@@ -43,17 +41,14 @@ def _stays_as_it_is(results: Results, runs: Runs) -> Claim:
         shares.append(share(results, f"moved_{name}", f"{formula}, of the way there", off, plain.travel_mm))
     largest = extreme(results, "moved_most", "largest of these", max, shares)
     count = cell_count(results, "free_count", "runs on the plane", shares)
-    return Claim(
-        "free_motion_stays", at_most(largest, 1.0, why="the same motion"), {"largest": largest, "count": count}
-    )
+    outcome = at_most(largest, 1.0, why="the same motion")
+    return Claim("free_motion_stays", outcome, {"largest": largest, "count": count})
 
 
 def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
     formula = "growth of the distance from the axis with the exact term, of that with nothing done, in size"
-    left = [
-        size_share(results, f"left_{name}", formula, exact.growth_per_s, plain.growth_per_s)
-        for name, plain, exact in _of(runs, TABLE, "exact")
-    ]
+    pairs = [(name, exact.growth_per_s, plain.growth_per_s) for name, plain, exact in _of(runs, TABLE, "exact")]
+    left = [size_share(results, f"left_{name}", formula, *pair) for name, *pair in pairs]
     largest = extreme(results, "left_most", "largest of these", max, left)
     count = cell_count(results, "table_count", "runs on the table", left)
     return Claim("stands_on_any_feet", at_most(largest, 1.0, why="it stands"), {"largest": largest, "count": count})
@@ -61,13 +56,12 @@ def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
 
 def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
     formula = "how far the ball ends aside of where it does with nothing done"
-    asides, points = (
-        [
-            size_difference(results, f"{key}_{name}", formula, ball.sideways_mm, plain.sideways_mm)
-            for name, plain, ball in _of(runs, ("pivot",), variant)
-        ]
-        for key, variant in (("aside", "exact"), ("points", "term"))
-    )
+
+    def aside(key: str, name: str, plain: Row, ball: Row) -> Value:
+        return size_difference(results, f"{key}_{name}", formula, ball.sideways_mm, plain.sideways_mm)
+
+    asides = [aside("aside", *run) for run in _of(runs, ("pivot",), "exact")]
+    points = [aside("points", *run) for run in _of(runs, ("pivot",), "term")]
     ways = [plain.travel_mm for _, plain, _ in _of(runs, ("pivot",), "exact")]
     most = extreme(results, "aside_most", "largest of these", max, asides)
     drifts = extreme(results, "points_aside", "with the term of material points", max, points)

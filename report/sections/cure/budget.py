@@ -6,7 +6,8 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, cell_or_lost, rows_with, share, table_of
+from report.shared.arithmetic import cell_count, rows_with, share
+from report.shared.tables import cell_or_lost, table_of
 
 SHIPPED = "newton-implicitfast-50-shipped-{}-plain-rounded"
 STIFF = "newton-implicitfast-50-stiff-{}-plain-rounded"
@@ -45,10 +46,9 @@ def derive(results: Results) -> Section:
     for name, case in OTHER_CONTACTS.items():
         slip = results.row[case].slip_mm
         others.append(Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip}))
-    return Section(
-        tables={"use": _use_table(results), "budget": _budget_table(results)},
-        claims=[_what_to_use(results), _budget_closes(results), *others],
-    )
+    tables = {"use": _use_table(results), "budget": _budget_table(results)}
+    claims = [_what_to_use(results), _budget_closes(results), *others]
+    return Section(tables=tables, claims=claims)
 
 
 def _use_table(results: Results) -> Table:
@@ -62,16 +62,14 @@ def _use_table(results: Results) -> Table:
 
 def _what_to_use(results: Results) -> Claim:
     """Tell whether the cure on stiff pads loses no cube that they keep, shaken 10 cm as well, and slips less."""
-    near, wide = (results.row[FIRM.format(shake)] for shake in ("3cm", "10cm"))
-    slip, shipped, far = near.slip_mm, results.row[SHIPPED.format("3cm")].slip_mm, wide.slip_mm
+    narrow, wide = (results.row[FIRM.format(shake)] for shake in ("3cm", "10cm"))
+    slip, shipped, far = narrow.slip_mm, results.row[SHIPPED.format("3cm")].slip_mm, wide.slip_mm
     metres = wide.shake_amplitude_m
     amplitude = results.value("amplitude_10cm", "in whole mm", lambda m: round(1e3 * m), metres, unit="mm")
     lost, kept = results.derived["limit_lost_firm"], results.derived["kept_firm"]
-    outcome = all_of(
-        at_most(lost, 0, why="none of them is lost"),
-        at_most(far, 0.05, why="hardly more, shaken three times as wide"),
-        at_most(share(results, "held_share", "of the slip as shipped, that", slip, shipped), 50.0, why="less by half"),
-    )
+    part = share(results, "held_share", "of the slip as shipped, that", slip, shipped)
+    keeps, near = at_most(lost, 0, why="none of them is lost"), at_most(part, 50.0, why="less by half")
+    outcome = all_of(keeps, at_most(far, 0.05, why="hardly more, shaken three times as wide"), near)
     numbers = {"slip": slip, "shipped": shipped, "far": far, "amplitude": amplitude, "lost": lost, "kept": kept}
     return Claim("what_to_use", outcome, numbers)
 
@@ -99,11 +97,8 @@ def _budget_closes(results: Results) -> Claim:
     part = results.value("others_share", formula, lambda a, b, c, d: 100 * (a - b) / (c - d), *cells, unit="%")
     numbers = {"closed": closed, "count": count, "far_closed": far_closed, "far": far, "least": least, "most": most}
     few = share(results, "far_share", "of shipped pads in the farther shake, those of them", far_closed, far)
-    outcome = all_of(
-        at_least(closed, 8.0, why="not by chance"),
-        at_least(part, 90.0, why="nearly all of them"),
-        at_most(few, 60.0, why="no more than some"),
-    )
+    tests = [at_least(closed, 8.0, why="not by chance"), at_least(part, 90.0, why="nearly all of them")]
+    outcome = all_of(*tests, at_most(few, 60.0, why="no more than some"))
     return Claim("budget_closes", outcome, numbers)
 
 

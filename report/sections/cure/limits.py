@@ -7,8 +7,9 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import case_html, cell_count, rows_with, some_html, table_of
+from report.shared.arithmetic import cell_count, rows_with
 from report.shared.maps import HELD_HEIGHT_M, lost_count
+from report.shared.tables import case_html, some_html, table_of
 
 VARIANTS = {
     "term": ("the term", ("term", "best")),

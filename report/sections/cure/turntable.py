@@ -6,8 +6,9 @@ from dataclasses import replace
 from measured_report.parts.claim import FAILS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
-from measured_report.values.results import Results
-from report.shared.arithmetic import Column, cell_count, departure, difference, extreme, largest_size, table_of
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size
+from report.shared.tables import Column, table_of
 
 ENGINES = ("warp", "c")
 CORNERS = 4
@@ -38,29 +39,21 @@ def derive(results: Results) -> Section:
     why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
     resolution = results.chosen("resolution", why, 2e-3, unit="%/s")
     rows = {case: results.row[case] for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES)}
-    formula = "{} of {}, in percent of the distance from the axis"
-    measured, law = (
-        {
-            case: results.value(
-                f"{case}_{column}", formula.format(column, case), lambda g: 100 * g, row[column], unit="%/s"
-            )
-            for case, row in rows.items()
-        }
-        for column in ("growth_per_s", "predicted_growth_per_s")
-    )
+
+    def percent(column: str, case: str, row: Row) -> Value:
+        formula = f"{column} of {case}, in percent of the distance from the axis"
+        return results.value(f"{case}_{column}", formula, lambda growth: 100 * growth, row[column], unit="%/s")
+
+    names = ("growth_per_s", "predicted_growth_per_s")
+    measured, law = ({case: percent(column, case, row) for case, row in rows.items()} for column in names)
     columns: dict[str, Column] = {
         name: [cells[f"{variant}-{engine}"] for variant in VARIANTS]
         for name, cells, engine in (("MuJoCo C", measured, "c"), ("by the law", law, "c"), ("Warp", measured, "warp"))
     }
-    return Section(
-        tables={"rates": table_of("what is done", VARIANTS.values(), columns)},
-        claims=[
-            _follows_law(results, measured, law, resolution),
-            _by_hand(results, measured["plain-c"]),
-            _no_setting_stops_it(results, measured, resolution),
-            _cured(results, measured, resolution),
-        ],
-    )
+    tables = {"rates": table_of("what is done", VARIANTS.values(), columns)}
+    claims = [_follows_law(results, measured, law, resolution), _by_hand(results, measured["plain-c"])]
+    claims += [_no_setting_stops_it(results, measured, resolution), _cured(results, measured, resolution)]
+    return Section(tables=tables, claims=claims)
 
 
 def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[str, Value], resolution: Value) -> Claim:
@@ -112,5 +105,5 @@ def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolu
 def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
     formula = "largest growth, in size, with the term, without the error of the step and with a high impratio"
     growths = (measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES)
-    largest = largest_size(results, "cured_growth", formula, growths, unit="%/s")
+    largest = largest_size(results, "cured_growth", formula, growths)
     return Claim("cured", at_most(largest, resolution), {"largest": largest, "resolution": resolution})

@@ -9,7 +9,8 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.sections.engines import published, robot
-from report.shared.arithmetic import Column, Found, ratio, share, table_of
+from report.shared.arithmetic import Found, joined, ratio, share
+from report.shared.tables import Column, table_of
 
 order = 187
 page = "scenes"
@@ -54,21 +55,16 @@ def derive(results: Results) -> Section:
     walk_bound = results.chosen("walk_bound", why, 2e-3, unit="%/s")
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
     lines = list(_lines(results))
-    columns: dict[str, Column] = {
-        "release": [line.release for line in lines],
-        "walk": _shown([line.walk for line in lines], walk_bound),
-        "half the step": _shown([line.short_walk for line in lines], walk_bound),
-        "sinks": _shown([line.sink for line in lines], sink_bound),
-    }
+    columns: dict[str, Column] = {"release": [line.release for line in lines]}
+    columns |= {"walk": _shown([line.walk for line in lines], walk_bound)}
+    columns |= {"half the step": _shown([line.short_walk for line in lines], walk_bound)}
+    columns |= {"sinks": _shown([line.sink for line in lines], sink_bound)}
     long = results.chosen("step", "given: the time step", 2.0, unit="ms")
     said: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
     engines = table_of("engine", [line.name for line in lines], columns, **said)
     robots, others = robot.derive(results, MODELS), published.derive(results)
-    return Section(
-        tables={"engines": engines, **robots.tables, **others.tables},
-        claims=[_walks_most_in_mujoco(results, lines), *robots.claims, _test_lets_through(results), *others.claims],
-        unmeasured=[*robots.unmeasured, *others.unmeasured],
-    )
+    own = Section(tables={"engines": engines}, claims=[_walks_most_in_mujoco(results, lines)])
+    return joined([own, robots, Section(claims=[_test_lets_through(results)]), others])
 
 
 def _lines(results: Results) -> Iterator[Line]:

@@ -8,7 +8,8 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
-from report.shared.arithmetic import Column, Found, size_difference, table_of
+from report.shared.arithmetic import Found, size_difference
+from report.shared.tables import Column, table_of
 
 
 @dataclass(frozen=True)

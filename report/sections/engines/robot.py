@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from measured_report.parts.claim import Claim, all_of, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, Found, cell_count, cell_or_lost, creep_or_unseen, extreme, table_of
+from report.shared.arithmetic import Found, cell_count, extreme
+from report.shared.tables import Column, cell_or_lost, creep_or_unseen, table_of
 from report.shared.timing import RowsBy
 
 MUJOCO = "mujoco-c"
@@ -13,11 +14,7 @@ ARMATURES = {"own": "of its own", "links": "in the links"}
 
 
 def derive(results: Results, labels: Mapping[str, str]) -> Section:
-    """Make the table and its claims; a record from before has no such rows.
-
-    Args:
-        labels: Names of the models that other engines have.
-    """
+    """Make the table, of models under their ``labels``, and its claims; a record from before has no such rows."""
     rows = RowsBy(results, results.rows, "model", "shake")
     if not rows:
         return Section(unmeasured=("robots", "slips_farthest", "only_it_loses"))
@@ -27,9 +24,7 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
         "creep": creep_or_unseen,
         "shaken 100 mm": [cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models],
         "held still": [cell_or_lost(rows[model, "held"], "slip_mm") for model in models],
-        "along over normal force": "friction_share",
-        "penetration": "penetration_mm",
-        "path off": "path_off_mm",
+        **{"along over normal force": "friction_share", "penetration": "penetration_mm", "path off": "path_off_mm"},
         "armature": [ARMATURES[rows[model, "3cm"].plain["armature"]] for model in models],
     }
     names = [{MUJOCO: "MuJoCo C", **labels}[model] for model in models]

@@ -8,7 +8,7 @@ from measured_report.values.results import Results, Row
 from report.sections.error_runtime import claims
 from report.sections.error_runtime.figures import LEAST_ERROR_MM, draw_numerical
 from report.sections.error_runtime.runs import ERROR, GRASP, PADS, TIME, Points, is_clamped, points_of
-from report.shared.arithmetic import Column, table_of
+from report.shared.tables import Column, table_of
 
 order = 155
 page = "error"

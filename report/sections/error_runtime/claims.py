@@ -1,43 +1,30 @@
 """Claims on engines, integrators, steps and knobs, on the model, and on the measurement."""
 
 import math
-from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, contiguous, greater, within
-from report.sections.error_runtime.runs import (
-    ENGINES,
-    ERROR,
-    GRASP,
-    PADS,
-    SHIPPED,
-    Points,
-    counts,
-    holds_cube,
-    uses_all_iterations,
-    with_shipped_steps,
-)
+from measured_report.values.quantities import Value
+from measured_report.values.results import Row
+from report.sections.error_runtime import runs
+from report.sections.error_runtime.runs import ERROR, GRASP, SHIPPED, Points
 from report.shared.arithmetic import cell_count, quantile, ratio, resolved, share
 
 
 def pads_decide(points: Points) -> Claim:
-    """Tell whether the grasp error as shipped stays when the model is solved to the end and is far less with stiff
-    pads."""
+    """Tell whether shipped pads keep their grasp error where the model is solved to the end; stiff pads have less."""
     results, shipped = points.results, points[SHIPPED][GRASP]
-    soft, stiff = map(points.converged, PADS)
+    soft, stiff = map(points.converged, runs.PADS)
     formula = "converged grasp error, of that as shipped, shipped pads"
     stays = share(results, "pads_stays", formula, soft, shipped)
     gain = ratio(results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
     formula, floor = "largest distance between Warp and C, as if one cycle made it", points.floors["as-shipped"]
     seen = results.value("pads_seen", formula, lambda distance: distance, floor, unit="mm/cycle", is_noise=True)
-    outcome = all_of(
-        at_least(stays, 80.0, why="nearly all of it"),
-        at_least(gain, 5.0, why="an order of magnitude, nearly"),
-        greater(soft, stiff, noise=seen),
-    )
+    tests = [at_least(stays, 80.0, why="nearly all of it")]
+    outcome = all_of(*tests, at_least(gain, 5.0, why="an order of magnitude, nearly"), greater(soft, stiff, noise=seen))
     return Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
 
 
@@ -53,16 +40,14 @@ def rk4_in_warp(points: Points) -> Claim:
     known, both = [points[case].ratio_resolution for case in cases], lambda a, b: 100 * math.hypot(a, b)
     seen = results.value("rk4_warp_cost_seen", formula, both, *known, unit="%", is_noise=True)
     is_as_long = None not in (cost.value, seen.value) and abs(cost.value - 1) <= 0.01 * seen.value
-    outcome = all_of(
-        greater(before, doubled, noise=points.floors["as-shipped"], why="worth a change"),
-        at_most(cost, 1.5, why="hardly dearer"),
-    )
+    pays = greater(before, doubled, noise=points.floors["as-shipped"], why="worth a change")
+    outcome = all_of(pays, at_most(cost, 1.5, why="hardly dearer"))
     numbers = {"cost": cost, "error": error, "before": before, "few": few, "many": many}
     return Claim("rk4_warp", outcome.having_read(seen), numbers | {"seen": seen, "is_as_long": is_as_long})
 
 
 def rk4_with_stiff_pads(points: Points) -> Claim:
-    coarse, with_steps = "stiff/c-rk4/substeps-4", with_shipped_steps("stiff", "c")
+    coarse, with_steps = "stiff/c-rk4/substeps-4", runs.with_shipped_steps("stiff", "c")
     few, shipped = points[coarse][ERROR], points[with_steps][ERROR]
     numbers = {"few": few, "shipped": shipped, "count": points[coarse].substeps, "many": points[with_steps].substeps}
     return Claim("rk4_with_stiff_pads", greater(few, shipped, noise=points.floors["stiff"]), numbers)
@@ -70,7 +55,7 @@ def rk4_with_stiff_pads(points: Points) -> Claim:
 
 def reference_converged(points: Points) -> Claim:
     results, references = points.results, [row[ERROR] for row in points.references]
-    plotted = [row[ERROR] for row in points.settings if counts(row)]
+    plotted = [row[ERROR] for row in points.settings if runs.counts(row)]
     formula = "largest distance between a reference and the same with twice the step"
     worst = results.value("reference_error", formula, max, *references, unit="mm")
     formula = "numerical error that nine in ten runs that count exceed"
@@ -84,9 +69,9 @@ def reference_converged(points: Points) -> Claim:
 def solver_effort(points: Points) -> Claim:
     """Compare solver, iterations and line search with those shipped, and contacts made anew in each substep."""
     floor, rows = points.floors["as-shipped"], [row for row in points.settings if row["pads"] == "as-shipped"]
-    runs = [row for row in rows if row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")]
-    runs += [row for row in rows if row.case.endswith(f"newton-each-substep/substeps-{AS_SHIPPED.substeps}")]
-    errors = [row[ERROR] for row in runs if holds_cube(row) and not uses_all_iterations(row)]
+    mine = [row for row in rows if row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")]
+    mine += [row for row in rows if row.case.endswith(f"newton-each-substep/substeps-{AS_SHIPPED.substeps}")]
+    errors = [row[ERROR] for row in mine if runs.holds_cube(row) and not runs.uses_all_iterations(row)]
     formula = "largest change of the numerical error by solver, iterations, line search or contacts in each substep"
     base = points[SHIPPED][ERROR]
     change = points.results.value(
@@ -94,7 +79,7 @@ def solver_effort(points: Points) -> Claim:
     )
     formula = "runs with other solver effort that hold the cube and converge"
     count = cell_count(points.results, "effort_count", formula, errors)
-    cells = [row.substeps for row in runs]
+    cells = [row.substeps for row in mine]
     tried = cell_count(points.results, "effort_tried", "runs with other solver effort", cells)
     outcome = all_of(within(change, floor), resolved(floor, base))
     return Claim("solver_effort", outcome, {"change": change, "floor": floor, "count": count, "tried": tried})
@@ -110,19 +95,16 @@ def crossover(points: Points) -> Claim:
         return float(np.median([1e3 * ratio / time for ratio, time in zip(cells[::2], cells[1::2], strict=True)]))
 
     one_core = results.value("one_core_rate", formula, rate_of_one, *pairs, unit="world-s/s")
-    formula, unit = "simulated seconds of all worlds together per second", one_core.unit
-    rates = [
-        results.value(f"rate_{row.case}", formula, lambda n, time: 1e3 * n / time, row.worlds, row.ms_per_s, unit=unit)
-        for row in rows
-    ]
-    crossover = results.value(
-        "crossover_worlds",
-        "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones",
-        lambda core, *cells: crossing(core, cells[::2], cells[1::2]),
-        one_core,
-        *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
-    )
-    engine = ENGINES[rows[0].backend]
+
+    def rate_of(row: Row) -> Value:
+        formula, cells = "simulated seconds of all worlds together per second", (row.worlds, row.ms_per_s)
+        return results.value(f"rate_{row.case}", formula, lambda n, ms: 1e3 * n / ms, *cells, unit=one_core.unit)
+
+    rates = [rate_of(row) for row in rows]
+    formula = "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones"
+    pairs = [quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)]
+    crossover = results.value("crossover_worlds", formula, crossing, one_core, *pairs)
+    engine = runs.ENGINES[rows[0].backend]
     first, last = rates[0], rates[-1]
     formula = "speed of C on one core over that of Warp with one world"
     advantage = ratio(results, "one_core_advantage", formula, one_core, first)
@@ -131,12 +113,14 @@ def crossover(points: Points) -> Claim:
     is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
     ends = greater(one_core, first), greater(last, one_core)
     outcome = all_of(*ends, contiguous(is_ahead, *rates, one_core))
-    numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
+    at = "" if crossover.value is None else crossover  # which is nowhere where one engine is ahead throughout
+    numbers = {"advantage": advantage, "engine": engine, "crossover": at, "gain": gain}
     return Claim("crossover", outcome, numbers | {"most": points.worlds[-1].worlds})
 
 
-def crossing(level: float, worlds: Sequence[float], rates: Sequence[float]) -> float:
+def crossing(level: float, *cells: float) -> float:
     """Find the worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
+    worlds, rates = cells[::2], cells[1::2]
     above = [rate >= level for rate in rates]
     if True not in above or above[0] or min(rates) <= 0.0:
         return float("nan")

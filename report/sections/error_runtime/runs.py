@@ -56,8 +56,7 @@ class Points:
         return next(found, self[f"{pads}/reference"])[GRASP]
 
     def best(self, backend: str) -> list[Row]:
-        """Select the rows on the front of a backend, by pads and rising time, but those of Warp that gain less on the
-        row before than Warp's floor: no one can tell that."""
+        """Select a backend's front by pads and time, but for rows that gain less than Warp's floor on the last."""
         rows = [row for row in self.settings if row.case in self.backend_front and row.backend == backend]
         kept: list[Row] = []
         for row in sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row[TIME].value or 0.0)):

@@ -10,8 +10,6 @@ page = "scenes"
 reads = ("contacts", "cure")
 label = "other scenes"
 
-PARTS = (creep, capsule, pick)
-
 
 def derive(results: Results) -> Section:
-    return joined([part.derive(results) for part in PARTS])
+    return joined([part.derive(results) for part in (creep, capsule, pick)])

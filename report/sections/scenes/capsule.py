@@ -4,7 +4,8 @@ from measured_report.parts.claim import Claim, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, cell_count, departure, extreme, table_of
+from report.shared.arithmetic import cell_count, departure, extreme
+from report.shared.tables import Column, table_of
 
 ENGINES = ("c", "warp", "newton")
 VARIANTS = {
@@ -28,22 +29,18 @@ def derive(results: Results) -> Section:
         variant: results.value(f"published_{variant}", formula, lambda rate=rate: rate, unit="mm/s")
         for variant, rate in PUBLISHED_MM_S.items()
     }
-    columns: dict[str, Column] = {
-        **{"sinks": "creep_mm_s", "published": [published.get(variant, "") for variant in VARIANTS]},
-        **{"once steady": "steady_creep_mm_s", "by the law": "predicted_creep_mm_s"},
-    }
-    return Section(
-        tables={"rates": table_of("in MuJoCo C", VARIANTS.values(), columns, rows)},
-        claims=[_as_published(results, published), _follows_law(results)],
-    )
+    columns: dict[str, Column] = {"sinks": "creep_mm_s"}
+    columns |= {"published": [published.get(variant, "") for variant in VARIANTS]}
+    columns |= {"once steady": "steady_creep_mm_s", "by the law": "predicted_creep_mm_s"}
+    tables = {"rates": table_of("in MuJoCo C", VARIANTS.values(), columns, rows)}
+    claims = [_as_published(results, published), _follows_law(results)]
+    return Section(tables=tables, claims=claims)
 
 
 def _as_published(results: Results, published: dict[str, Value]) -> Claim:
-    formula = "rate in MuJoCo C less the published one, in size, of the latter"
-    found = [
-        departure(results, f"{variant}_from_published", formula, results.row[f"{variant}-c"].creep_mm_s, rate)
-        for variant, rate in published.items()
-    ]
+    formula, rows = "rate in MuJoCo C less the published one, in size, of the latter", results.row
+    told = [(variant, rows[f"{variant}-c"].creep_mm_s, rate) for variant, rate in published.items()]
+    found = [departure(results, f"{variant}_from_published", formula, *pair) for variant, *pair in told]
     largest = extreme(results, "published_off", "largest of the departures from what was published", max, found)
     count = cell_count(results, "published_count", "rates that were published", found)
     return Claim("as_published", at_most(largest, 5.0, why="the same rate"), {"count": count, "largest": largest})
@@ -53,11 +50,8 @@ def _follows_law(results: Results) -> Claim:
     """Compare the steady rates with those of the law, which gives none with noslip."""
     rows = [results.row[f"{variant}-{engine}"] for engine in ENGINES for variant in VARIANTS]
     formula = "steady rate less that of the law, in size, of the latter"
-    found = [
-        departure(results, f"{row.case}_from_law", formula, row.steady_creep_mm_s, row.predicted_creep_mm_s)
-        for row in rows
-        if row.predicted_creep_mm_s.value
-    ]
+    told = [(row.case, row.steady_creep_mm_s, row.predicted_creep_mm_s) for row in rows]
+    found = [departure(results, f"{case}_from_law", formula, *pair) for case, *pair in told if pair[1].value]
     largest = extreme(results, "law_off", "largest of the departures from the law", max, found)
     count = cell_count(results, "law_count", "runs for which the law gives a rate", found)
     return Claim("follows_law", at_most(largest, 1.0, why="the same rate"), {"count": count, "largest": largest})

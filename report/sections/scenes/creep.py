@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -75,8 +76,7 @@ def _rows(results: Results, scene: str) -> Sequence[Row]:
 
 
 def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tuple[Value, Value] | None:
-    """Derive measured and predicted creep [mm/s], in size; None for a row that is about something else, or too slow to
-    be seen."""
+    """Derive measured and predicted creep [mm/s], in size; None where there is none, or none that would be seen."""
     columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
     if any(column not in row or row[column].value is None for column in columns):
         return None
@@ -102,10 +102,9 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
     formula = "largest factor between measured and predicted creep"
     largest = results.value("largest_factor", formula, max, *factors, across=True)
     bound = results.chosen("factor_bound", "a prediction to go by", 1.5)
-    fast, slow = (
-        results.value(f"{name}_creep", f"{name} creep measured", choose, *measured, across=True, unit="mm/s")
-        for name, choose in (("fastest", max), ("slowest", min))
-    )
+    extreme = partial(results.value, across=True, unit="mm/s")
+    fast = extreme("fastest_creep", "fastest creep measured", max, *measured)
+    slow = extreme("slowest_creep", "slowest creep measured", min, *measured)
     spanned = ratio(results, "creep_range", "the first of these over the second", fast, slow)
     names, formula = {point.scene for point in points}, "runs with a creep and a prediction"
     count = results.value("point_count", formula, lambda *found: len(found), *factors, across=True)

@@ -6,7 +6,8 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.shared.arithmetic import Column, departure, difference, extreme, share, table_of, total
+from report.shared.arithmetic import departure, difference, extreme, share, total
+from report.shared.tables import Column, table_of
 
 OBJECTS, STEPS = ("cube", "ball"), ("2ms", "10ms")
 SETTINGS = {"published": "as published", "elliptic": "elliptic cone, impratio 10", "short": "timeconst 4 ms"}
@@ -30,10 +31,8 @@ def _table(results: Results) -> Table:
     for engine, name in ENGINES.items():
         rows = [results.row[f"{kind}-2ms-{setting}-{engine}"] for kind, setting in tried]
         columns |= {f"held, {name}": [row.held_count for row in rows]}
-        dropped = [
-            row.median_drop_s if row.median_drop_s.value or not row.held_count.value else "never" for row in rows
-        ]
-        columns |= {f"dropped, {name}": dropped}
+        times = [(row.median_drop_s, row.held_count) for row in rows]
+        columns |= {f"dropped, {name}": [time if time.value or not held.value else "never" for time, held in times]}
     return table_of("object and setting", [f"{kind}, {SETTINGS[setting]}" for kind, setting in tried], columns)
 
 

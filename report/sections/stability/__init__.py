@@ -13,7 +13,7 @@ from report.sections.stability import claims
 from report.sections.stability.claims import count, family
 from report.sections.stability.figures import draw_maps
 from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, is_stable
-from report.shared.arithmetic import table_of
+from report.shared.tables import table_of
 
 order = 145
 page = "limits"
@@ -52,31 +52,18 @@ def derive(results: Results) -> Section:
     safe = claims.safe(results, critical, default_kd)
     stiffest = max((row.pad_ke.value for row in default_kd), default=None)
     is_so = safe.outcome == HOLDS and not any(is_stable(row) for row in default_kd if row.pad_ke.value == stiffest)
-    told = [
-        safe,
-        claims.gain_goes(results),
-        claims.clamp(results),
-        *(claims.crossover(results, name, margin) for name in ("shake", "grip")),
-        claims.friction(results),
-        claims.masses(results),
-        claims.size(results, depth),
-        claims.overlap(results),
-        claims.gravity(results),
-        claims.long(results),
-    ]
+    told = [safe, claims.gain_goes(results), claims.clamp(results)]
+    told += [*(claims.crossover(results, name, margin) for name in ("shake", "grip")), claims.friction(results)]
+    told += [claims.masses(results), claims.size(results, depth), claims.overlap(results), claims.gravity(results)]
+    told += [claims.long(results)]
     by_name = {claim.name: claim for claim in told}
-    columns = {
-        "holds": [by_name[name].numbers[holds] for name, holds, _ in LIMITS.values()],
-        "breaks": [
-            by_name[name].numbers[breaks] if breaks else "not seen" if by_name[name].outcome == HOLDS else ""
-            for name, _, breaks in LIMITS.values()
-        ],
-    }
-    return Section(
-        tables={"limits": table_of("what", LIMITS, columns)},
-        figures={"maps": _maps(results, critical, default_kd, is_so)},
-        claims=told,
-    )
+    ends = [(by_name[name], holds, breaks) for name, holds, breaks in LIMITS.values()]
+    columns = {"holds": [claim.numbers[holds] or claims.NOT_ONE for claim, holds, _ in ends]}
+    columns["breaks"] = [
+        claim.numbers[breaks] or claims.NOT_ONE if breaks else claims.unseen(claim) for claim, _, breaks in ends
+    ]
+    figures = {"maps": _maps(results, critical, default_kd, is_so)}
+    return Section(tables={"limits": table_of("what", LIMITS, columns)}, figures=figures, claims=told)
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row], is_so: bool) -> Figure:

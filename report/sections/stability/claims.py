@@ -1,8 +1,9 @@
 """What the parts of section stability share: its rows by family, and claims about a family."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from markupsafe import Markup
@@ -12,7 +13,8 @@ from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least,
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability.passing import GROWTH_LARGEST, is_stable, judged_by, passes
-from report.shared.arithmetic import case_html, cell_count, cell_or_absent, extreme, ratio, share, some_html
+from report.shared.arithmetic import cell_count, cell_or_absent, extreme, ratio, share
+from report.shared.tables import case_html, some_html
 
 
 def family(results: Results, name: str) -> list[Row]:
@@ -23,30 +25,22 @@ def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Val
     return cell_count(results, name, formula, [row.step_ms for row in rows])
 
 
-def least(results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
-    """Derive the least of a column; without a number when there is none."""
-    return extreme(results, name, formula, min, [row[column] for row in rows])
+def _end(choose: Callable, results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
+    return extreme(results, name, formula, choose, [row[column] for row in rows])
 
 
-def most(results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
-    """Derive the largest of a column; without a number when there is none."""
-    return extreme(results, name, formula, max, [row[column] for row in rows])
+least, most = partial(_end, min), partial(_end, max)
+"""Derive the end of a column; without a number when there is none."""
 
 
 def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome = HOLDS, **numbers: Any) -> Claim:
-    """Claim that all rows of a family pass, of those of which something is asked, and something else holds ``also``.
-
-    Its wording can name ``numbers``, ``count``, ``failed_count`` and ``failed``, which cases do not pass and how they
-    ended.
-    """
+    """Claim that all rows of a family of which something is asked pass, and ``also``; ``failed`` names others."""
     asked = [row for row in rows if passes(row) is not None]
     failed = [row for row in asked if not passes(row)]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
-    own = {
-        "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
-        "failed_count": failed_count,
-        "failed": some_html([Markup("{} {}").format(case_html(row), row["class"]) for row in failed]),
-    }
+    formula = f"runs of {name} of which something is asked"
+    own: dict[str, Any] = {"count": count(results, f"{name}_count", formula, asked), "failed_count": failed_count}
+    own |= {"failed": some_html([Markup("{} {}").format(case_html(row), row["class"]) for row in failed])}
     cells = [cell for row in rows for cell in judged_by(row)]
     outcome = all_of(at_most(failed_count, 0, why="all of them pass"), decided(True, *cells), also)
     return Claim(name, outcome if rows else Outcome("unknown", "they were not measured"), own | numbers)
@@ -57,8 +51,7 @@ UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
 
 
 def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
-    """Find from which ke on every step holds with damping ratio 1, and up to which ke the default kd does as
-    shipped."""
+    """Find from which ke every step holds with damping ratio 1, and up to which the default kd holds as shipped."""
     unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     safe_ke = least(results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke")
@@ -105,6 +98,14 @@ def _creep(row: Row) -> Quantity:
     return replace(row.creep_mm_s, noise=row.creep_floor_mm_s.value)
 
 
+NOT_ONE = absent("1", "there is not one limit")
+
+
+def unseen(claim: Claim) -> str:
+    """Say of a limit that nothing was seen to break, where that was to be seen."""
+    return "not seen" if claim.outcome == HOLDS else ""
+
+
 def clamp(results: Results) -> Claim:
     rows = family(results, "clamp")
     failing, holding = ([row for row in rows if is_stable(row) == holds] for holds in (False, True))
@@ -119,7 +120,7 @@ def clamp(results: Results) -> Claim:
     is_one = not (never or always) and None not in (first.value, last.value) and first.value < last.value
     numbers: dict[str, Any] = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
     if not is_one:
-        numbers |= dict.fromkeys(("first", "last"), absent("1", "there is not one limit"))
+        numbers |= {"first": "", "last": ""}  # of which it then says nothing
     return Claim("clamp_off", decided(is_one, first, last), numbers)
 
 
@@ -142,22 +143,30 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
 
 
 def friction(results: Results) -> Claim:
-    rows = sorted(family(results, "friction"), key=lambda row: row.pad_mu.value)
-    kept = least(results, "friction_kept", "least μ that holds", filter(is_stable, rows), "pad_mu")
-    largest = most(results, "friction_most", "largest μ that holds", filter(is_stable, rows), "pad_mu")
+    rows, formula = family(results, "friction"), "{} μ that holds"
+    kept, largest, also = _range(results, rows, "pad_mu", "friction", formula, low="kept")
     broken = [row for row in rows if not is_stable(row)]
     lost = most(results, "friction_lost", "largest μ that does not hold", broken, "pad_mu")
-    also = contiguous([is_stable(row) for row in rows], kept, largest)
     return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest, lost=lost)
 
 
 def masses(results: Results) -> Claim:
-    rows = sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
-    held = list(filter(is_stable, rows))
-    light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
-    heavy = most(results, "mass_most", "largest mass that is held", held, "cube_mass_kg")
-    also = contiguous([is_stable(row) for row in rows], light, heavy)
+    rows, formula = family(results, "mass"), "{} mass that is held"
+    light, heavy, also = _range(results, rows, "cube_mass_kg", "mass", formula)
     return family_claim(results, "masses", rows, also, light=light, heavy=heavy)
+
+
+def _range(
+    results: Results, rows: Sequence[Row], column: str, name: str, formula: str, low: str = "least"
+) -> tuple[Value, Value, Outcome]:
+    """Derive the least and the most with which a run holds, and whether each between them does."""
+    flags, held = (
+        [is_stable(row) for row in sorted(rows, key=lambda row: row[column].value)],
+        [*filter(is_stable, rows)],
+    )
+    first = least(results, f"{name}_{low}", formula.format("least"), held, column)
+    last = most(results, f"{name}_most", formula.format("largest"), held, column)
+    return first, last, contiguous(flags, first, last)
 
 
 def size(results: Results, bound: Value) -> Claim:

@@ -27,8 +27,7 @@ MARKS = ("o", "", "v", "*", "s", "x")
 
 
 def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], np.ndarray], str]]) -> Drawing:
-    """Draw one map above the other. A panel is a title, its rows, a bound on the step [s] over ke, and the bound's
-    name."""
+    """Draw maps one above the other, each of a title, its rows, a bound on the step [s] over ke, and its name."""
     drawing, axes = new_figure(7.6, 3.5 * len(panels), nrows=len(panels), sharex=True, squeeze=False)
     marked = {"shipped": AS_SHIPPED.pad_ke, "stiff": STIFF_PADS.pad_ke}
     for one, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):

@@ -1,11 +1,11 @@
 """What a new release changes: numbers, claims, and the contact rows that say why."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from measured_report.changes.compare import Flip, FlipList, flips
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value
@@ -36,23 +36,16 @@ def derive(results: Results, releases: Releases) -> Section:
     flipped, ends = list(flips(seen, shown)), Ends(seen)
     same_slip = _slip_is_the_same(results, ends, noise)
     steps = _in_one_step(results, seen, noise, same_slip.outcome)
-    return Section(
-        tables={
-            "turns": FlipList(list(seen), shown, list(results.others)),
-            "tried": tables.side_by_side("slip [mm]", releases, tables.TRIED),
-            "speed": tables.side_by_side("", releases, {headline.label: headline for headline in tables.SPEEDS}),
-            "numbers": tables.number_table(releases),
-            "options": tables.option_table(releases),
-        },
-        figures={"slips": tables.slip_figure(releases, steps.numbers["steps"] if steps.outcome == HOLDS else [])},
-        claims=[
-            same_slip,
-            steps,
-            _claims_stand(results, flipped, list(seen)),
-            *cause_claims(results, ends, same_slip.outcome),
-            _same_speed(results, ends),
-        ],
-    )
+    shown_tables = {
+        "turns": FlipList(list(seen), shown, list(results.others)),
+        "tried": tables.side_by_side("slip [mm]", releases, tables.TRIED),
+        "speed": tables.side_by_side("", releases, {headline.label: headline for headline in tables.SPEEDS}),
+        **{"numbers": tables.number_table(releases), "options": tables.option_table(releases)},
+    }
+    slips = tables.slip_figure(releases, steps.numbers["steps"] if steps.outcome == HOLDS else [])
+    claims = [same_slip, steps, _claims_stand(results, flipped, list(seen))]
+    claims += [*cause_claims(results, ends, same_slip.outcome), _same_speed(results, ends)]
+    return Section(tables=shown_tables, figures={"slips": slips}, claims=claims)
 
 
 def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
@@ -133,47 +126,42 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
     tolerance = results.value("recovery_tolerance", "what that leaves, either way", lambda a: 100 - a, bound, unit="%")
     brings_back, ends_it, switches = (
         nothing_to_explain(same_slip) or at_most(_miss(results, name, start, end, goal), tolerance)
-        for name, start, end, goal in (
-            ("taken_share", new, taken, old),
-            ("given_share", old, given, new),
-            ("off_share", new, off, old),
-        )
+        for name, start, end, goal in (("taken", new, taken, old), ("given", old, given, new), ("off", new, off, old))
     )
-    numbers = {"a": ends.old, "b": ends.new, "before": old, "taken": taken, "given": given, "off": off}
+    names = {"a": ends.old, "b": ends.new}
     return [
-        Claim("friction_timeconst_is_new", is_new, numbers | {"own": own}),
-        Claim("taking_it_away_brings_it_back", brings_back, numbers),
-        Claim("giving_it_does_the_same", ends_it, numbers),
-        Claim("release_has_a_switch", switches, numbers),
-        Claim("cause", ends.one or all_of(is_new, brings_back, ends_it), numbers),
-        _mujoco_contacts_as_before(results, ends),
-        _pyramid_as_before(results, ends),
+        Claim("friction_timeconst_is_new", is_new, names | {"own": own}),
+        Claim("taking_it_away_brings_it_back", brings_back, names | {"taken": taken, "before": old}),
+        Claim("giving_it_does_the_same", ends_it, names | {"given": given}),
+        Claim("release_has_a_switch", switches, {"off": off}),
+        Claim("cause", ends.one or all_of(is_new, brings_back, ends_it)),
+        *_as_before(results, ends),
     ]
 
 
-def _mujoco_contacts_as_before(results: Results, ends: Ends) -> Claim:
-    found, engine = ends.cells(MUJOCO_CONTACTS), ends.cells(MUJOCO_C)
+def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
+    """Tell whether what the change is not about slips as in the older release."""
+
+    def changes(*slips: float) -> float:
+        return 100 * max(abs(after / before - 1) for before, after in zip(slips[::2], slips[1::2], strict=True))
+
+    found, engine, pyramid = (ends.cells(headline) for headline in (MUJOCO_CONTACTS, MUJOCO_C, PYRAMID))
     formula = "larger change in slip where MuJoCo finds the contacts, of the older slip"
-    elsewhere = results.value("elsewhere_change", formula, _farther, *found, *engine, unit="%", across=True)
-    numbers = {"a": ends.old, "b": ends.new, "found": found[1], "c": engine[1], "elsewhere": elsewhere}
-    return Claim("mujoco_contacts_as_before", ends.one or at_most(elsewhere, SAME, why="the same slip"), numbers)
-
-
-def _pyramid_as_before(results: Results, ends: Ends) -> Claim:
-    before, after = ends.cells(PYRAMID)
+    elsewhere = results.value("elsewhere_change", formula, changes, *found, *engine, unit="%", across=True)
     formula = "change in slip with a pyramidal cone, of the older slip"
-    moved = results.value("pyramid_change", formula, _farther, before, after, unit="%", across=True)
-    numbers = {"before": before, "after": after, "a": ends.old, "b": ends.new, "moved": moved}
-    return Claim("pyramid_as_before", ends.one or at_most(moved, SAME, why="the same slip"), numbers)
-
-
-def _farther(*slips: float) -> float:
-    return 100 * max(abs(after / before - 1) for before, after in zip(slips[::2], slips[1::2], strict=True))
+    moved = results.value("pyramid_change", formula, changes, *pyramid, unit="%", across=True)
+    said = {"a": ends.old, "b": ends.new}
+    for name, slips, numbers in (
+        ("mujoco_contacts", elsewhere, {"found": found[1], "c": engine[1], "elsewhere": elsewhere}),
+        ("pyramid", moved, {"before": pyramid[0], "after": pyramid[1], "moved": moved}),
+    ):
+        yield Claim(f"{name}_as_before", ends.one or at_most(slips, SAME, why="the same slip"), said | numbers)
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:
     formula = "how far the switched case goes from the slip of its own release to that of the other"
-    share = results.value(
-        name, formula, lambda a, b, whole: 100 * (b - a) / (whole - a), start, end, goal, unit="%", across=True
+    part, cells = lambda a, b, whole: 100 * (b - a) / (whole - a), (start, end, goal)
+    share = results.value(f"{name}_share", formula, part, *cells, unit="%", across=True)
+    return results.value(
+        f"{name}_share_miss", "how far that is from all of it", lambda a: abs(a - 100), share, unit="%"
     )
-    return results.value(f"{name}_miss", "how far that is from all of it", lambda a: abs(a - 100), share, unit="%")

@@ -2,10 +2,9 @@
 
 from dataclasses import dataclass
 
-from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import HOLDS, Outcome, beyond
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
@@ -62,7 +61,7 @@ class Ends:
 
 def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
     """Tell whether a change is no more than noise and rounding; clearly more is the opposite."""
-    is_same = None not in (moved.value, noise.value) and not Move("", before.value, after.value, noise.value).is_real
+    is_same = None not in (moved.value, noise.value) and abs(moved.number) <= noise.number
     return (HOLDS if is_same else beyond(moved, noise)).having_read(before, after, moved, noise)
 
 

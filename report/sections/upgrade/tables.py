@@ -7,19 +7,18 @@ from matplotlib.figure import Figure as Drawing
 
 from measured_report.changes.query import Query, points
 from measured_report.files.config import config
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.figures import INK, new_figure, tick_125
 from measured_report.parts.section import Figure, Table
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import Quantity
 from report.shared import drawing as colours
-from report.shared.arithmetic import table_of
 from report.shared.drawing import mark_points
+from report.shared.tables import table_of
 
 SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
 TAKEN, GIVEN = "as-shipped-friction-timeconst-off", "as-shipped-friction-timeconst-on"
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
-HEADLINES = tuple(Query(value, label=label) for label, value in config().changes.headlines.items())
 SLIP = Query(f"upgrade.{SHIPPED}.slip_mm")
 MUJOCO_CONTACTS = Query("upgrade.as-shipped-mujoco-contacts.slip_mm")
 MUJOCO_C, PYRAMID = Query("reproduction.as-shipped-mujoco-c.slip_mm"), Query("solver.cone-pyramidal.slip_mm")
@@ -46,8 +45,6 @@ TRIED = {
         "hold": "arm held still",
     }.items()
 }
-SETTINGS = config().changes.settings
-"""Kinds of rows that are no runs: each has a name and a value."""
 SETTING_SECTIONS = ("upgrade", "defaults")
 DRAWN = {
     SLIP: ("shipped pads", colours.SHIPPED, "-"),
@@ -65,31 +62,27 @@ def side_by_side(heading: str, releases: Releases, asked: Mapping[str, Query]) -
 
 
 def option_table(releases: Releases) -> Table:
+    kinds = config().changes.settings  # of rows that are no runs: each has a name and a value
     found: dict[str, dict[str, Quantity | str]] = {}
     measured = {release: sections for release, sections in releases.items() if "upgrade" in sections}
     for release, sections in measured.items():
         for row in (row for name in SETTING_SECTIONS if name in sections for row in sections[name].results.rows):
-            if row.kind in SETTINGS:
-                found.setdefault(f"{SETTINGS[row.kind]} {row.name}", {})[release] = row["value"]
+            if row.kind in kinds:
+                found.setdefault(f"{kinds[row.kind]} {row.name}", {})[release] = row["value"]
     differing = {
         name: values
         for name, values in found.items()
         if len({getattr(values.get(release), "value", values.get(release)) for release in measured}) > 1
     } or {"none": dict.fromkeys(measured, "")}
-    columns = {
-        f"Newton {release}": [Markup("{}").format(values.get(release, "–")) for values in differing.values()]
-        for release in measured
-    }
+    lines = {release: [values.get(release, "–") for values in differing.values()] for release in measured}
+    columns = {f"Newton {release}": list(map(Markup("{}").format, line)) for release, line in lines.items()}
     return table_of("", differing, columns)
 
 
 def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
     slips = [(release, SLIP.cell(releases[release], release)) for release in releases]
-    return Figure(
-        draw=lambda: _draw_slips(releases),
-        sources=[headline.cell(releases[release], release) for headline in DRAWN for release in releases],
-        numbers={"slips": slips, "steps": steps},
-    )
+    sources = [headline.cell(releases[release], release) for headline in DRAWN for release in releases]
+    return Figure(lambda: _draw_slips(releases), sources, {"slips": slips, "steps": steps})
 
 
 def _draw_slips(releases: Releases) -> Drawing:
@@ -110,7 +103,7 @@ def number_table(releases: Releases) -> Table:
     """Show how the headlines moved from release to release, marked where one differs from the one before."""
     labels: list[Markup] = []
     columns: dict[str, list[Markup]] = {name: [] for name in releases}
-    for headline in HEADLINES:
+    for headline in (Query(value, label=label) for label, value in config().changes.headlines.items()):
         if found := points(releases, headline):
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in found}

@@ -21,6 +21,7 @@ from measured_report.commands.upgrade import verdict
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
+from measured_report.parts.claim import Claim
 from measured_report.records.record import Record, load_record, write_record
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
@@ -34,6 +35,11 @@ def broken(row: dict, frame: int) -> dict:
     reason = f"a body's pose is not finite in frame {frame}"
     lost = [name for name in SHAKEN if name in row]
     return row | {"failure": reason, **dict.fromkeys(lost), **{f"{name}_reason": reason for name in lost}}
+
+
+def say(section: str, claim: Claim) -> str:
+    """Words it by nothing but its test."""
+    return f"{section}.{claim.name} {claim.outcome.said}"
 
 
 @pytest.fixture
@@ -82,9 +88,9 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
     found = changed(measured("1.9.0", rows_changed(section, cases, frame)))
     assert found.is_alarm
-    said = diff_text(found, "", "text").splitlines()
+    said = diff_text(found, "", "text", say).splitlines()
     assert f"frame {frame}" in said[2] and "newton 1.9.0" in said[2]
-    assert json.loads(diff_text(found, "", "json"))["status"] == 1
+    assert json.loads(diff_text(found, "", "json", say))["status"] == 1
 
 
 @pytest.mark.parametrize(
@@ -102,15 +108,15 @@ def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost,
     project = measured("1.9.0", change)
     found = changed(project)
     assert found.is_alarm and not found.faults
-    assert diff_text(found, "", "text").splitlines()[3].startswith(f"alarm: {said}")
-    advice = verdict(found, derived(project.of("1.8.0")), derived(project))[-1]
+    assert diff_text(found, "", "text", say).splitlines()[3].startswith(f"alarm: {said}")
+    advice = verdict(found, say, derived(project.of("1.8.0")), derived(project))[-1]
     assert ("make bisect" in advice) == ("dropped" in lost), "a search between a number and none would be refused"
 
 
 def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
     project = measured("1.9.0", rows_changed("all", (), 1))
     edition = derived(project)
-    assert check_text(edition, "text").startswith("cannot tell: newton 1.9.0, ")
+    assert check_text(edition, "text", say).startswith("cannot tell: newton 1.9.0, ")
     assert changed(project, before="1.9.0").is_alarm, "broken alike is no agreement"
     assert changed(project.of("1.8.0"), before="1.9.0").is_alarm
     assert not changed(project.of("1.8.0")).is_alarm
@@ -153,9 +159,9 @@ def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(toy, cells, cpu, f
 def test_the_documentation_names_what_the_json_has(measured):
     text = (ROOT / "docs/alarm.md").read_text(encoding="utf-8")
     project = measured("1.9.0", rows_changed("reproduction", ("as-shipped",), 500))
-    said = diff_text(changed(project), "", "json")
+    said = diff_text(changed(project), "", "json", say)
     edition = derived(project)
-    for each in (said, check_text(edition, "json")):
+    for each in (said, check_text(edition, "json", say)):
         names = set(re.findall(r'"([a-z_]+)":', each)) - {"case", *SECTIONS}
         assert {name for name in names if f"`{name}`" not in text} == set()
 
@@ -170,5 +176,5 @@ def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_m
         assert "holds" in capsys.readouterr().out
     newer = toy.of("1.8.0")
     newer.measure([{**SOFT, "failure": "<img> | [x](y) ``` @all"}, STIFF])
-    said = diff_text(changed(newer.project, before="1.4.0"), "", "markdown")
+    said = diff_text(changed(newer.project, before="1.4.0"), "", "markdown", say)
     assert said.startswith("```text\n") and said.endswith("\n```") and "<img> | [x](y) ''' @all" in said

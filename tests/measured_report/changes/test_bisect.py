@@ -14,8 +14,7 @@ from measured_report.changes.query import Query, flip_history, history
 from measured_report.commands import bisect as command
 from measured_report.editions.release import release_of
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
+from measured_report.findings.editions import editions_of
 from measured_report.records.record import write_record
 
 SOFT, STIFF = ROWS
@@ -108,7 +107,7 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout
 @pytest.fixture
 def told(search, toy):
     """What all editions of the toy have, as a history takes it."""
-    editions = editions_of(toy.project, Templates(toy.project.templates))
+    editions = editions_of(toy.project)
     return {release: edition.uncompared for release, edition in editions.items()}
 
 
@@ -135,7 +134,7 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(
     monkeypatch.setattr(module, "measure", note)
     monkeypatch.setattr(module, "releases_between", lambda first, last: [release_of("1.5.9")])
     monkeypatch.setattr(command, "sections", lambda: ["toy"])
-    search.is_first(("holds", "fails"), release_of("1.4.9"))
+    search.answer(release_of("1.4.9"))
     assert [side.results.relative_to(toy.project.root).as_posix() for side in measured] == [
         "results/bisect/full/newton-1.4.9"
     ]

@@ -1,6 +1,7 @@
 """Names in report.toml: one of nothing is refused in one line, before anything is built."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
@@ -37,7 +38,7 @@ RULES = Config(
 def test_a_name_of_nothing_stops_the_build(toy, monkeypatch, wrong, said):
     changes = {name: wrong.pop(name) for name in [*wrong] if name in vars(Changes())}
     rules = replace(RULES, **wrong, changes=replace(RULES.changes, **changes))
-    monkeypatch.setattr(query, "ROOT", toy.project.root)
+    monkeypatch.setattr(query, "report", lambda: SimpleNamespace(root=toy.project.root))
     monkeypatch.setattr(query, "config", lambda: rules)
     if not said:
         toy.build()

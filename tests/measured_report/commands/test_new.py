@@ -5,7 +5,7 @@ import re
 import pytest
 
 from measured_report.commands.new import new
-from measured_report.files.config import config
+from measured_report.files.config import Report
 from measured_report.files.errors import UsageError
 
 
@@ -19,7 +19,7 @@ def test_a_report_on_another_package_names_no_other(tmp_path):
     titled = ("CITATION.cff", "README.md", "report.toml", "templates/front.md.j2")
     assert all("How it changes" in texts[folder / name] for name in titled)
     assert '"scikit-learn==1.5.0"' in texts[folder / "pyproject.toml"]
-    assert config(folder).option == "SCIKIT_LEARN"
+    assert Report(folder).config.option == "SCIKIT_LEARN"
     assert "steps.new.outputs.release" in texts[folder / ".github/workflows/upgrade.yml"]
     compiled = [compile(text, path, "exec") for path, text in texts.items() if path.suffix == ".py"]
     assert len(compiled) == 4

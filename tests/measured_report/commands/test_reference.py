@@ -9,7 +9,7 @@ from measured_report.commands.new import SKELETON
 from measured_report.commands.reference import reference
 from measured_report.files.config import Changes, Config, Declared, Told
 from measured_report.files.root import ROOT
-from measured_report.records.columns import UNITS
+from measured_report.records.columns import units
 
 TEXT = reference()
 
@@ -32,4 +32,4 @@ def test_what_a_section_imports_and_every_unit_are_told():
     }
     assert {"Claim", "greater", "new_figure", "Results"} <= imported
     assert not [name for name in imported if f"### {name}\n" not in TEXT and f"- `{name}(" not in TEXT]
-    assert not [end for end in UNITS if f"`_{end}`" not in TEXT]
+    assert not [end for end in units() if f"`_{end}`" not in TEXT]

@@ -1,8 +1,7 @@
 """The provenance of a number, from the page back to rows, cases and command."""
 
 from measured_report.commands.trace import provenance
-from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
+from measured_report.findings.editions import editions_of
 
 ROWS = (
     {"case": "soft", "frame_count": 900, "slip_mm": 6.0, "slip_mm_p5": 5.9, "slip_mm_p95": 6.2, "dropped": False},
@@ -11,7 +10,7 @@ ROWS = (
 
 
 def text(toy, name: str) -> str:
-    return provenance(toy.project, editions_of(toy.project, Templates(toy.project.templates)), name)
+    return provenance(toy.project, editions_of(toy.project), name)
 
 
 def test_a_value_leads_to_page_rows_settings_and_command(toy):

@@ -19,6 +19,7 @@ from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import read_label, release_of
 from measured_report.editions.status import expected_packages
 from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.root import ROOT
 from measured_report.measuring import machine, measure
 from measured_report.records import identity
 from measured_report.records.identity import package_versions
@@ -52,7 +53,7 @@ def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
     edited, source = release_of(str(checkout)), identity.checkout_source(checkout)
     assert str(edited) == f"1.9.0.dev0+g{commit}.edited"
     (checkout / "newton/__init__.py").write_text("x = 3\n")
-    assert identity.checkout_source(checkout) != source and environment_of(edited) == environment_of(clean)
+    assert identity.checkout_source(checkout) != source and environment_of(edited, ROOT) == environment_of(clean, ROOT)
 
 
 def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):

@@ -21,7 +21,7 @@ from measured_report.files.atomic import RecordError, recover
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.pages.editions import editions_of
+from measured_report.findings.editions import editions_of
 from measured_report.pages.prose import Templates
 from measured_report.records.record import load_record, trace_path, write_record
 from measured_report.records.traces import load_trace, packed
@@ -79,7 +79,7 @@ def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
     toy.build()
     assert 'id="toy"' in toy.page
     assert check_site(toy.project.site) == ["newton-1.8.0/index.html: there is no claim on any page"]
-    left_out = editions_of(toy.project, Templates(toy.project.templates))["1.8.0"].left_out
+    left_out = editions_of(toy.project)["1.8.0"].left_out
     assert [(state.kind, state.notes) for state in left_out] == [
         ("damaged", (f"newton-1.8.0/toy.json is no whole record: {said}",))
     ]

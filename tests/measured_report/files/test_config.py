@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from measured_report.commands.new import SKELETON
-from measured_report.files.config import config
+from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
 
 TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
@@ -26,7 +26,7 @@ TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
 def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
     (tmp_path / "report.toml").write_text(TEXT.replace(old, new, 1))
     with pytest.raises(ReportError, match=f"^report.toml: {said}") as error:
-        config(tmp_path)
+        _ = Report(tmp_path).config
     assert "\n" not in str(error.value)
 
 
@@ -36,3 +36,19 @@ def test_a_command_says_it_in_that_line_and_no_traceback(tmp_path):
     done = subprocess.run([sys.executable, "build.py", "help"], cwd=tmp_path, capture_output=True, text=True)
     assert (done.stdout, done.stderr) == ("", "report.toml: there is no setting titel; near it: title\n")
     assert done.returncode == 1
+
+
+EVERY_MODULE = """
+import contextlib, importlib, pkgutil, measured_report
+for module in pkgutil.walk_packages(measured_report.__path__, "measured_report."):
+    with contextlib.suppress(ModuleNotFoundError):  # a cluster's packages are an extra
+        importlib.import_module(module.name)
+print(module.name)
+"""
+
+
+def test_no_module_reads_it_while_it_is_imported(tmp_path):
+    """Or a process would be of one report for good."""
+    (tmp_path / "report.toml").write_text("no TOML")
+    done = subprocess.run([sys.executable, "-c", EVERY_MODULE], cwd=tmp_path, capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("measured_report.values.shrinkage\n", "")

@@ -17,8 +17,7 @@ from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import RecordError, recover
 from measured_report.files.errors import ReportError
-from measured_report.pages.editions import derive_edition
-from measured_report.pages.prose import Templates
+from measured_report.findings.editions import derive_edition
 from measured_report.records.record import load_record, trace_path, write_record
 from measured_report.records.traces import load_trace
 from measured_report.site.check import check_site
@@ -43,7 +42,7 @@ def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     write_manifest(manifest.parent, Manifest("1.4.0", "", ("toy", "lost")))
     manifest.write_bytes(manifest.read_bytes() + text)
     assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
-    edition = derive_edition(toy.project, Templates(toy.project.templates))
+    edition = derive_edition(toy.project)
     assert [(fault.kind, fault.section) for fault in faults_of(edition)] == [("damaged", "edition.toml")]
     assert 'id="toy"' in toy.page
 

@@ -164,7 +164,7 @@ def test_no_record_is_stale_when_the_simulation_moves(copied):
 
 def test_the_generator_never_counts():
     with unchanged_files():
-        found = {name for section in sections() for name in identity_of(section, "full", packages={}).files}
+        found = {name for section in sections() for name in identity_of(section, "full", ROOT, {}).files}
     assert "experiments/simulation/simulation.py" in found
     assert not [name for name in found if name.startswith("measured_report/")]
 

@@ -13,7 +13,7 @@ from measured_report.commands import replicate
 from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError
-from measured_report.pages.replicas import refused, replicas_of, replicas_text
+from measured_report.findings.replicas import refused, replicas_of, replicas_text
 from measured_report.records.record import load_record, write_record
 from measured_report.records.replicas import FOLDER, packed, read_replica
 

@@ -9,7 +9,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from measured_report.parts.figures import draw_svgs, new_figure, write
-from measured_report.values.format import THIN_SPACE, format_least, format_most, format_number, label_of
+from measured_report.values.format import format_least, format_most, format_number, label_of
 from measured_report.values.format import read_number as read
 from measured_report.values.quantities import Quantity
 
@@ -21,38 +21,6 @@ def last_place(text: str) -> Decimal:
     """What one more of the last digit would be worth; zeros at the end of a whole number may be no digits."""
     number = read(text)
     return Decimal(1).scaleb(number.as_tuple().exponent if "." in text else number.normalize().as_tuple().exponent)
-
-
-@pytest.mark.parametrize(
-    ("value", "noise", "text"),
-    [
-        (6.3617, 0.0048, "6.36"),
-        (0.3121, 0.0048, "0.31"),
-        (0.3149, 0.0048, "0.315"),
-        (0.0037, 0.0052, f"<{THIN_SPACE}0.006"),
-    ]
-    + [(-0.0037, 0.0052, f"<{THIN_SPACE}0.006"), (20.1, 0.31, "20"), (20.3, 0.31, "20.3"), (95.09, 0.08, "95.1")]
-    + [
-        (7156287.3, 1e5, f"7{THIN_SPACE}200{THIN_SPACE}000"),
-        (140.2, 32.0, "140"),
-        (23.25, 2.5, "23"),
-        (0.0726, None, "0.073"),
-    ]
-    + [
-        (1.52e-5, None, f"1.5{THIN_SPACE}×{THIN_SPACE}10⁻⁵"),
-        (9.996, 0.01, "10.0"),
-        (9.996, 0.001, "9.996"),
-        (0.0195, 0.1097, f"<{THIN_SPACE}0.11"),
-        (0.0098, 0.007, "0.01"),
-        (11.45, 0.1, "11.5"),
-    ]
-    + [(11.45, 0.0, "11.45"), (60.0, 0.0, "60"), (2.0, 0.0, "2"), (0.2, 0.0, "0.2"), (1e-10, 0.0, "10⁻¹⁰")]
-    + [(16.666666666666668, 0.0, "16.7"), (0.0020000000949949026, 0.0, "0.002")]
-    + [(2500000.0, 0.0, f"2{THIN_SPACE}500{THIN_SPACE}000"), (8, None, "8"), (65917, None, f"65{THIN_SPACE}917")]
-    + [(0.0, 0.005, "0"), (None, None, "n/a")],
-)
-def test_a_number_as_people_write_it(value, noise, text):
-    assert format_number(value, noise=noise) == text
 
 
 @given(VALUES, SIZES)

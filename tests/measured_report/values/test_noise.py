@@ -1,25 +1,75 @@
-"""Noise: how far apart runs of one case are, and what it makes of numbers derived from them."""
+"""Noise: intervals and tests whose numbers are from tables, from SciPy, or worked by hand."""
+
+import math
+from statistics import stdev
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy import stats
 
-from measured_report.values.noise import Floor, binomial_noise, cell_noise, derived_noise, is_beyond, tolerance
+from measured_report.values.noise import (
+    Estimate,
+    binomial_noise,
+    chance_of,
+    derived_noise,
+    discoveries,
+    fenced,
+    sampled_noise,
+    t_quantile,
+    tolerance,
+    variance_of,
+    welch,
+)
 
 SIZES = st.floats(1e-12, 1e12)
 
 
-def test_the_noise_is_what_nearly_all_pairs_stay_within_and_what_is_beyond_it_moved():
+@pytest.mark.parametrize("freedom", [2.0, 2.5, 3.0, 4.5, 7.0, 20.0, 100.0, math.inf])
+@pytest.mark.parametrize("share", [0.9, 0.95, 0.999])
+def test_quantiles_and_chances_are_those_of_student_s_t(freedom, share):
+    exact = stats.t.ppf((1 + share) / 2, freedom)
+    found = t_quantile(share, freedom)
+    assert found == pytest.approx(exact, rel=0.03 if freedom < 3 else 2e-3)
+    assert chance_of(2 * found, 2.0, freedom) == pytest.approx(1 - share, rel=1e-6)
+
+
+def test_a_chance_is_of_the_difference_in_standard_errors():
+    assert chance_of(3.92, 2.0, math.inf) == pytest.approx(0.05, rel=1e-3)  # 1.96 of a normal distribution
+    assert chance_of(5.0, 1.0, 10.0) == pytest.approx(2 * stats.t.sf(5.0, 10), rel=1e-3)
+    assert chance_of(0.0, 1.0, 5.0) == 1.0 and chance_of(1e-9, 0.0, 5.0) < 1e-20
+
+
+def test_the_chances_that_count_are_those_of_benjamini_and_hochberg():
+    """Of ten the third may be 0.003 at 1 %, and the fourth 0.004: a smaller one behind a larger counts as well."""
+    chances = [0.0005, 0.0021, 0.0029, 0.02, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]
+    assert discoveries(chances) == 0.0029 and discoveries(chances[::-1]) == 0.0029
+    adjusted = stats.false_discovery_control(chances)
+    assert [chance <= discoveries(chances) for chance in chances] == [each <= 0.01 for each in adjusted]
+    assert discoveries([0.002, 0.5, 0.6]) == 0.002 and discoveries([0.004, 0.5, 0.6]) == 0.0
+    assert discoveries([]) == 0.0
+
+
+def test_an_outlier_is_moved_to_five_deviations_of_the_middle_half():
+    """Of 1 to 7 and 100 the median is 4.5, and half are within 2 of it: five times 1.4826 times 2 is 14.826."""
+    assert fenced([1, 2, 3, 4, 5, 6, 7, 100]) == pytest.approx([1, 2, 3, 4, 5, 6, 7, 4.5 + 14.826])
+    assert fenced([-100, 2, 3, 4, 5, 6, 7, 8])[0] == pytest.approx(4.5 - 14.826)
+    assert fenced([1, 2, 3, 4, 100]) == [1, 2, 3, 4, 100], "too few to tell which is one"
+    assert fenced([5.0] * 7 + [9.0]) == [5.0] * 7 + [9.0], "no deviation to count in"
+    assert variance_of([2, 4, 4, 4, 5, 5, 7, 9]) == pytest.approx(32 / 7)
+
+
+def test_the_tolerance_is_what_nearly_all_pairs_stay_within():
     """χ² at 39 degrees of freedom and 0.05 is 25.695, and the normal distribution has 0.9995 of it below 3.2905."""
     runs = [6.36 + 0.001 * (-1) ** index for index in range(40)]
     deviation = 0.001 * (40 / 39) ** 0.5
-    assert tolerance(runs) == pytest.approx(2**0.5 * 3.2905 * deviation * (39 / 25.695) ** 0.5, rel=1e-3)
-    assert tolerance([*runs, 7.36]) == pytest.approx(1.001), "never less than what was seen"
-    assert tolerance([6.36] * 40) == 0.0 and tolerance([1.0, 1.5]) == 0.5
-    assert not is_beyond(0.01, 1.0, 1.009) and is_beyond(0.01, 1.0, 1.02)
-    assert not is_beyond(0.0, 6.0, 6.005), "rounding"
-    assert Floor(spread=0.01, magnitude=5.0).at(1.0) == 0.01
-    assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
+    expected = 2**0.5 * 3.2905 * deviation * (39 / 25.695) ** 0.5
+    assert tolerance(runs) == pytest.approx(expected, rel=1e-3)
+    assert tolerance([*runs, 7.36, 5.0]) < 2.2 * expected, "two outliers of 40 are fenced in"
+    assert tolerance([6.36] * 40) == 0.0 and tolerance([1.0, 1.5]) == 0.5 and tolerance([1.0, 2.0, 4.0]) == 3.0
+    four = [1.0, 2.0, 3.0, 4.0]
+    limit = 2**0.5 * stats.norm.ppf(0.9995) * stdev(four) * (3 / stats.chi2.ppf(0.05, 3)) ** 0.5
+    assert tolerance(four) == pytest.approx(limit, rel=0.04)
 
 
 @pytest.mark.parametrize(
@@ -29,41 +79,43 @@ def test_the_noise_is_what_nearly_all_pairs_stay_within_and_what_is_beyond_it_mo
 def test_the_noise_of_a_share_is_of_wilson_s_interval(successes, trials, end):
     """Ends from Newcombe (1998), Statistics in Medicine 17, 857-872, table I, method 3; the last by symmetry."""
     share = successes / trials
-    assert binomial_noise(share, trials) / 2**0.5 == pytest.approx(abs(end - share), abs=5e-5)
+    assert binomial_noise(share, trials) == pytest.approx(abs(end - share), abs=5e-5)
+
+
+def test_the_noise_of_a_mean_is_its_confidence_interval():
+    """Three costs of 23.3, 22.6 and 23.3 % have a deviation of 0.404 %: t of 4.303 makes ±1.00 % of their mean."""
+    costs = [23.3, 22.6, 23.3]
+    assert sampled_noise(costs) == pytest.approx(stats.t.ppf(0.975, 2) * stats.sem(costs), rel=0.01)
+    assert sampled_noise(costs) == pytest.approx(1.0, rel=0.05) and sampled_noise([1.0]) == math.inf
+    known = Estimate(5.0, variance=0.04, freedom=20.0, count=4.0)
+    assert known.noise == pytest.approx(stats.t.ppf(0.975, 20) * 0.1, rel=1e-3)
+    assert Estimate(5.0, variance=0.04, count=4.0).noise == pytest.approx(0.196, rel=1e-3)
+    assert Estimate(5.0, variance=1e-8, freedom=20.0, least=0.01).noise == 0.01
+    assert Estimate(5.0).noise == Estimate(5.0).written_noise == 0.0
+    assert known.written_noise == known.noise and Estimate(5.0, least=1e-9).written_noise == 0.0025
+
+
+def test_two_means_are_compared_as_welch_does():
+    """SciPy's own test on samples of 3 and 5."""
+    a, b = [27.5, 21.0, 19.0], [27.1, 22.0, 20.8, 23.4, 23.4]
+    sides = [Estimate(sum(x) / len(x), variance_of(x), len(x) - 1, len(x)) for x in (a, b)]
+    error, freedom = welch(*sides)
+    exact = stats.ttest_ind(a, b, equal_var=False)
+    assert abs(sides[0].value - sides[1].value) / error == pytest.approx(abs(exact.statistic))
+    assert freedom == pytest.approx(exact.df)
+    assert welch(Estimate(1.0), Estimate(2.0)) == (0.0, math.inf)
+    assert welch(Estimate(1.0, 9.0), Estimate(2.0, 16.0)) == (5.0, math.inf)
+
+
+def test_a_derived_number_has_the_noise_of_its_sources_in_squares():
+    assert derived_noise(lambda a, b: a - b, [5.0, 1.0], [0.3, 0.4]) == pytest.approx(0.5)
+    assert derived_noise(lambda a, b: a / b, [10.0, 2.0], [0.0, 0.5]) == pytest.approx(10 / 1.5 - 5), "the farther way"
+    assert derived_noise(lambda *found: sum(found) / 4, [1.0] * 4, [0.2] * 4) == pytest.approx(0.1)
+    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
+    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0
 
 
 @given(SIZES, SIZES, st.floats(1e-6, 0.5), st.floats(1e-6, 0.5))
 def test_a_ratio_carries_the_noise_of_both_parts(above, below, share, other):
     noise = derived_noise(lambda a, b: a / b, [above, below], [share * above, other * below])
     assert noise >= 0.999 * max(share, other) * above / below
-
-
-def test_the_noise_of_a_cell_a_time_and_of_what_is_computed_from_an_unknown_one():
-    floors = {"slip_mm": Floor(0.005, 6.4), "drift_mm_s": Floor(0.0, 0.5), "wall_s": Floor(0.0, 2.0)}
-    row = {"slip_mm": 6.36, "drift_mm_s": 0.5, "wall_s": 2.0, "pad_ke": 2.5e5, "creep_mm_s": 0.1, "row_count": 8}
-    found = {column: cell_noise(column, row, floors) for column in row}
-    assert found == {
-        "slip_mm": 0.005,
-        "drift_mm_s": 1e-4,  # what rounding does, however well a machine repeats itself
-        "wall_s": None,
-        "pad_ke": 0.0,
-        "creep_mm_s": None,
-        "row_count": 0.0,
-    }
-    assert cell_noise("slip_mm", {"slip_mm": 64.0}, floors) == pytest.approx(0.05), "larger values are noisier"
-    floors["slip_mm"] = Floor(0.005, 6.4, length=12.0)
-    long = {"slip_mm": 3.58, "shake_duration_s": 60.0}
-    assert cell_noise("slip_mm", long, floors) == pytest.approx(0.025), "runs part as they go on"
-    assert cell_noise("slip_mm", {**long, "shake_duration_s": None}, floors) == 0.005
-    in_c = row | {"backend": "c", "build_s": 2.0}
-    assert cell_noise("creep_mm_s", in_c, floors) == pytest.approx(1e-4), "it repeats to the last bit"
-    assert cell_noise("slip_mm", in_c, floors) == 0.005
-    assert cell_noise("build_s", in_c, floors) is None, "a time does not"
-    row = {"frame_ms": 8.0, "frame_ms_p5": 7.8, "frame_ms_p95": 8.3, "repeat_count": 25, "frames_per_s": 125.0}
-    assert cell_noise("frame_ms", row, {}) == pytest.approx(1.25 * 0.5 / 5)
-    ratio = {"frame_ratio": 0.5, "frame_ratio_p5": 0.4, "frame_ratio_p95": 0.6, "repeat_count": 16}
-    assert cell_noise("frame_ratio", ratio | {"ratio_resolution": 0.01}, {}) == pytest.approx(0.005), "timed in turn"
-    assert cell_noise("frame_ratio", ratio | {"ratio_resolution": 0.0}, {}) == pytest.approx(1.25 * 0.2 / 4)
-    assert cell_noise("frames_per_s", row, {}) == pytest.approx(125.0 * 1.25 * 0.5 / 5 / 8.0)
-    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
-    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0

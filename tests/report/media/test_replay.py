@@ -13,12 +13,14 @@ from conftest import link
 
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
-from measured_report.pages.editions import derive_edition
+from measured_report.findings.editions import derive_edition
+from measured_report.pages.editions import give_words
 from measured_report.pages.prose import Templates
 from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.media.packed import packed_runs
 from report.media.replay import SHAKES, replay_page, script
+from report.plugins import Plugins
 
 pytestmark = pytest.mark.usefixtures("unchanged")
 SOURCES = ROOT / "assets/replay"
@@ -35,8 +37,8 @@ def project(poses_path) -> Project:
 @pytest.fixture(scope="module")
 def page(project) -> str:
     templates = Templates(project.templates)
-    edition = derive_edition(project, templates)
-    return replay_page(project, edition.chapters["poses"], edition.plugins.replay, None, templates, "")
+    edition = give_words(derive_edition(project), templates)
+    return replay_page(project, edition.chapters["poses"], Plugins(edition).replay, None, templates, "")
 
 
 def test_the_page_runs_its_one_script_fetches_nothing_and_says_without_it_what_was_measured(page, poses_path):

@@ -7,8 +7,7 @@ from conftest import ROWS, TEMPLATE, Toy
 
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
-from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
+from measured_report.findings.editions import editions_of
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 
@@ -61,7 +60,7 @@ def upgraded(toy) -> Toy:
 
 
 def outcomes(project: Project) -> dict[str, str]:
-    chapter = editions_of(project, Templates(project.templates))[project.release].chapters["upgrade"]
+    chapter = editions_of(project)[project.release].chapters["upgrade"]
     return {claim.name: claim.outcome.name for claim in chapter.section.claims}
 
 

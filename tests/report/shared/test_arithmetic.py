@@ -9,7 +9,7 @@ from measured_report.records.record import load_record
 from measured_report.values.quantities import absent
 from measured_report.values.results import Results
 from report.sections import reproduction
-from report.shared import arithmetic
+from report.shared import arithmetic, tables
 
 
 @pytest.fixture
@@ -47,9 +47,9 @@ def test_a_cube_that_was_lost_has_not_slipped():
     poses = Results(load_record(path), path)
     lost, kept = poses.row["as-shipped-10cm"], poses.row["stiff-pads-10cm"]
     assert lost.plain["slip_mm"] > 100.0 and lost.slip_mm.value is None
-    assert arithmetic.cell_or_lost(lost, "slip_mm") == "lost"
-    assert arithmetic.cell_or_lost(lost, "cube_height_m") == lost.cube_height_m
-    assert arithmetic.cell_or_lost(kept, "slip_mm") == kept.slip_mm
+    assert tables.cell_or_lost(lost, "slip_mm") == "lost"
+    assert tables.cell_or_lost(lost, "cube_height_m") == lost.cube_height_m
+    assert tables.cell_or_lost(kept, "slip_mm") == kept.slip_mm
     path = Project("1.4.0").record_path("reproduction")
     record = load_record(path)
     rows = [row | ({"dropped": True} if row["case"] == "as-shipped" else {}) for row in record.rows]

@@ -6,14 +6,15 @@ from dataclasses import replace
 import pytest
 from conftest import contents
 
+from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.pages.editions import Edition
+from measured_report.findings.editions import Edition
 from measured_report.pages.prose import Templates
-from measured_report.pages.sections import FRONT
 from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.parts.section import Section
 from measured_report.site.check import check_site
+from measured_report.values.evidence import Evidence
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.shared.arithmetic import Found
@@ -32,7 +33,7 @@ def templates():
 
 def texts(editions, templates, release: str) -> dict[str, str]:
     """Title and text of the front page, and the story, as HTML."""
-    [page] = [content for content in contents(editions, templates, release) if content.page == FRONT]
+    [page] = [content for content in contents(editions, templates, release) if content.page == config().front]
     front, story = page.texts
     drawn = {figure.anchor: f"[{figure.anchor}]" for text in page.texts for figure in text.figures}
     return {"title": front.title.striptags(), "front": front.html(drawn), "story": story.html(drawn)}
@@ -180,7 +181,7 @@ def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told
     none = found | {"cure": with_cells(found["cure"], "slip_mm", far)}
     assert advice(Found(none))[1].outcome.reason == "nothing that was tried is seen to"
     near = with_cells(found["cure"], "slip_mm", {RK4: 0.101})
-    near = found | {"cure": replace(near, floors=found["cure"].floors)}
+    near = found | {"cure": replace(near, evidence=Evidence(repeats=found["cure"].evidence.repeats))}
     assert advice(Found(near))[1].outcome.is_inconclusive
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import pandas as pd
 
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, at_least, at_most
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure, Section, Table

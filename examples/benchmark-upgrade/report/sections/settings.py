@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.results import Results

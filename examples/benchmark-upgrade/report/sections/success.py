@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pandas as pd
 
-from measured_report.pages.editions import Releases
+from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, Claim, decided
 from measured_report.parts.section import Section, Table
 from measured_report.values.results import Results

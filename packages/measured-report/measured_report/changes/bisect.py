@@ -11,30 +11,26 @@ from measured_report.editions.release import Release, release_of, releases_betwe
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError, suggestion
+from measured_report.findings.editions import editions_of
 from measured_report.measuring.measure import measure
-from measured_report.pages.editions import editions_of
 from measured_report.records.identity import MISSING, git
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.record import load_record
-from measured_report.values.noise import NOISE
 
-ASIDE = "bisect"
-"""The folder below ``results`` of what a search measured."""
+ASIDE = "bisect"  # the folder below `results` of what a search measured
 
 
 @dataclass(frozen=True)
 class Bisection:
-    """Search for where the answer to a query changes."""
-
     project: Project
     query: Query
     device: str
 
     def answer(self, release: Release) -> Answer | None:
         """Return what a release answers, measured unless it has records of that."""
-        answer = self._measured(release, [self.query.section])
-        if answer is None and NOISE in all_sections(self.project.root):  # without which most differences can't be told
-            answer = self._measured(release, [self.query.section, NOISE])
+        answer, noise = self._measured(release, [self.query.section]), config().noise_section
+        if answer is None and noise in all_sections(self.project.root):  # without which most differences can't be told
+            answer = self._measured(release, [self.query.section, noise])
         print(f"{release}: {self.query.text} {said(answer)}", flush=True)
         return answer
 
@@ -54,26 +50,8 @@ class Bisection:
         return replace(own, aside=ASIDE) if _lacking(own, sections) else own
 
     def packages(self, release: Release) -> Mapping[str, str]:
-        """Return the versions that a release was measured with."""
         section = self.query.section
         return load_record(self._side(release, [section]).record_path(section)).identity.packages
-
-    def is_first(self, ends: tuple[Answer, Answer], release: Release) -> bool | None:
-        """Tell whether a release answers as the first end does; None, and say why, where it can't."""
-        try:
-            answer = self.answer(release)
-        except ReportError as error:
-            print(f"{release}: cannot be measured: {error}".rstrip(": "), flush=True)
-            return None
-        return None if answer is None else self.query.is_first(answer, *ends)
-
-    def ends(self, first: Release, last: Release) -> tuple[Answer, Answer]:
-        """Return what both ends answer, which must be measured; UsageError where there is nothing to find."""
-        a, b = self.answer(first), self.answer(last)
-        if a is None or b is None or a == b:
-            hint = "; PROFILE=full looks closer" if self.project.profile == "quick" else ""
-            raise UsageError(f"{self.query.text} is {said(a)} at A and {said(b)} at B{hint}")
-        return a, b
 
 
 def _lacking(project: Project, sections: Sequence[str]) -> list[str]:
@@ -111,15 +89,23 @@ def points_between(first: Release, last: Release) -> list[str]:
 
 
 def bisect(search: Bisection, first: Release, last: Release) -> str:
-    """Say which edition is the first that answers otherwise, and which of its packages does it."""
-    ends = search.ends(first, last)
+    """Say which edition is the first that answers otherwise, and which package did it; UsageError where none does."""
+    a, b = search.answer(first), search.answer(last)
+    if a is None or b is None or a == b:
+        hint = "; PROFILE=full looks closer" if search.project.profile == "quick" else ""
+        raise UsageError(f"{search.query.text} is {said(a)} at A and {said(b)} at B{hint}")
 
     def is_first(release: Release) -> bool | None:
-        return search.is_first(ends, release)
+        try:
+            answer = search.answer(release)
+        except ReportError as error:
+            print(f"{release}: cannot be measured: {error}".rstrip(": "), flush=True)
+            return None
+        return None if answer is None else search.query.is_first(answer, a, b)
 
     names = first_change(points_between(first, last), lambda asked: is_first(release_of(asked)))
     before, after = map(release_of, names[:2])
-    told = [f"{search.query.text} changes between {before} and {after}: {said(ends[0])} → {said(ends[1])}"]
+    told = [f"{search.query.text} changes between {before} and {after}: {said(a)} → {said(b)}"]
     if names[2]:  # each may be the one that differs
         told += [f"no answer from {', '.join(names[2])}: the first that answers otherwise is one of these and {after}"]
     return "\n".join([*told, _which_package(search, before, after, is_first)])

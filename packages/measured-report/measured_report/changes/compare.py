@@ -10,14 +10,14 @@ from markupsafe import Markup
 
 from measured_report.changes.moves import Move, cells_between, cost_terms
 from measured_report.files.config import Page, config
-from measured_report.pages.editions import Chapters, Edition, Releases
+from measured_report.findings.chapters import Chapters, Releases
+from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
 from measured_report.records.columns import UNBELIEVED, column_of
 from measured_report.records.record import Record
-from measured_report.values.noise import NOISE
+from measured_report.values.noise import FALSE_SHARE, discoveries
 from measured_report.values.quantities import Pointer
-from measured_report.values.scatter import discoveries
 
 
 @dataclass(frozen=True)
@@ -37,16 +37,13 @@ class Flip:
         return f"{self.section}.{self.name}"
 
     @property
-    def before(self) -> Claim:
-        return self.said[0][1]
-
-    @property
-    def after(self) -> Claim:
-        return self.said[-1][1]
+    def ends(self) -> tuple[Claim, Claim]:
+        """Return the claim as the oldest and as the newest of them have it."""
+        return self.said[0][1], self.said[-1][1]
 
     @property
     def outcomes(self) -> str:
-        return f"{self.before.outcome.said} → {self.after.outcome.said}"
+        return " → ".join(claim.outcome.said for claim in self.ends)
 
     @property
     def is_decided(self) -> bool:
@@ -77,7 +74,7 @@ def flips(releases: Releases, shown: str) -> Iterator[Flip]:
 
 def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
     """Return what a claim on costs, or on the noise, turns on that is of the machine and not of the edition."""
-    if section == NOISE:
+    if section == config().noise_section:
         return frozenset({(chapters[section].results.record.processor,)})
     costs = [pointer for pointer in claim.outcome.reads if "cost" in column_of(pointer.rpartition("/")[2]).kinds]
     return frozenset(cost_terms(record, row) for record, row, _ in cells(costs, chapters))
@@ -107,7 +104,7 @@ def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
     found = []
     for flip in flips:
         read = {pointer for _, claim in flip.said for pointer in claim.outcome.reads if Pointer(pointer).cell}
-        read = {pointer for pointer in read if f"/{NOISE}.json#" not in pointer}
+        read = {pointer for pointer in read if f"/{config().noise_section}.json#" not in pointer}
         moved = (_moved(of_rows.get(row), column) for row, _, column in (pointer.rpartition("/") for pointer in read))
         is_untold = any(".csv.gz" in claim.outcome.reason for _, claim in flip.said)
         found += [flip] if not is_untold and (not read or any(moved)) else []
@@ -116,7 +113,7 @@ def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
 
 def _moved(row: Sequence[Move] | None, column: str) -> bool:
     """Tell whether a number of a row did, or the row is lost in one of both; one that nothing compares has."""
-    return row is None or any(move.is_real for move in row if move.column == column or move.noise is None)
+    return row is None or any(move.is_real for move in row if move.column == column or move.chance is None)
 
 
 @dataclass(frozen=True)
@@ -166,8 +163,13 @@ class Comparison:
 
     @cached_property
     def moves(self) -> list[Move]:
-        """Return the cells that moved beyond the noise."""
+        """Return the cells that changed, by more than chance makes of so many."""
         return [cell for cell in self.cells if cell.is_real]
+
+    def alone(self, cell: Move) -> float:
+        """Return the least difference of a cell that would count if no other changed."""
+        count = sum(each.chance is not None for each in self.cells)
+        return replace(cell, limit=FALSE_SHARE / max(1, count)).noise or 0.0
 
     @cached_property
     def settings(self) -> list[Move]:
@@ -191,12 +193,16 @@ class Comparison:
         return bool(self.faults or self.flips or self.alarms)
 
 
-def compare(before: Edition, after: Edition) -> Comparison:
-    """Compare the results of two editions."""
+def compare(before: Edition, after: Edition, timed: Sequence[Edition] = ()) -> Comparison:
+    """Compare the results of two editions; sections that were ``timed`` in turn, in both, by their times there."""
     sides = before.chapters, after.chapters
-    found = [cell for name in sides[0] if name in sides[1] for cell in cells_between(sides[0][name], sides[1][name])]
-    limit = discoveries([cell.chance for cell in found if cell.chance is not None])
-    found = [replace(cell, limit=limit) if cell.chance is not None and cell.is_real else cell for cell in found]
+    pairs = {name: (sides[0][name], sides[1][name]) for name in sides[0] if name in sides[1]}
+    for name in set.intersection(*(set(edition.chapters) for edition in timed)) if timed else ():
+        pairs[name] = timed[0].chapters[name], timed[1].chapters[name]
+    found = [cell for pair in pairs.values() for cell in cells_between(*pair)]
+    chances = [cell.chance for cell in found if cell.chance is not None]
+    limit = max(discoveries(chances), FALSE_SHARE / max(1, len(chances)))
+    found = [replace(cell, limit=limit) if (cell.chance or 0.0) <= FALSE_SHARE else cell for cell in found]
     return Comparison(
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)])),

@@ -1,6 +1,7 @@
 """Queries: a claim or a value that editions are asked for, by a command or by ``report.toml``, which must not err."""
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
@@ -8,11 +9,11 @@ from typing import Any
 from measured_report.changes.compare import flips
 from measured_report.changes.moves import CHOSEN_SHARE, Move, few
 from measured_report.editions.status import aligned
-from measured_report.files.config import FILE, config
+from measured_report.files.config import FILE, config, report
 from measured_report.files.errors import ReportError, suggestion
-from measured_report.files.root import ROOT
-from measured_report.pages.editions import Chapters, Edition, Releases
-from measured_report.parts.claim import NEAR_NOISE, Claim
+from measured_report.findings.chapters import Chapters, Releases
+from measured_report.findings.editions import Edition
+from measured_report.parts.claim import Claim
 from measured_report.records.columns import column_of, columns_of, parameters
 from measured_report.records.identity import sections
 from measured_report.values.quantities import Quantity, absent
@@ -23,14 +24,10 @@ Answer = str | float
 
 @dataclass(frozen=True)
 class Query:
-    """Ask each edition for a claim, or a value, of the page or of a row."""
-
-    text: str
-    """As CLAIM= or VALUE= says it: ``section.claim``, ``section.value`` or ``section.case.column``."""
+    text: str  # as CLAIM= or VALUE= says it: `section.claim`, `section.value` or `section.case.column`
     is_claim: bool = False
     label: str = ""
-    device: str = ""
-    """For a section that has the case on several devices, and with one or more worlds: of which to take that of one."""
+    device: str = ""  # of a case that is there on several devices, the one that is meant, with one world
 
     @property
     def section(self) -> str:
@@ -82,7 +79,6 @@ class Query:
         return next((row for row in rows if (row.case, row.device) == (self.case, self.device)), None)
 
     def claim(self, chapters: Chapters) -> Claim | None:
-        """Return the claim that is asked for; None where there is none."""
         chapter = chapters.get(self.section)
         claims = chapter.section.claims if chapter else ()
         return next((claim for claim in claims if f"{self.section}.{claim.name}" == self.text), None)
@@ -106,15 +102,11 @@ class Query:
 
 @dataclass(frozen=True)
 class Point:
-    """Hold an answer of one edition."""
-
     release: str
-    answer: Answer
-    noise: float | None
-    """Difference between two runs; None where nobody knows, or where it is no number."""
+    answer: Answer  # of this edition
+    noise: float | None  # how far the truth may be from it; None where nobody knows, or where it is no number
     said: str
-    mark: str = ""
-    """Against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
+    mark: str = ""  # against the answer before: better, worse, moved or flipped; empty where it is the same, or first
 
 
 def points(releases: Releases, query: Query) -> list[Point]:
@@ -127,10 +119,16 @@ def points(releases: Releases, query: Query) -> list[Point]:
             found.append(Point(release, answer, None, claim.outcome.said, mark))
         elif answer is not None:
             noise = getattr(query.quantity(chapters), "noise", None)
-            least = max(noise or 0.0, found[-1].noise or 0.0) if found else 0.0
-            mark = Move(query.column, found[-1].answer, answer, least).mark if found else ""
+            mark = _mark(query.column, found[-1], answer, noise) if found else ""
             found.append(Point(release, answer, noise, f"{answer:.4g}" + (f" ± {noise:.2g}" if noise else ""), mark))
     return found
+
+
+def _mark(column: str, before: Point, answer: Answer, noise: float | None) -> str:
+    """Say how a number differs from the one before; nothing where it may be the same, as far as is known."""
+    distance, known = abs(float(answer) - float(before.answer)), math.hypot(before.noise or 0.0, noise or 0.0)
+    is_same = distance <= max(known, column_of(column).resolution)
+    return Move(column, before.answer, answer, chance=float(is_same), limit=0.5).mark
 
 
 def history(releases: Releases, query: Query) -> str:
@@ -162,38 +160,33 @@ def flip_history(releases: Releases, shown: str) -> str:
 
 def refuse_unknown_names(editions: Mapping[str, Edition], own: Edition | None) -> None:
     """Raise ReportError, one line, for the first name of nothing; what was not measured yet is not asked for."""
-    if own is None or own.project.profile != "full" or own.project.root != ROOT:
+    if own is None or own.project.profile != "full" or own.project.root != report().root:
         return
     rules, known = config().changes, sections(own.project.root)
-    named = [("noise_section", [config().noise_section]), ("changes.deciding", rules.deciding)]
-    for setting, names in [*named, ("changes.same_runs", rules.same_runs)]:
-        for name in filter(None, names):
-            _refuse(setting, name, "section", known)
+    _refuse("noise_section", [config().noise_section], "section", known)
+    _refuse("changes.deciding", rules.deciding, "section", known)
+    _refuse("changes.same_runs", rules.same_runs, "section", known)
     asked = [("thresholds", Query(name)) for name in rules.thresholds]
     asked += [("headlines", Query(name)) for name in rules.headlines.values()]
     for setting, query in [*asked, *([("cause", Query(rules.cause, is_claim=True))] if rules.cause else [])]:
-        _refuse(f"changes.{setting}", query.section, "section", known)
+        _refuse(f"changes.{setting}", [query.section], "section", known)
         found = query.claim(own.chapters) if query.is_claim else query.quantity(own.chapters)
         if query.section in own.chapters and not (found and (not isinstance(found, Quantity) or found.source)):
-            _refuse(f"changes.{setting}", query.text, "value", [*query.names(own.chapters)])
+            _refuse(f"changes.{setting}", [query.text], "value", [*query.names(own.chapters)])
     if not own.left_out:
         rows = (chapter.results.record.rows for each in editions.values() for chapter in each.chapters.values())
         columns = {column for each in rows for column in columns_of(each)} | {*parameters()}
-        for setting, name in _columns():
-            _refuse(setting, name, "column", columns)
+        for each in config().columns:
+            others = (each.rate_of, each.known_within, each.grows_with, each.trials)
+            _refuse("columns", (*each.names, *others), "column", columns)
+        _refuse("repeating", config().repeating, "column", columns)
+        _refuse("cost_terms", config().cost_terms, "column", columns)
 
 
-def _columns() -> Iterator[tuple[str, str]]:
-    for table in config().columns:
-        others = (table.rate_of, table.known_within, table.grows_with, table.trials)
-        yield from (("columns", name) for name in (*table.names, *filter(None, others)))
-    yield from (("repeating", name) for name in config().repeating)
-    yield from (("cost_terms", name) for name in config().cost_terms)
-
-
-def _refuse(setting: str, name: str, kind: str, known) -> None:
-    if name not in known:
-        raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, known)}")
+def _refuse(setting: str, names: Iterable[str], kind: str, known: Collection[str]) -> None:
+    for name in names:
+        if name and name not in known:
+            raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, known)}")
 
 
 def blind_spots(edition: Edition) -> list[str]:
@@ -203,14 +196,14 @@ def blind_spots(edition: Edition) -> list[str]:
         for column in chapter.results.record.units:
             is_asked = column_of(column).kinds.isdisjoint(("chance", "cost", "parameter", "setting"))
             found = (row[column] for row in chapter.results.rows if is_asked and row.plain.get(column) is not None)
-            unknown |= {column: None} if any(number.noise is None for number in found) else {}
+            unknown |= {column: None} if any(each.noise is None for each in found if each.value is not None) else {}
     late = []
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)
         if isinstance(number, Quantity) and number.value is None:
-            late.append(f"{name} never, {number.reason}")
+            late.append(f"{name} never rings: {number.reason}")
         elif isinstance(number, Quantity) and number.value:
-            least = NEAR_NOISE * (CHOSEN_SHARE if number.noise is None else number.noise / abs(number.value))
-            late += [f"{name} from {100 * least:.2g} %"] if least > threshold else []
-    said = [f"no noise is known of {few(list(unknown), 8)}"] if unknown else []
-    return said + ([f"thresholds that ring later than they say, or never: {few(late)}"] if late else [])
+            least = CHOSEN_SHARE if number.noise is None else math.sqrt(2) * number.noise / abs(number.value)
+            told = f"{name}: threshold {100 * threshold:.2g} %, but noise hides changes below {100 * least:.2g} %"
+            late += [told] if least > threshold else []
+    return ([f"no noise is known of {few(list(unknown), 8)}"] if unknown else []) + late

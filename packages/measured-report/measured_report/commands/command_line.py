@@ -17,14 +17,13 @@ from typing import Any
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import recover
+from measured_report.files.config import config, report
 from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion
-from measured_report.files.root import ROOT
 from measured_report.records.code import cached_sources
 from measured_report.records.record import load_record
 
 OWN = "report.commands"
 """The package of a report's own commands, which need not be there."""
-FOLDERS = {__package__: Path(__file__).parent, OWN: ROOT.joinpath(*OWN.split("."))}
 
 
 class Parser(argparse.ArgumentParser):
@@ -72,8 +71,8 @@ def _run(name: str, *given: str) -> int:
     module = import_module(names[name])
     parser = Parser(prog=f"build.py {name}", description=help_of(module), allow_abbrev=False)
     parser.set_defaults(edition="", pins="", profile="full")
-    for option, settings in getattr(module, "OPTIONS", {}).items():
-        parser.add_argument(f"--{option}", **settings)
+    for option, settings in options_of(module).items():
+        parser.add_argument(_flag(option), **settings)
     arguments = parser.parse_args([*_typed(module), *given])
     own = own_release()
     arguments.release = release_of(arguments.edition or own, arguments.pins)
@@ -87,9 +86,10 @@ def _run(name: str, *given: str) -> int:
 
 def commands() -> dict[str, str]:
     """Find the module of each command by its name, the generator's first; none is imported, which takes long."""
+    folders = {__package__: Path(__file__).parent, OWN: report().root.joinpath(*OWN.split("."))}
     return {
         path.stem: f"{package}.{path.stem}"
-        for package, folder in FOLDERS.items()
+        for package, folder in folders.items()
         for path in sorted(folder.glob("*.py"))
         if "\ndef run(" in path.read_text(encoding="utf-8")
     }
@@ -102,7 +102,13 @@ def help_of(module: ModuleType) -> str:
 
 def options_of(module: ModuleType) -> Mapping[str, Mapping[str, Any]]:
     """Return a command's options by the variables of make that set them."""
-    return {name.upper().replace("-", "_"): option for name, option in getattr(module, "OPTIONS", {}).items()}
+    options = getattr(module, "OPTIONS", {}).items()
+    named = ((config().flag if name == "edition" else name, option) for name, option in options)
+    return {name.upper().replace("-", "_"): option for name, option in named}
+
+
+def _flag(variable: str) -> str:
+    return f"--{variable.lower().replace('_', '-')}"
 
 
 def _typed(module: ModuleType) -> Iterator[str]:
@@ -116,7 +122,7 @@ def _typed(module: ModuleType) -> Iterator[str]:
             raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), known)}; see make help")
     for name, value in typed.items():
         if name in options and value:
-            is_switch, option = "action" in options[name], f"--{name.lower().replace('_', '-')}"
+            is_switch, option = "action" in options[name], _flag(name)
             if is_switch and value != "1":
                 raise UsageError(f"a switch is on as {name}=1 or left out, not {name}={value}")
             yield option if is_switch else f"{option}={value}"

@@ -1,12 +1,12 @@
 """Print which claims flipped and what moved between two editions, worst first."""
 
-from measured_report.changes.alarm import Rate, diff_text, rate_of, rate_text
+from measured_report.changes.alarm import diff_text, rate_of, rate_text
 from measured_report.changes.compare import compare
 from measured_report.commands.options import Arguments, refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
-from measured_report.pages.cache import DerivedCache
-from measured_report.pages.editions import editions_of
+from measured_report.findings.editions import editions_of
+from measured_report.pages.editions import sentences_of
 from measured_report.site.build import inputs_digest
 
 OPTIONS = shared("a", "b", "profile", "format")
@@ -22,10 +22,9 @@ def run(project: Project, arguments: Arguments) -> int:
     cache = Cache(project.root)
     found = cache.get("diff", key)
     if not found:
-        editions = editions_of(project, cache=DerivedCache(project.root), among=names)
-        comparison = compare(*(editions[name] for name in names))
-        rate = sum((rate_of(editions[name]) for name in names), Rate())
-        text = diff_text(comparison, rate_text(rate), arguments.format)
+        before, after = editions_of(project, among=names).values()
+        comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
+        text = diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
         found = text, int(comparison.is_alarm)
         cache.put("diff", key, found)
     print(found[0])

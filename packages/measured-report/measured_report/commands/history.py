@@ -5,15 +5,14 @@ from measured_report.commands.options import Arguments, shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
-from measured_report.pages.editions import editions_of
+from measured_report.findings.editions import editions_of
 
 OPTIONS = shared("claim", "value", "profile")
 
 
 def run(project: Project, arguments: Arguments) -> int:
     """Print a claim or a value; without one, the numbers that say most and the claims that flip."""
-    editions = editions_of(project)
-    releases = {release: edition.chapters for release, edition in editions.items()}
+    releases = {release: edition.chapters for release, edition in editions_of(project).items()}
     if not (arguments.claim or arguments.value):
         told = [history(releases, Query(value)) for value in config().changes.headlines.values()]
         print("\n\n".join([*told, flip_history(releases, project.release)]))
@@ -27,7 +26,6 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def query_of(arguments: Arguments) -> Query:
-    """Return what CLAIM or VALUE asks."""
     if bool(arguments.claim) == bool(arguments.value):
         raise UsageError("one of CLAIM=SECTION.NAME and VALUE=SECTION.NAME is needed")
     return Query(arguments.claim or arguments.value, bool(arguments.claim))

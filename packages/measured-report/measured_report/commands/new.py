@@ -18,8 +18,8 @@ from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError
 from measured_report.records.identity import git
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
+# The folders below that a report has one of, and what it is then called.
 KINDS = {"pendulum": "Does a pendulum keep its energy?", "importing": "How long does {} take to import?"}
-"""The folders below that a report has one of, and what it is then called."""
 PACKAGE = "numpy==2.4.6"
 GENERATOR = "measured-report"
 

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from measured_report.commands.options import EDITION, Arguments
+from measured_report.commands.options import Arguments
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import releases_of
 from measured_report.editions.status import records_of
@@ -24,5 +24,5 @@ def run(project: Project, arguments: Arguments) -> int:
         used = {record.identity.packages[other] for each in known for record in records_of(each)}
         new += [(newest.version, f"{other}=={newer}") for newer in releases_of(other)[-1:] if str(newer) not in used]
     for release, pins in new[:1]:  # under the package's name, and for a workflow that knows none
-        print(f"{package}={release}\nwith={pins}\noption={EDITION}\nrelease={release}")
+        print(f"{package}={release}\nwith={pins}\noption={config().flag}\nrelease={release}")
     return 0

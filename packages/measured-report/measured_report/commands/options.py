@@ -7,10 +7,10 @@ from typing import Any
 
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of
-from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.measuring.machine import DEVICES
+from measured_report.records.identity import sections
 
 Arguments = Namespace
 """What a command is given: its options by their names, and the ``release`` that is asked for."""
@@ -31,13 +31,12 @@ def read_address(address: str) -> str:
     return f"{address.rstrip('/')}/" if address else ""
 
 
-EDITION = config().option.lower().replace("_", "-") or "edition"  # the option that names one, as its variable of make
 FORMATS = ("text", "markdown", "json")
 SHARED: dict[str, dict[str, Any]] = {
-    EDITION: {
+    "edition": {  # which is typed as the report calls it
         "dest": "edition",
         "default": "",
-        "help": f"{config().edition_name} where not the project's own: a release, a checkout, a wheel, "
+        "help": "edition where not the project's own: a release, a checkout, a wheel, "
         "git+https://HOST/NAME.git@ref, or the label of what has results, as 1.2.3@cpu",
     },
     "with": {"dest": "pins", "default": "", "help": "other packages than it comes with, as PACKAGE==1.2.3"},
@@ -55,13 +54,13 @@ SHARED: dict[str, dict[str, Any]] = {
 
 def shared(*names: str) -> dict[str, dict[str, Any]]:
     """Pick shared options by their names; ``edition`` brings ``with``."""
-    options = (option for name in names for option in ((EDITION, "with") if name == "edition" else (name,)))
+    options = (option for name in names for option in ((name, "with") if name == "edition" else (name,)))
     return {option: SHARED[option] for option in options}
 
 
 def refuse_unmeasured(project: Project, asked: str) -> None:
     """Refuse an edition without results where nothing is to be measured, but for the project's own."""
-    if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
+    if not project.is_own and not any(project.record_path(section).exists() for section in sections(project.root)):
         there = ", ".join(release for release in project.releases if release != project.release) or "none"
         asked = f"{config().option}={asked}"
         raise UsageError(f"{asked} has no results (there are: {there}); make upgrade {asked} measures what decides")

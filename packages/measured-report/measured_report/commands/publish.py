@@ -8,6 +8,5 @@ OPTIONS = {"target": {"default": "", "help": "where to publish: dir:PATH or git:
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Publish the site and say where it lies."""
     print(f"published at {publish(project.site, arguments.target)}")
     return 0

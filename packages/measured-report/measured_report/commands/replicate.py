@@ -11,19 +11,17 @@ from measured_report.editions.project import Project
 from measured_report.editions.status import records_of, states_of
 from measured_report.files.atomic import atomic_file
 from measured_report.files.errors import ReportError, UsageError
+from measured_report.findings.replicas import reasons_text, refused
 from measured_report.measuring.machine import NO_CUDA, machine_of, needs_gpu
 from measured_report.measuring.measure import measure
-from measured_report.pages.replicas import reasons_text, refused
 from measured_report.records.replicas import FOLDER, Records, packed, read_replica
 
-ASIDE = "replicate"
-"""The folder below ``results`` of what is being measured again; what is there already is not measured twice."""
+ASIDE = "replicate"  # the folder below `results` of what is being measured again: what is there is not measured twice
 FILE = {"default": "", "help": "somebody else's replica, a .tgz; without one it is measured here"}
 OPTIONS = {"file": FILE, **shared("edition", "device", "cluster")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Keep a replica beside the records of the edition."""
     refuse_unmeasured(project, arguments.release.asked)
     if arguments.file:
         _keep(project, read_replica(Path(arguments.file)), arguments.file)

@@ -14,7 +14,6 @@ OPTIONS = {"section": SECTION, **shared("edition", "device", "cluster", "profile
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Measure the section and build the site."""
     section, names = arguments.section, sections()
     if section not in names:
         raise UsageError(f"SECTION={section} is no section{suggestion(section, names)}; use one of: {', '.join(names)}")

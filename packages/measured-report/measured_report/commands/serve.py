@@ -12,8 +12,9 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from itertools import chain
 from pathlib import Path
 
-from measured_report.commands.options import EDITION, Arguments, refuse_unmeasured, shared
+from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
+from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 
 PORT = {"type": int, "default": 8000, "help": "where to serve, 8000 if not given"}
@@ -21,11 +22,10 @@ OPTIONS = {"port": PORT, **shared("edition", "profile")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Serve the site until Ctrl-C, and build it again whenever something changes."""
     refuse_unmeasured(project, arguments.release.asked)
     server = Server(project.site, arguments.port)
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
-    options = [f"--{EDITION}", arguments.release.asked, "--profile", project.profile]
+    options = [f"--{config().flag}", arguments.release.asked, "--profile", project.profile]
     command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
     server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0

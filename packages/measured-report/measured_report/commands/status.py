@@ -7,7 +7,7 @@ from measured_report.commands.options import Arguments, refuse_unmeasured, share
 from measured_report.editions.project import Project
 from measured_report.editions.status import changes_text, states_of, status_matrix
 from measured_report.files.config import config
-from measured_report.pages.replicas import replicas_text
+from measured_report.findings.replicas import replicas_text
 
 OPTIONS = shared("edition", "profile")
 

@@ -12,7 +12,6 @@ OPTIONS = {**shared("edition"), "fast": FAST}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Run pytest with one edition; return its exit status."""
     python = python_of(arguments.release, expected_packages(project), project.root)
     add_group("dev", project.root, python)
     add_cluster(python, project.root)

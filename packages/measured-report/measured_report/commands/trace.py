@@ -9,7 +9,8 @@ from measured_report.commands.options import SHARED, Arguments, refuse_unmeasure
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
-from measured_report.pages.editions import Chapter, Chapters, Edition, editions_of
+from measured_report.findings.chapters import Chapter, Chapters
+from measured_report.findings.editions import Edition, editions_of
 from measured_report.records.columns import changed_parameters
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value, local
@@ -19,7 +20,6 @@ OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print the way of one value, from the page back to rows, cases and command."""
     refuse_unmeasured(project, arguments.release.asked)
     print(provenance(project, editions_of(project), arguments.value))
     return 0
@@ -49,8 +49,7 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
 
 def _printed(project: Project, source: str) -> Iterator[str]:
     own = project.own_release or project.release
-    folder = project.site if project.is_own else project.site / project.results.name
-    for path in sorted(folder.glob("*.html")):
+    for path in sorted((project.site if project.is_own else project.site / project.results.name).glob("*.html")):
         anchor = ""
         for match in ANCHOR.finditer(path.read_text(encoding="utf-8")):
             anchor = match[1] or anchor

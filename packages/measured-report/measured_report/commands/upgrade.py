@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
-from measured_report.changes.alarm import largest, power, settings_text, upgrade_text
+from measured_report.changes.alarm import Say, largest, power, settings_text, summary, upgrade_text
 from measured_report.changes.compare import Comparison, Fault, compare
 from measured_report.changes.moves import few
 from measured_report.changes.query import Query
@@ -16,16 +16,22 @@ from measured_report.commands.page import build_site
 from measured_report.commands.report import measure_what_can
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
-from measured_report.editions.status import states_of
+from measured_report.editions.status import records_of, states_of
+from measured_report.files.atomic import atomic_file
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
+from measured_report.findings.editions import Edition, derive_edition, editions_of
 from measured_report.measuring.machine import NO_CUDA, machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
-from measured_report.pages.editions import Edition, editions_of
+from measured_report.pages.editions import sentences_of
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import package_changes
 from measured_report.records.identity import sections as all_sections
+from measured_report.records.replicas import FOLDER, packed
+from measured_report.values.evidence import is_absolute
 
+TIMED = "timed"
+"""The folder below ``results`` of what two editions were timed for; what lies there is measured anew each time."""
 SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compare with, in place of the one before"}
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
@@ -42,10 +48,12 @@ def run(project: Project, arguments: Arguments) -> int:
     names = [before.release, after.release]
     editions = editions_of(project, among=names)
     compared = [editions[name] for name in names]
-    found = compare(*compared)
+    timed = timed_in_turn([before, after], [base, arguments.release], device)
+    found = compare(compared[0], compared[1], timed)
     absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
     found = replace(found, faults=[*absent, *found.faults])
-    print(upgrade_text(found, verdict(found, *compared), arguments.format), file=answer, flush=True)
+    say = sentences_of(project)
+    print(upgrade_text(found, verdict(found, say, *compared), arguments.format, say), file=answer, flush=True)
     if arguments.format == "text":  # the front page stays that of the project's own edition
         build_site(project.of(project.own_release or project.release))
     return int(found.is_alarm)
@@ -71,6 +79,30 @@ def _with_deciding(project: Project, release: Release, device: str | None, *, re
     return measure_what_can(kept_by(side, machine_name(device), names), release, names, device)[0]
 
 
+def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device: str | None) -> list[Edition]:
+    """Time two editions twice, one after the other, on this machine; nothing where none is timed, or one can't be.
+
+    How fast a machine is, what else it does and which card it has is then the same for both.
+    """
+    rules, measurable = config().changes, all_sections(sides[0].root)
+    named = dict.fromkeys(name.partition(".")[0] for name in rules.thresholds if is_absolute(name.rpartition(".")[2]))
+    if not device or not (sections := [name for name in named if name in measurable]):
+        return []
+    timed = [replace(side, aside=TIMED) for side in sides]
+    for again in (False, True):
+        for place, release in enumerate(releases):
+            print(f"{config().edition} {release}: timing {', '.join(sections)}, in turn", flush=True)
+            timed[place], is_done = measure_what_can(timed[place], release, sections, device)
+            if not is_done:
+                return []
+            if not again:
+                with atomic_file(timed[place].results / FOLDER / "first.tgz") as part:
+                    part.write_bytes(
+                        packed(record for record in records_of(timed[place]) if record.section in sections)
+                    )
+    return [derive_edition(side) for side in timed]
+
+
 def deciding(project: Project) -> Sequence[str]:
     """Name the sections that tell most of an edition: those that report.toml names, or else all."""
     return config().changes.deciding or all_sections(project.root)
@@ -89,7 +121,7 @@ def lacking(project: Project) -> list[str]:
     return [section for section in deciding(project) if not project.record_path(section).exists()]
 
 
-def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
+def verdict(found: Comparison, say: Say, before: Edition, after: Edition) -> list[str]:
     """Return at most a dozen lines, worst first."""
     a, b = found.releases
     names = deciding(after.project)
@@ -101,15 +133,19 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
     measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in found.flips]
-    cause = Query(config().changes.cause, is_claim=True).claim(after.chapters)
-    why = cause.text if cause and cause.outcome == HOLDS else "the sections that were measured do not say"
+    asked = Query(config().changes.cause, is_claim=True)
+    cause = asked.claim(after.chapters)
+    why = (
+        say(asked.section, cause) if cause and cause.outcome == HOLDS else "the sections that were measured do not say"
+    )
     asks_why = flips or any(not move.is_setting for move in found.alarms)
     return [
-        f"{config().edition_name} {b} against {a}{f' ({others})' if others else ''}: {measured}",
+        f"{config().edition_name} {b} against {a}{f' ({others})' if others else ''}: {summary(found)}",
+        f"measured: {measured}",
         *([f"can't be trusted: {few([fault.text for fault in found.faults])}"] if found.faults else []),
         f"settings: {settings_text(found.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
-        *(largest(found) or ["moved: nothing beyond the noise"]),
+        *(largest(found) or ["changed: nothing"]),
         f"would have shown: {power(found)}",
         *([f"why: {why}"] if asks_why else []),
         f"what to do: {_advice(found, before.project, after.project)}",
@@ -125,6 +161,6 @@ def _advice(found: Comparison, before: Project, after: Project) -> str:
     if asked := [*(f"CLAIM={flip.claim}" for flip in found.flips), *told]:
         ends = " ".join(shlex.quote(f"{name}={side.asked}") for name, side in (("A", before), ("B", after)))
         return f"make bisect {asked[0]} {ends} finds which change did it; {lists}"
-    if any(not move.is_inconclusive for move in found.moves):
-        return f"see whether what moved was meant to: {lists}"
+    if found.moves:
+        return f"see whether what changed was meant to: {lists}"
     return "nothing; make report measures the rest"

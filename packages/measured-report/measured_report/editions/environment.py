@@ -14,24 +14,18 @@ from pathlib import Path
 
 from measured_report.editions.release import Release, release_date
 from measured_report.files.atomic import locked
-from measured_report.files.config import config, read_toml
+from measured_report.files.config import config, read_toml, report
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.root import ROOT
 from measured_report.records.identity import MISSING, package_versions
 
-MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")
-"""What measuring imports of the generator and of the packages that it takes."""
+MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")  # what it imports, the generator included
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
-FILTER = "UV_EXCLUDE_NEWER"
-"""The variable that names another day for the installer's filter than the one on which a release came out."""
-TOOLS = ROOT / ".venv.tools" / "bin"
-"""Where the Makefile has put uv, on a host that has none."""
-READY = ".ready"
-"""In an environment that is whole: the digest of what it was made from."""
+FILTER = "UV_EXCLUDE_NEWER"  # uv's variable for another day than the one on which a release came out
+READY = ".ready"  # in an environment that is whole: the digest of what it was made from
 
 
-def add_group(group: str, root: Path = ROOT, python: Path = Path(sys.executable)) -> None:
+def add_group(group: str, root: Path, python: Path = Path(sys.executable)) -> None:
     """Install a group of pyproject.toml beside what an edition, or ``.venv``, has; another Python is left as it is."""
     if python.parents[1] == root / ".venv":
         _add(group, root, "--group")
@@ -39,7 +33,7 @@ def add_group(group: str, root: Path = ROOT, python: Path = Path(sys.executable)
         _run(["pip", "install", "--python", str(python), "--group", f"{root / 'pyproject.toml'}:{group}"], group)
 
 
-def add_cluster(python: Path, root: Path = ROOT) -> None:
+def add_cluster(python: Path, root: Path) -> None:
     """Install what a cluster takes into the environment of ``python``; one that is not the project's is left alone."""
     takes = read_toml(root / "pyproject.toml")["project"].get("optional-dependencies", {}).get("cluster", ())
     if not takes or python.parents[2] != root:
@@ -55,7 +49,7 @@ def _add(name: str, root: Path, kind: str) -> None:
         _run(["sync", "--frozen", "--inexact", kind, name, "--project", str(root)], name)
 
 
-def python_of(release: Release, packages: Mapping[str, str], root: Path = ROOT) -> Path:
+def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path:
     """Return the Python that has a release, and the ``packages`` that it was measured with; it is made if need be."""
     package, option = config().edition, config().option
     if release.is_installed_with(package_versions()):
@@ -90,14 +84,14 @@ def _lend(folder: Path) -> None:
             path.write_text(text, encoding="utf-8")
 
 
-def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Path:
+def python_with(name: str, requirements: Sequence[str], root: Path | None = None) -> Path:
     """Return the Python of ``.venv-<name>``, which has these requirements alone; it is made when it is not there."""
-    folder = root / f".venv-{name}"
+    folder = (root or report().root) / f".venv-{name}"
     _make(folder, name, requirements)
     return folder / "bin" / "python"
 
 
-def environment_of(release: Release, root: Path = ROOT) -> Path:
+def environment_of(release: Release, root: Path) -> Path:
     """Name the folder of a release's environment; that of a checkout serves all that is edited in it."""
     name = str(replace(release, machine=""))
     if release.checkout:
@@ -151,7 +145,8 @@ def _make(folder: Path, name: str, asked: Sequence[str], pins: Sequence[str] = (
 
 def _run(arguments: Sequence[str], name: str) -> None:
     """Run uv, which may take a while; UsageError, one line, with the last that it said where it fails."""
-    uv = shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{TOOLS}")
+    tools = report().root / ".venv.tools" / "bin"  # where the Makefile has put it, on a host that has none
+    uv = shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{tools}")
     if not uv:
         raise UsageError(f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it")
     if sys.stdout.isatty():  # a log has the one line that says why it failed

@@ -4,7 +4,7 @@ import json
 import os
 import re
 import shlex
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import msgspec
@@ -12,9 +12,8 @@ from msgspec import Struct
 
 from measured_report.editions.release import Release, read_label
 from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
-from measured_report.files.config import config, parse_toml
+from measured_report.files.config import FILE, Report, config, parse_toml, report, report_in
 from measured_report.files.errors import ReportError
-from measured_report.files.root import ROOT
 from measured_report.records.columns import name_problem
 
 PROFILES = ("full", "quick")
@@ -26,8 +25,7 @@ BYTE_LIMIT = 1 << 20
 class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     """Keep what is known of an edition besides its records."""
 
-    asked: str
-    """As the command that measured it named its package: a release, a path or an address."""
+    asked: str  # as the command that measured it named its package: a release, a path or an address
     date: str = ""
     sections: tuple[str, ...] = ()
 
@@ -60,17 +58,21 @@ class Project:
     """Name the folders, editions and commands of a report in one checkout."""
 
     release: str
-    profile: str = "full"
-    """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
-    root: Path = ROOT
-    own_release: str | None = None
-    """The release that is meant where none is named; None: this one."""
-    aside: str = ""
-    """The folder below ``results`` that has what was measured on the way to something else; empty: none."""
+    profile: str = "full"  # `full`, or `quick` for small grids and short runs, which are kept apart
+    root: Path = field(default_factory=lambda: report().root)
+    own_release: str | None = None  # the release that is meant where none is named; None: this one
+    aside: str = ""  # the folder below `results` that has what was measured on the way to something else; empty: none
 
     @property
     def is_own(self) -> bool:
         return self.own_release in (None, self.release)
+
+    @property
+    def report(self) -> Report:
+        """Return the report that it is of: the current one where its folder has, or links, no other ``report.toml``."""
+        file = (self.root / FILE).resolve()
+        is_other = file.is_file() and file != (report().root / FILE).resolve()
+        return report_in(file.parent) if is_other else report()
 
     @property
     def site(self) -> Path:
@@ -94,7 +96,6 @@ class Project:
 
     @property
     def named(self) -> Release:
-        """Return the release that its label names."""
         named = read_label(self.release)
         assert named, f"{self.release} is no label"
         return named
@@ -137,8 +138,7 @@ class Project:
             config().option: None if self.is_own else self.asked,
             "PROFILE": None if self.profile == "full" else self.profile,
         }
-        told = (shlex.quote(f"{name}={value}") for name, value in options.items() if value)
-        return " ".join(["make rerun", *told])
+        return " ".join(["make rerun", *(shlex.quote(f"{name}={value}") for name, value in options.items() if value)])
 
     @property
     def asked(self) -> str:
@@ -147,10 +147,10 @@ class Project:
         return manifest.asked if manifest else self.release
 
 
-def own_release(root: Path = ROOT) -> str:
+def own_release(root: Path | None = None) -> str:
     """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
     requirement = config().requirement_of(config().edition)
-    text = (root / "pyproject.toml").read_text(encoding="utf-8")
+    text = ((root or report().root) / "pyproject.toml").read_text(encoding="utf-8")
     found = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not found:
         line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'

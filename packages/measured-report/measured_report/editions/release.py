@@ -17,7 +17,7 @@ from typing import Any
 
 from packaging.version import Version
 
-from measured_report.files.config import config
+from measured_report.files.config import cached_in_report, config
 from measured_report.files.errors import UsageError
 from measured_report.records.identity import SHORT_COMMIT, checkout_source, git, wheel_source
 
@@ -34,18 +34,13 @@ class Release:
     """Name a release, or other code, of the package whose releases are editions, and what is installed with it."""
 
     version: str
-    source: str = ""
-    """``g`` and a commit, maybe ``.edited``, ``w`` or ``x`` and the digest of a wheel or folder; empty: a release."""
+    source: str = ""  # `g` and a commit, maybe `.edited`; `w` or `x` and the digest of a wheel or folder; or a release
     pins: tuple[tuple[str, str], ...] = ()
-    machine: str = ""
-    """Name of the machine that measured it, when the label without it is of another machine."""
-    requirement: str = ""
-    """Told to the installer; empty where only the results are known."""
+    machine: str = ""  # name of the machine that measured it, when the label without it is of another machine
+    requirement: str = ""  # told to the installer; empty where only the results are known
     asked: str = ""
-    date: str = ""
-    """Day of the commit, as 2026-11-11; of a release ``release_date`` asks the index."""
-    checkout: Path | None = None
-    """The folder that is installed as it lies there, so that what is edited counts."""
+    date: str = ""  # day of the commit, as 2026-11-11; of a release `release_date` asks the index
+    checkout: Path | None = None  # the folder that is installed as it lies there, so that what is edited counts
 
     def __str__(self) -> str:
         """Write its label."""
@@ -91,7 +86,7 @@ def full_version(version: str) -> str:
     return re.sub(r"[0-9]+(?:\.[0-9]+)*", lambda found: found[0] + ".0" * (2 - found[0].count(".")), version, count=1)
 
 
-@cache  # a repository or an index is asked once
+@cached_in_report  # a repository or an index is asked once
 def release_of(asked: str, pins: str = "", option: str = "") -> Release:
     """Find what is asked for, with ``pins`` as WITH= says them; UsageError, one line, when it means nothing."""
     found = _found(asked, option or config().option)
@@ -156,7 +151,7 @@ def _read_pins(text: str) -> Sequence[tuple[str, str]]:
     return [(package, full_version(version)) for package, version in pins]
 
 
-@cache
+@cached_in_report
 def release_date(release: Release) -> str:
     """Find the day, as 2026-11-11, on which it came out; empty where the index does not say."""
     if release.date or not release.requirement.startswith(f"{config().requirement_of(config().edition)}=="):

@@ -12,8 +12,7 @@ from measured_report.records.code import unchanged_files
 from measured_report.records.identity import EDITED, MISSING, changes, code_in, identity_of, package_versions, sections
 from measured_report.records.record import Record, load_record
 
-NOT_SHOWN = "not shown"
-"""Kind of what is whole, and that code or words can't do with."""
+NOT_SHOWN = "not shown"  # kind of what is whole, and that code or words can't do with
 
 
 @dataclass(frozen=True)
@@ -21,8 +20,7 @@ class State:
     """Compare a section's record with the code that would measure it now."""
 
     section: str
-    kind: str
-    """``fresh``, ``stale``, ``missing`` or ``damaged``; of what is left out of a page also ``not shown``."""
+    kind: str  # `fresh`, `stale`, `missing` or `damaged`; of what is left out of a page also `not shown`
     record: Record | None = None
     notes: tuple[str, ...] = ()
 
@@ -43,7 +41,6 @@ class State:
 
 
 def states_of(project: Project) -> list[State]:
-    """Return the state of every section of one release."""
     with unchanged_files():
         states = [_read_state(project, section) for section in sections(project.root)]
         packages = expected_packages(project, [state.record for state in states if state.record])
@@ -98,10 +95,8 @@ def status_matrix(project: Project) -> str:
     with unchanged_files():
         states = {release: states_of(project.of(release)) for release in project.releases}
     columns = {release: {state.section: state.summary for state in found} for release, found in states.items()}
-    lines = [("section", *(f"{config().edition} {release}" for release in columns))]
-    for section in sections(project.root):
-        lines.append((section, *(column[section] for column in columns.values())))
-    return aligned(lines)
+    lines = [(name, *(column[name] for column in columns.values())) for name in sections(project.root)]
+    return aligned([("section", *(f"{config().edition} {release}" for release in columns)), *lines])
 
 
 def changes_text(states: Sequence[State]) -> str:
@@ -114,6 +109,5 @@ def changes_text(states: Sequence[State]) -> str:
 
 
 def aligned(lines: Sequence[Sequence[str]]) -> str:
-    """Write lines of cells as columns."""
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines)

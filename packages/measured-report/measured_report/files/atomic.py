@@ -14,7 +14,7 @@ from typing import Any
 from measured_report.files.errors import UNPRINTABLE, ReportError
 
 WHOLE, NEW, ASIDE = ".whole", ".new", ".damaged"
-"""How the folders of files end that wait to be put in place, that are still being written, and that are refused."""
+"""Ends of folders that wait to be put in place, are still being written, and are refused."""
 
 
 class RecordError(ReportError):
@@ -146,12 +146,11 @@ def sums(digests: Mapping[str, str]) -> str:
 
 def digests_below(folder: Path) -> dict[str, str]:
     """Digest the files below a folder, by their names there; a link, and what else is no file, has none."""
-    there = (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir())
-    return {path.relative_to(folder).as_posix(): _digest(path) for path in there}
-
-
-def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest() if stat.S_ISREG(path.lstat().st_mode) else ""
+    found = {}
+    for path in (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir()):
+        content = path.read_bytes() if stat.S_ISREG(path.lstat().st_mode) else None
+        found[path.relative_to(folder).as_posix()] = "" if content is None else hashlib.sha256(content).hexdigest()
+    return found
 
 
 def replace(folder: Path, fresh: Path) -> None:

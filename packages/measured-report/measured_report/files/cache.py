@@ -11,16 +11,13 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Cache:
-    """Keeps what was made of the project at ``root``."""
-
-    root: Path
+    root: Path  # of the project that it is of
 
     @property
     def folder(self) -> Path:
         """Return where it lies; RuntimeError where there is no home."""
         told = Path(os.environ.get("XDG_CACHE_HOME", ""))  # which counts only as a whole path: others lie in a checkout
-        place = str(self.root.resolve())
-        name = f"{self.root.resolve().name}-{sha256(place.encode()).hexdigest()[:12]}"
+        name = f"{self.root.resolve().name}-{sha256(str(self.root.resolve()).encode()).hexdigest()[:12]}"
         return (told if told.is_absolute() else Path.home() / ".cache") / "measured-report" / name
 
     def get(self, name: str, key: Any) -> Any:

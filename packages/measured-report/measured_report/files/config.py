@@ -1,79 +1,65 @@
-"""Config: what ``report.toml`` says, all that has to be known of a report besides its rooms."""
+"""Config: all settings of ``report.toml``."""
 
 import sys
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import Any, TypeVar
 
 import msgspec
 
+from measured_report.files import root
 from measured_report.files.errors import ReportError, suggestion
-from measured_report.files.root import ROOT
 
 FILE = "report.toml"
+ROOMS = ("experiments", "report")
+"""Packages that every report has of its own, by the same names."""
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Told:
     """Describes what ``report.toml`` may tell of a column."""
 
-    better: str = ""
-    """``less`` or ``more``."""
-    resolution: float = 0.0
-    """Least difference that counts, however well a machine repeats itself."""
-    rate_of: str = ""
-    """The column of the time that makes this rate, whose share of noise it has."""
-    known_within: str = ""
-    """The column that says within what share of it a number is known, where that is not 0: its noise, whatever else."""
-    grows_with: str = ""
-    """The column that says how long it added up; in a longer run it is noisier in proportion."""
-    trials: str = ""
-    """The column that says of how many trials this many, or this share, succeeded: its noise is binomial."""
-    unless: str = ""
-    """The column that says of a run that it was lost, and then has no such number."""
+    better: str = ""  # `less` or `more`
+    resolution: float = 0.0  # least difference that counts, however well a machine repeats itself
+    rate_of: str = ""  # the column of the time that makes this rate, whose share of noise it has
+    known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
+    grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
+    trials: str = ""  # the column that says of how many trials this many, or this share, succeeded: noise is binomial
+    unless: str = ""  # the column that says of a run that it was lost, and then has no such number
 
 
 @dataclass(frozen=True)
 class Declared(Told):
     """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
 
-    names: Collection[str] = ()
-    """The columns that it is of."""
-    pattern: str = ""
-    """A regular expression that matches all of the name of any other."""
+    names: Collection[str] = ()  # the columns that it is of
+    pattern: str = ""  # a regular expression that matches all of the name of any other
     kind: str = ""
     """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``given`` (made from settings),
     ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
-    signed: bool | None = None
-    """Whether its numbers have a sign; None: its unit says so."""
+    signed: bool | None = None  # whether its numbers have a sign; None: its unit says so
 
 
 @dataclass(frozen=True)
 class Changes:
     """Holds the table ``changes``: what comparing editions takes to know of this report's sections and rows."""
 
-    deciding: Sequence[str] = ()
-    """Sections that tell most in least time, the longest first, which ends soonest with several at once; none: all."""
-    headlines: Mapping[str, str] = field(default_factory=dict)
-    """Values that the history shows, by what they are called."""
+    deciding: Sequence[str] = ()  # sections that tell most in least time, the longest first; none: all
+    headlines: Mapping[str, str] = field(default_factory=dict)  # values that the history shows, by what they are called
     thresholds: Mapping[str, float] = field(default_factory=dict)
     """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
-    setting_threshold: float = 0.05
-    """The same for any setting."""
+    setting_threshold: float = 0.05  # the same for any setting
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
-    cause: str = ""
-    """The claim that says why editions differ, where it holds."""
-    same_runs: Sequence[str] = ()
-    """Sections that have runs alike, so that a number of a case can be taken from any of them."""
-    together: Sequence[Sequence[str]] = ()
-    """Other packages of which each release takes its own versions, those that come out, and are changed, together."""
-    keys: Sequence[str] = ("case",)
-    """Columns that tell the rows of one section apart, where they are there."""
-    classes: str = ""
-    """The column that lists how the repeats of a run ended; where they differ, the row is not compared."""
+    cause: str = ""  # the claim that says why editions differ, where it holds
+    same_runs: Sequence[str] = ()  # sections that have runs alike: a number of a case can be taken from any of them
+    together: Sequence[Sequence[str]] = ()  # groups of packages that come out together, and that bisect swaps as one
+    keys: Sequence[str] = ("case",)  # columns that tell the rows of one section apart, where they are there
+    classes: str = ""  # the column that lists how the repeats of a run ended; where they differ, no row is compared
 
 
 @dataclass(frozen=True)
@@ -81,62 +67,51 @@ class Page:
     """Describes one page of every release."""
 
     name: str
-    label: str = ""
-    """What links to it say; empty: its name."""
-    texts: tuple[str, ...] = ()
-    """Its templates of prose, of which the first begins with the title of the page; none: ``pages/NAME.md.j2``."""
+    label: str = ""  # what links to it say; empty: its name
+    texts: tuple[str, ...] = ()  # its templates of prose, the first with its title; none: `pages/NAME.md.j2`
 
     @property
     def file(self) -> str:
         return f"{self.name}.html"
+
+    @property
+    def whole(self) -> "Page":
+        """Return it with what ``report.toml`` does not say of it."""
+        label = self.label or self.name.replace("_", " ").capitalize()
+        return replace(self, label=label, texts=self.texts or (f"pages/{self.name}.md.j2",))
 
 
 @dataclass(frozen=True)
 class Config:
     """Holds the fields of ``report.toml``, as they are without it."""
 
-    edition: str = ""
-    """The package whose releases are editions."""
-    packages: Sequence[str] = ()
-    """Other packages whose versions are part of what a record depends on; it is read with ``edition`` before them."""
-    requirement: str = ""
-    """That package as pyproject.toml asks for it, with its extras and without a version."""
-    edition_name: str = ""
-    """What people call it."""
-    short_names: Mapping[str, str] = field(default_factory=dict)
-    """What other packages are called in the label of an edition, where not by their names."""
-    host: str = "measured_report.measuring.host"
-    """The module that says how this report measures on a host; this one measures on the CPU."""
-    case: str = ""
-    """The dataclass, as ``module:name``, whose fields are what a run was set to."""
-    noise_section: str = ""
-    """The section that has repeats: rows that are runs of one and the same case, as ``of`` says."""
+    edition: str = ""  # the package whose releases are editions
+    packages: Sequence[str] = ()  # others whose versions a record depends on; it is read with `edition` before them
+    requirement: str = ""  # that package as pyproject.toml asks for it, with its extras and without a version
+    edition_name: str = ""  # what people call it
+    short_names: Mapping[str, str] = field(default_factory=dict)  # what labels call other packages
+    host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
+    case: str = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
+    noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
-    """What columns say of runs that repeat to the last bit, all but times."""
+    """Rows with one of these values are deterministic: noise 0, except times."""
     units: Mapping[str, str] = field(default_factory=dict)
     """Units by the end of a column's name, besides those that ``records/columns.py`` knows."""
-    cost_terms: Sequence[str] = ()
-    """Columns that two rows must share for their costs to be compared."""
-    columns: Sequence[Declared] = ()
-    """What is to be known of columns besides their units."""
-    baseline: str = "the baseline"
-    """What people call the case that all others are changed from."""
-    changes: Changes = field(default_factory=Changes)
-    """The table of that name."""
-    title: str = "A report"
-    """What its data are of, where nothing else of it is at hand."""
-    name: str = "report"
-    """What it is called where it is cited."""
-    repository: str = ""
-    """The page of its sources on the web; where nothing is said, pages lead to none."""
-    pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))
-    """The pages in their order, the front page first."""
-    story: str = ""
-    """The package whose modules derive what texts of pages tell: ``front`` for ``front.md.j2``."""
-    plugins: str = "measured_report.pages.plugins"
-    """The module that says what else this report shows; the one named here says what it may have."""
-    formulas: Sequence[str] = ()
-    """Patterns of names and formulas in drawings and table cells, whose numbers lead to no record."""
+    cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
+    columns: Sequence[Declared] = ()  # what is to be known of columns besides their units
+    baseline: str = "the baseline"  # what people call the case that all others are changed from
+    changes: Changes = field(default_factory=Changes)  # the table of that name
+    title: str = "A report"  # what its data are of, where nothing else of it is at hand
+    name: str = "report"  # what it is called where it is cited
+    repository: str = ""  # the page of its sources on the web; where nothing is said, pages lead to none
+    pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))  # in order, the front page first
+    story: str = ""  # the package whose modules derive what texts of pages tell: `front` for `front.md.j2`
+    plugins: str = "measured_report.pages.plugins"  # the module of what else it shows; this says what it may
+    formulas: Sequence[str] = ()  # patterns of names and formulas in drawings and table cells, which lead to no record
+
+    @property
+    def front(self) -> Page:
+        return self.pages[0]
 
     @property
     def sources(self) -> Sequence[str]:
@@ -153,6 +128,11 @@ class Config:
     def option(self) -> str:
         """Name the variable of make that names an edition."""
         return self.edition.upper().replace("-", "_")
+
+    @property
+    def flag(self) -> str:
+        """Name the same option of ``build.py``."""
+        return self.option.lower().replace("_", "-") or "edition"
 
     def name_of(self, release: str) -> str:
         """Write what people call an edition."""
@@ -185,22 +165,79 @@ def parse_toml(text: str) -> dict[str, Any]:
     return tomllib.loads(text)
 
 
+@dataclass(eq=False)
+class Report:
+    """Names a report; ``with report:`` makes it the current one, whose settings, packages and root all here has."""
+
+    root: Path
+    _modules: dict[str, ModuleType] = field(default_factory=dict)
+    _path: list[str] = field(default_factory=list)
+
+    @cached_property
+    def config(self) -> Config:
+        """Read ``report.toml``; ReportError, one line, where it is not whole."""
+        path = self.root / FILE
+        try:
+            found = read_toml(path) if path.is_file() else {}
+            tables: list[tuple] = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
+            tables += [("columns.", each, Declared) for each in found.get("columns", ())]
+            for place, table, kind in [*tables, *(("pages.", each, Page) for each in found.get("pages", ()))]:
+                names = {each.name for each in fields(kind)}
+                for name in table if isinstance(table, dict) else ():
+                    if name not in names:
+                        raise ValueError(f"there is no setting {place}{name}{suggestion(name, names)}")
+            told = msgspec.convert(found, Config)
+        except (OSError, ValueError, TypeError) as error:  # which msgspec's are
+            raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
+        told = replace(told, pages=[page.whole for page in told.pages])
+        if not (package := told.edition):
+            return told
+        return replace(told, packages=[package, *told.packages], edition_name=told.edition_name or package)
+
+    def __enter__(self) -> "Report":
+        self._follow(report())
+        _entered.append(self)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        left = _entered.pop()
+        report()._follow(left)
+
+    def _follow(self, other: "Report") -> None:
+        """Put its root and modules in the place of another's, which are kept for when that is entered again."""
+        if self is other:
+            return
+        there = [name for name in sys.modules if name.partition(".")[0] in ROOMS]
+        other._path, other._modules = sys.path[:], {name: sys.modules.pop(name) for name in there}
+        # The other's root would be found first, where a package here has no __init__.py.
+        others = (place for place in sys.path if Path(place).resolve() != other.root)
+        sys.path[:] = self._path or [str(self.root), *map(str, sorted(self.root.glob("packages/*"))), *others]
+        sys.modules.update(self._modules)
+        root.ROOT = self.root
+        for function in _cached:
+            function.cache_clear()
+
+
 @cache
-def config(root: Path = ROOT) -> Config:
-    """Read ``report.toml``; ReportError, one line, where it is not whole."""
-    path = root / FILE
-    try:
-        found = read_toml(path) if path.is_file() else {}
-        tables: list[tuple] = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
-        tables += [("columns.", each, Declared) for each in found.get("columns", ())]
-        for place, table, kind in [*tables, *(("pages.", each, Page) for each in found.get("pages", ()))]:
-            names = {each.name for each in fields(kind)}
-            for name in table if isinstance(table, dict) else ():
-                if name not in names:
-                    raise ValueError(f"there is no setting {place}{name}{suggestion(name, names)}")
-        told = msgspec.convert(found, Config)
-    except (OSError, ValueError, TypeError) as error:  # which msgspec's are
-        raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
-    if not (package := told.edition):
-        return told
-    return replace(told, packages=[package, *told.packages], edition_name=told.edition_name or package)
+def report_in(folder: Path) -> Report:
+    return Report(folder)
+
+
+_entered = [report_in(root.ROOT)]
+_cached: list[Any] = []
+
+
+def report() -> Report:
+    """Return the current report: at first that of ``files/root.py``."""
+    return _entered[-1]
+
+
+def config() -> Config:
+    """Return what the current report says of itself."""
+    return report().config
+
+
+def cached_in_report(function: Callable[..., T]) -> Callable[..., T]:
+    """Keep what a function returns, as ``functools.cache`` does, until another report is the current one."""
+    _cached.append(cache(function))
+    return _cached[-1]

@@ -35,8 +35,7 @@ def workers(count: int, method: str, then: Callable[[], None] | None = None) -> 
         pool.shutdown(cancel_futures=True)
 
 
-_made: list[Callable[[int], Any]] = []
-"""What forks of this process are asked to make: it need not be pickled."""
+_made: list[Callable[[int], Any]] = []  # what forks of this process are asked to make: it need not be pickled
 
 
 def forked(make: Callable[[int], T], count: int) -> list[T]:

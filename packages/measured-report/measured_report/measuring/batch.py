@@ -28,21 +28,17 @@ from measured_report.measuring.measurement import Measurement
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
 DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
-LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
-"""Folder that two runs of ``make`` on one host lock, so that they spoil no times of each other."""
+LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"  # by which two runs of `make` spoil no times
 
 
 @dataclass(frozen=True)
 class Batch:
     """Describe a call that a process of its own can make."""
 
-    name: str
-    """Name that no other of its section has: lower-case words, numbers and hyphens."""
-    function: Callable[..., Any]
-    """Function of a module. It and what it returns travel as bytes."""
+    name: str  # name that no other of its section has: lower-case words, numbers and hyphens
+    function: Callable[..., Any]  # function of a module. It and what it returns travel as bytes
     arguments: tuple = ()
-    exclusive: bool = False
-    """Measures times, so that nothing else is measured on its host meanwhile."""
+    exclusive: bool = False  # measures times, so that nothing else is measured on its host meanwhile
 
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
@@ -52,8 +48,7 @@ Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
 class Result:
     """Keep a value that a batch has returned, and what measured it."""
 
-    value: Any
-    """Travels as bytes, which are read where an error costs this batch alone."""
+    value: Any  # travels as bytes, which are read where an error costs this batch alone
     machine: Mapping[str, Any]
     started: str
     ended: str

@@ -8,7 +8,6 @@ import platform
 import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +15,9 @@ import dask
 from distributed import Client, KilledWorker, Nanny, Scheduler, Security, SpecCluster
 from distributed.core import rpc
 
+from measured_report.files.config import cached_in_report, report
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import KILLED
-from measured_report.files.root import ROOT
 from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import MPS, gpus, machine, share_count, slug
@@ -91,9 +90,7 @@ def _worker(resource: str, security: Security, **settings: str) -> dict[str, Any
 
 
 @contextlib.contextmanager
-def cluster_pools(
-    asked: str, device: str, processor: str | None, count: int
-) -> Iterator[tuple["ClusterPool", "ClusterPool"]]:
+def cluster_pools(asked: str, device: str, processor: str | None, count: int) -> Iterator[tuple[Any, Any]]:
     """Open pools for what shares a GPU and for what is exclusive; ReportError where workers or GPUs are unfit."""
     with connected(asked, device, count) as client:
         workers = client.scheduler_info(n_workers=-1)["workers"].values()
@@ -161,10 +158,11 @@ def introduce(device: str, processor: str | None, digest: str) -> str:
     return node
 
 
-@cache
+@cached_in_report
 def digest_here() -> str:
     """Digest the files that measuring may read, and the versions of packages."""
-    places = [ROOT / "experiments", ROOT / "assets", *ROOT.glob("packages/*"), Path(__file__).parents[1]]
+    root = report().root
+    places = [root / "experiments", root / "assets", *root.glob("packages/*"), Path(__file__).parents[1]]
     code = [files_digest((path for path in place.rglob("*.*") if path.suffix != ".pyc"), place) for place in places]
     return digest_of([*code, package_versions()])
 

@@ -31,5 +31,4 @@ def explained(error: Exception) -> str:
 
 
 def host() -> ModuleType:
-    """Import the module that the report names."""
     return import_module(config().host)

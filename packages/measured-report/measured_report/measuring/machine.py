@@ -5,29 +5,22 @@ import os
 import platform
 import re
 import subprocess
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from measured_report.files.config import config
+from measured_report.files.config import cached_in_report, config, report
 from measured_report.files.errors import UsageError
-from measured_report.files.root import ROOT
 from measured_report.measuring.host import host
 from measured_report.records.code import files, roots_of
 from measured_report.records.record import Record
 
 DEVICES = ("cuda", "cpu")
 NO_CUDA = "this machine has no CUDA device; DEVICE=cpu measures on its CPU"
-
-KIND = ("device", "gpu", "driver", "cpu", "cores")
-"""Names of what of a machine is the same for all batches of a section."""
-
+KIND = ("device", "gpu", "driver", "cpu", "cores")  # what of a machine is the same for all batches of a section
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Variable that says where NVIDIA's MPS is, the daemon through which processes share a GPU, and its default."""
-SHARE_COUNT, MPS_SHARE_COUNT = 4, 16
-"""Processes that share a GPU, with a core each: without that daemon they take turns on it."""
-SHARE_MIB = 2048
-"""Memory of a GPU that there has to be for each of them."""
+SHARE_COUNT, MPS_SHARE_COUNT = 4, 16  # processes that share a GPU: without that daemon they take turns on it
+SHARE_MIB = 2048  # memory of a GPU that there has to be for each of them
 
 
 class Gpu(NamedTuple):
@@ -36,23 +29,15 @@ class Gpu(NamedTuple):
     name: str
 
 
-@cache
+@cached_in_report
 def machine(kind: str) -> dict[str, str | None]:
     """Return the machine that measures; host and GPU tell of two records whether they ran side by side."""
     (gpu, uuid), driver = host().gpu(kind), None
     if kind == "cuda":
         driver = said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
-    return {
-        "device": kind,
-        "gpu": gpu,
-        "driver": driver,
-        "cpu": cpu_name(),
-        "cores": str(os.cpu_count()),
-        "python": platform.python_version(),
-        "host": hashlib.sha256(platform.node().encode()).hexdigest()[:12],
-        "gpu_uuid": uuid,
-        "system": f"{platform.system()} {platform.machine()}",
-    }
+    node, system = hashlib.sha256(platform.node().encode()).hexdigest(), f"{platform.system()} {platform.machine()}"
+    devices = {"device": kind, "gpu": gpu, "driver": driver, "cpu": cpu_name(), "cores": str(os.cpu_count())}
+    return {**devices, "python": platform.python_version(), "host": node[:12], "gpu_uuid": uuid, "system": system}
 
 
 def cpu_name() -> str:
@@ -75,7 +60,7 @@ def commit() -> str | None:
 def said(*command: str) -> str:
     """Return what a command prints; nothing when it fails or is not there."""
     try:
-        return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+        return subprocess.run(command, cwd=report().root, capture_output=True, text=True, check=False).stdout.strip()
     except OSError:
         return ""
 
@@ -83,11 +68,11 @@ def said(*command: str) -> str:
 def gpus() -> list[Gpu]:
     """List the GPUs that this process may use."""
     listing = said("nvidia-smi", "--query-gpu=index,uuid,memory.total,name", "--format=csv,noheader,nounits")
-    found = [line.split(", ", 3) for line in listing.splitlines() if line.count(", ") > 2]
-    allowed = os.environ.get("CUDA_VISIBLE_DEVICES")
-    names = None if allowed is None else {name.strip() for name in allowed.split(",")}
+    there = [line.split(", ", 3) for line in listing.splitlines() if line.count(", ") > 2]
+    if (allowed := os.environ.get("CUDA_VISIBLE_DEVICES")) is not None:
+        names = {name.strip() for name in allowed.split(",")}
+        there = [each for each in there if names & {*each[:2]}]
     # What shares memory with the processor may not say how much it has.
-    there = [each for each in found if names is None or names & {*each[:2]}]
     return [Gpu(uuid, int(size) if size.isdecimal() else 0, name) for _, uuid, size, name in there]
 
 
@@ -98,7 +83,7 @@ def share_count(gpu: Gpu, gpu_count: int = 1) -> int:
     return max(1, min(most, gpu.memory_mib // SHARE_MIB))
 
 
-def needs_gpu(section: str, root: Path = ROOT) -> bool:
+def needs_gpu(section: str, root: Path) -> bool:
     """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with those of a GPU."""
     graph = files().graph(roots_of(root))
     file = graph.module(f"experiments.{section}") or f"{root}/experiments/{section}.py"

@@ -9,10 +9,8 @@ from typing import Any
 class Conditions:
     """Say under which conditions a section is measured."""
 
-    device: str
-    """Alias: ``cuda:0`` or ``cpu``."""
-    quick: bool
-    """Small grids and short runs."""
+    device: str  # alias: `cuda:0` or `cpu`
+    quick: bool  # small grids and short runs
 
     @property
     def is_cuda(self) -> bool:

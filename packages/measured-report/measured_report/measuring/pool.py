@@ -63,7 +63,6 @@ def processes(count: int) -> AbstractContextManager[Executor]:
 
 
 def start(pool: Executor, function: Callable, calls: Sequence[tuple]) -> list[Future]:
-    """Start a call of ``function`` for each tuple of arguments."""
     return [pool.submit(function, *arguments) for arguments in calls]
 
 

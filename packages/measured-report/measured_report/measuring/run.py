@@ -29,8 +29,6 @@ from measured_report.measuring.pool import gather, host_pools
 from measured_report.measuring.section import Loop, Section, section_of
 from measured_report.records.identity import EDITED, package_versions, sections
 
-FAILED = 1
-
 
 def main() -> int:
     tqdm.monitor_interval = 0  # a thread of its own, which no process may be forked beside
@@ -38,8 +36,8 @@ def main() -> int:
     try:
         asked = sections_asked(arguments)
         with pools(arguments, asked) as (shared, exclusive):
-            status = FAILED
-            return FAILED if Loop(asked, shared, exclusive).run() else 0
+            status = 1
+            return int(Loop(asked, shared, exclusive).run())
     except ReportError as error:
         print(error, file=sys.stderr)
         return status
@@ -64,7 +62,8 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     gc.disable()  # looking for garbage takes half the time of loading a simulator
     host().be_quiet()
     # What the GPU waits for least begins first: batches of the processor alone are few and long.
-    modules = {name: section_module(name) for name in sorted(arguments.section, key=needs_gpu)}
+    names = sorted(arguments.section, key=lambda name: needs_gpu(name, project.root))
+    modules = {name: section_module(name) for name in names}
     gc.freeze()
     gc.enable()
     return [section_of(project, name, module, arguments.device) for name, module in modules.items()]

@@ -22,8 +22,7 @@ from measured_report.records.identity import Identity, identity_of
 from measured_report.records.record import Record, write_record
 from measured_report.records.traces import packed
 
-WHOLE = "whole"
-"""Name of the one batch of a section that has declared none."""
+WHOLE = "whole"  # name of the one batch of a section that has declared none
 GONE = "the scheduler is gone; what is finished is kept"
 
 
@@ -73,7 +72,6 @@ class Section:
             self.waiting = [*self.waiting, batch]
 
     def fail(self, reason: str) -> None:
-        """Give the section up, and say why."""
         if not self.is_over:
             self.is_over, self.has_failed, self.waiting = True, True, []
             tqdm.write(f"{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
@@ -89,26 +87,15 @@ class Section:
             raise ReportError("it returned no rows, or one without a case")
         if len({tuple(map(part.machine.get, KIND)) for part in parts}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
-        seconds = round(sum(part.seconds for part in parts), 1)
         told = {name: {part.machine[name] for part in parts} - {None} for name in parts[0].machine}
-        record = Record(
-            section=self.name,
-            identity=self.identity,
-            machine={name: ", ".join(sorted(said)) or None for name, said in told.items()},
-            measured={
-                "date": max(part.ended for part in parts),
-                "started": min(part.started for part in parts),
-                "ended": max(part.ended for part in parts),
-                "commit": commit(),
-                "command": self.project.rerun(self.name, parts[0].machine["device"]),
-                "seconds": seconds,
-            },
-            units=units_of(rows),
-            rows=rows,
-        )
-        write_record(path, record, traces)
+        machine = {name: ", ".join(sorted(said)) or None for name, said in told.items()}
+        started, ended = min(part.started for part in parts), max(part.ended for part in parts)
+        seconds = round(sum(part.seconds for part in parts), 1)
+        measured: dict[str, Any] = {"date": ended, "started": started, "ended": ended, "commit": commit()}
+        measured |= {"command": self.project.rerun(self.name, parts[0].machine["device"]), "seconds": seconds}
+        write_record(path, Record(self.name, self.identity, machine, measured, units_of(rows), rows), traces)
         self.is_over = True
-        tqdm.write(f"{self.name}: {len(record.rows)} rows in {seconds:.0f} s → {path}")
+        tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {path}")
 
 
 class Loop:

@@ -22,15 +22,18 @@ from jinja2 import nodes
 from jinja2.ext import Extension
 from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
+from jinja2.runtime import Context
 from markupsafe import Markup
 
-from measured_report.parts.claim import LOST, Claim
+from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
 from measured_report.parts.words import token
+from measured_report.values.format import ABSENT
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
+LOST = re.compile(f'<(?:data|span)[^>]* title="[^"]*"[^>]*>{ABSENT}<')  # a number that is not there, as it is printed
+# Besides the sections that it needs; each says itself which number it is.
 NAMED = {"cell", "value", "row", "release", "config"}
-"""Names besides those of the sections that it needs: each says itself which number it is."""
 
 
 class Need(NamedTuple):
@@ -42,9 +45,8 @@ class Need(NamedTuple):
 
     def is_met(self, claim: Claim | None) -> bool:
         """Tell whether the claim, None where there is none, has this outcome."""
-        if claim is None:
-            return False
-        return claim.outcome.is_opposite if self.outcome == "opposite" else claim.outcome.name == self.outcome
+        found = claim.outcome if claim else None
+        return bool(found and (found.is_opposite if self.outcome == "opposite" else found.name == self.outcome))
 
     def __str__(self) -> str:
         return f"{self.section}.{self.claim} {self.outcome}"
@@ -100,32 +102,23 @@ def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
     """Make what says the passages of a template of the claims that ``find`` finds by section and name."""
 
     @jinja2.pass_context
-    def passage(
-        context: jinja2.runtime.Context,
-        text: str,
-        answer: str,
-        is_inline: bool,
-        otherwise: Callable[[], str] | None,
-        caller: Callable[..., str],
-    ) -> str:
+    def passage(context: Context, text: str, answer: str, is_inline: bool, otherwise: Any, caller: Any) -> str:
         printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
-        said, start = None, len(printed)
         there = {need: claim for need, claim in claims.items() if claim}
-        if len(there) == len(claims):  # rendered as well where another story is told: with other numbers it is this
+        said, start, is_told = None, len(printed), len(there) == len(claims)
+        if is_told:  # rendered as well where another story is told: with other numbers it is this
             said = caller(*_numbers(there))
             is_lost = any(isinstance(each, Markup) and LOST.search(each) for each in printed[start:])
             if is_lost or not all(need.is_met(claim) for need, claim in claims.items()):
                 said = None
                 del printed[start:]
-        stands = said is not None
-        if stands:
-            if otherwise:
-                count = len(printed)
-                otherwise()
-                del printed[count:]
-        elif otherwise:
-            return otherwise()
-        elif len(there) == len(claims):  # what was not measured is listed on the page, and is no other answer
+        stands, count = said is not None, len(printed)
+        if otherwise:
+            other = otherwise()
+            if not stands:
+                return other
+            del printed[count:]
+        elif is_told and not stands:  # what was not measured is listed on the page, and is no other answer
             own = [claim.html(need.section) for need, claim in there.items()]
             said = token(printed, Markup(" ").join([*own, macros().other_data()]))
         if not said:

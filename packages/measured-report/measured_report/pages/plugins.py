@@ -48,5 +48,4 @@ def scripts() -> Sequence[str]:
 
 
 def plugins() -> ModuleType:
-    """Import the module that the report names."""
     return import_module(config().plugins)

@@ -16,29 +16,17 @@ from markupsafe import Markup, escape
 
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.files.root import ROOT
 from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, pairs_of, references
 from measured_report.parts.section import Figure
-from measured_report.parts.words import (
-    CLOSE,
-    OPEN,
-    Wording,
-    WordTags,
-    refuse_typed,
-    refuse_unrounded,
-    token,
-    with_formulas,
-)
+from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_numbers, token, with_formulas
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
 """Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
-TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")
-"""Stands alone in its paragraph where it may be a block."""
-LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
-"""In Markdown, a link that leads to an id."""
+TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")  # stands alone in its paragraph where it may be a block
+LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')  # in Markdown, a link that leads to an id
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
 BLOCK = ("<figure", "<p", "<div", "</div")
 TITLE, HEADING = re.compile(r"\A<h[12].*?</h[12]>\n?"), re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
@@ -67,9 +55,7 @@ class Prose:
 
     def html(self, shown: Mapping[str, Any]) -> Markup:
         """Put in what it prints: as ``shown`` has them by their anchors its figures, and links and marks of sources."""
-        printed = [
-            shown.get(thing.anchor, thing) if isinstance(thing, Figure | Mark) else thing for thing in self.printed
-        ]
+        printed = [shown.get(each.anchor, each) if isinstance(each, Figure | Mark) else each for each in self.printed]
         return _put_back(self.body, printed)
 
 
@@ -87,10 +73,7 @@ class Text:
         with _named(self.name):
             text = self.template.render({**names, "printed": printed})
         text = LINK.sub(lambda link: token(printed, Mark(f"#{link[1]}")), text)
-        slugs = {
-            "baselevel": level,
-            "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub("", title), separator)]),
-        }
+        slugs = {"baselevel": level, "slugify": lambda title, by: f"{anchor}-{slugify(NUMBER.sub('', title), by)}"}
         markdown = Markdown(extensions=["toc", "fenced_code", "tables"], extension_configs={"toc": slugs})
         body = HEADING.sub(SELF, TITLE.sub("", markdown.convert(text)))
         body = body.replace("<pre>", '<pre tabindex="0">')  # what may be wider is scrolled with the keyboard too
@@ -118,11 +101,9 @@ class Templates:
         self.text = cache(self._text)
 
     def _text(self, name: str) -> Text:
-        """Parse a template of Markdown."""
         with _named(name):
             source, path, _ = self._loader.get_source(self._prose, name)
-            refuse_typed(source := with_formulas(source))
-            refuse_unrounded(source)
+            refuse_numbers(source := with_formulas(source))
             code = self._prose.compile(source, name, path)
         template = jinja2.Template.from_code(self._prose, code, self._prose.make_globals(None))
 
@@ -138,12 +119,11 @@ class Templates:
         return Text(name, template, words)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
-        """Render a template of HTML."""
         with _named(template):
             return self._layout.get_template(template).render(names)
 
 
-def stylesheet(root: Path = ROOT) -> str:
+def stylesheet(root: Path) -> str:
     """Return the styles of pages: first those that drawings have as files, last the report's own."""
     paths = (LAYOUT / "theme.css", LAYOUT / "style.css", root / "static" / "style.css")
     return "\n".join(path.read_text(encoding="utf-8") for path in paths if path.is_file())

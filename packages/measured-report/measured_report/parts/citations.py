@@ -87,8 +87,7 @@ class StatedTag(Extension):
         return macros().stated(words, token(context["printed"], Mark(f"source {name}"))) + "\n"
 
 
-PAIRS = "pairs.toml"
-"""``contradict`` and ``needs``: pairs such as ``["gap.not_the_cause holds", "stiffness.cause fails"]``."""
+PAIRS = "pairs.toml"  # `contradict` and `needs`: pairs such as `["gap.not_the_cause holds", "stiffness.cause fails"]`
 Pairs = Mapping[str, Sequence[tuple[str, str]]]
 
 
@@ -102,10 +101,9 @@ def pairs_of(templates: Path) -> Pairs:
 
 def refuse_contradictions(pairs: Pairs, sections: Mapping[str, Section]) -> None:
     """Raise ReportError, one line, when what the sections of a release say does not go together."""
-    claims = [(f"{name}.{claim.name}", claim) for name, section in sections.items() for claim in section.claims]
-    said = {f"{place} {claim.outcome.name}" for place, claim in claims}
-    known = {f"{name}.{each}" for name, section in sections.items() for each in section.unmeasured}
-    known |= {place for place, _ in claims}
+    claims = {f"{name}.{claim.name}": claim for name, section in sections.items() for claim in section.claims}
+    said = {f"{place} {claim.outcome.name}" for place, claim in claims.items()}
+    known = {f"{name}.{each}" for name, section in sections.items() for each in section.unmeasured} | claims.keys()
     for place in (words.partition(" ")[0] for found in pairs.values() for pair in found for words in pair):
         if place.partition(".")[0] in sections and place not in known:
             raise ReportError(f"templates/{PAIRS}: there is no claim {place}")

@@ -2,7 +2,6 @@
 
 import math
 import operator
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -14,13 +13,9 @@ from markupsafe import Markup, escape
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
-from measured_report.values.format import ABSENT
-from measured_report.values.quantities import Quantity, mixed
+from measured_report.values.quantities import Quantity, mixed, noise_of, samples_of
 
-NEAR_NOISE = 2.0
-"""Chosen: beyond the noise, but up to so many times it, a difference can't tell: some other pair may differ more."""
-LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')
-"""A number that is not there as it is printed, with its reason."""
+NEAR_NOISE = 2.0  # chosen: up to so many times the noise a difference can't tell: some other pair may differ more
 
 
 @dataclass(frozen=True)
@@ -36,8 +31,7 @@ class Bound(Quantity):
         return escape(super().__str__())
 
 
-Number = Quantity | float
-"""A test compares quantities, and numbers that were chosen in their unit, ``why`` in words."""
+Number = Quantity | float  # a test compares quantities, and numbers that were chosen in their unit, `why` in words
 
 
 @dataclass(frozen=True)
@@ -46,14 +40,10 @@ class Outcome:
 
     name: str
     reason: str = ""
-    is_inconclusive: bool = False
-    """Unknown for being near the noise, so that the same measured again may be decided."""
-    is_opposite: bool = field(default=False, compare=False)
-    """Fails because the opposite is shown, and not for want of what would show it."""
-    reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
-    """Pointers to all that the test compared, and to what that was computed from."""
-    bounds: tuple[str, ...] = field(default=(), compare=False, repr=False)
-    """Numbers that were chosen for the test alone, each with its unit and why."""
+    is_inconclusive: bool = False  # unknown for being near the noise, so that the same measured again may be decided
+    is_opposite: bool = field(default=False, compare=False)  # fails because the opposite is shown
+    reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)  # pointers to all that it stands on
+    bounds: tuple[str, ...] = field(default=(), compare=False, repr=False)  # chosen for it alone, with unit and why
 
     def having_read(self, *quantities: Quantity) -> "Outcome":
         """Return the same, for a test that looked at these as well."""
@@ -79,10 +69,9 @@ class Claim:
     name: str
     outcome: Outcome
     numbers: Mapping[str, Any] = field(default_factory=dict)
-    """Quantities, and texts and flags."""
+    """Quantities, which must all be there for it to tell, and texts and flags; "" for one that it does without."""
     wording: Wording | None = None
-    confirmed: str = ""
-    """Says how many measurements agree, where there are several."""
+    confirmed: str = ""  # says how many measurements agree, where there are several
     effect: Outcome = HOLDS
     """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
 
@@ -100,20 +89,18 @@ class Claim:
         return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
     def checked(self) -> "Claim":
-        """Return the same; where its sentence would print a number that is not there, it can't tell, and says why."""
-        lost = LOST.search(self.sentence) if self.outcome.name != "unknown" else None
-        if not lost:
+        """Return the same; where a number that its sentence names is not there, it can't tell, and says why."""
+        lost = _absent(*(number for number in self.numbers.values() if isinstance(number, Quantity)))
+        if not lost or self.outcome.name == "unknown":
             return self
-        reason = Markup(lost[1]).unescape()
-        return replace(self, outcome=replace(self.outcome, name="unknown", reason=reason, is_opposite=False))
+        return replace(self, outcome=replace(self.outcome, name="unknown", reason=lost.reason, is_opposite=False))
 
     @property
     def text(self) -> str:
         return self.sentence.striptags().replace("\xa0", " ")
 
     def html(self, section: str) -> Markup:
-        because = self.said("because") if self.outcome == self.effect == HOLDS else ""
-        return macros().claim(self, section, because)
+        return macros().claim(self, section, self.said("because") if self.outcome == self.effect == HOLDS else "")
 
     def said(self, part: str) -> Markup:
         """Render one part of its wording."""
@@ -154,15 +141,16 @@ def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
 
 def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "") -> Outcome:
     """Test whether ``a`` is greater than ``b``; less is the opposite, and within the noise it can't tell."""
-    return decreases([a, b], noise=_noise_of(a, b) if noise is None else noise, why=why)
+    if noise is None:
+        quantities = [number for number in (a, b) if isinstance(number, Quantity)]
+        there = [number for number in quantities if number.value is not None]
+        apart = noise_of(_difference, there, samples_of(_difference, there)) if there else None
+        noise = Quantity(apart, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
+    return decreases([a, b], noise=noise, why=why)
 
 
-def _noise_of(*numbers: Number) -> Quantity:
-    """Return the largest noise of these; no number where that of one is not known."""
-    quantities = [number for number in numbers if isinstance(number, Quantity)]
-    unknown = any(each.noise is None for each in quantities if each.value is not None)
-    most = max((each.noise or 0.0 for each in quantities), default=0.0)
-    return Quantity(None if unknown else most, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
+def _difference(first: float, *others: float) -> float:
+    return first - sum(others)
 
 
 def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Outcome:

@@ -5,7 +5,6 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager
 from functools import cache
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -27,36 +26,26 @@ from measured_report.values.quantities import Quantity
 
 INK = "#1b1f24"
 FAINT = "#c9ced4"
-MAP_INK = "#101418"
-"""For what is drawn on a map: a map keeps its colours on a dark page, and so does this."""
+MAP_INK = "#101418"  # for what is drawn on a map: a map keeps its colours on a dark page, and so does this
+# Colours that are told apart by colour-blind readers; the stylesheet has a lighter set for dark pages.
 SERIES = ("#0b62a8", "#b8480c", "#0a7a5c", "#8b3d91", "#8a6400", "#4a5560")
-"""Colours that are told apart by colour-blind readers; the stylesheet has a lighter set for dark pages."""
-
-PAGE_COLOURS = {INK: "currentColor", FAINT: "var(--faint)"} | {
-    colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)
-}
-
+PAGE_COLOURS = {colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)}
+PAGE_COLOURS |= {INK: "currentColor", FAINT: "var(--faint)"}
 STYLE: dict[str, Any] = {
-    "svg.fonttype": "none",
-    "text.parse_math": False,
-    **dict.fromkeys(("figure.facecolor", "axes.facecolor", "savefig.facecolor"), "none"),
+    **dict.fromkeys(("svg.fonttype", "figure.facecolor", "axes.facecolor", "savefig.facecolor"), "none"),
     **dict.fromkeys(("axes.edgecolor", "axes.labelcolor", "axes.titlecolor", "text.color"), INK),
     **dict.fromkeys(("xtick.color", "ytick.color", "hatch.color"), INK),
-    "axes.formatter.useoffset": False,
+    **dict.fromkeys(("text.parse_math", "axes.formatter.useoffset", "legend.frameon"), False),
+    **dict.fromkeys(("axes.spines.top", "axes.spines.right"), False),
+    **dict.fromkeys(("axes.grid", "axes.axisbelow", "figure.constrained_layout.use"), True),
+    **dict.fromkeys(("axes.titlesize", "font.size"), 10),
     "axes.formatter.limits": (-99, 99),  # a factor aside of an axis is read as a number of its own
-    "axes.titlesize": 10,
     "axes.titley": 1.0,  # otherwise all that stands above the axes is laid out to find the title's place
     "axes.titlelocation": "left",
-    **dict.fromkeys(("axes.spines.top", "axes.spines.right"), False),
-    "axes.grid": True,
-    "axes.axisbelow": True,
     "grid.color": FAINT,
     "grid.linewidth": 0.6,
-    "font.size": 10,
-    "legend.frameon": False,
     "lines.linewidth": 1.6,
     "lines.markersize": 4.5,
-    "figure.constrained_layout.use": True,
     # Line and mark differ as well as colour, so that a series is found without seeing colours.
     "axes.prop_cycle": cycler(color=SERIES)
     + cycler(linestyle=("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)), (0, (8, 3))))
@@ -64,32 +53,23 @@ STYLE: dict[str, Any] = {
     + cycler(markevery=(0.1,) * len(SERIES)),
 }
 
-NARROW_WIDTH = 3.6
-"""Width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px."""
-LEAST_SIZE = 7.0
-"""Size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px."""
-MOST_TICKS = 5
-"""Steps between ticks along a narrow figure."""
-LONGEST_NAME, LONGEST_LINE = 18, 36
-"""Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
-
-
+NARROW_WIDTH = 3.6  # width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px
+LEAST_SIZE = 7.0  # size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px
+MOST_TICKS = 5  # steps between ticks along a narrow figure
+LONGEST_NAME, LONGEST_LINE = 18, 36  # characters of a name beside a narrow figure, and along it, before it is folded
+# Numbers of the figure that is being drawn as they are written, and where each is from, in their order.
 _told: dict[str, list[str]] = {}
-"""Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
 _screen = SimpleNamespace(is_narrow=False)
-
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
     r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
 )
 """Pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either."""
-
 IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
 NAME = re.compile(r' id="([^"]+)"')
 PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
-DECIMALS = re.compile(r"(\.\d\d)\d+")
-"""A hundredth of a point is enough for anything that is drawn."""
+DECIMALS = re.compile(r"(\.\d\d)\d+")  # a hundredth of a point is enough for anything that is drawn
 FONTS = re.compile(r" font-family: [^;\"]*;")
 UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
 COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
@@ -132,7 +112,6 @@ def tick_125(axis: Axis) -> None:
 
 
 def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
-    """Set ticks at ``places`` alone."""
     axis.set_major_locator(ticker.FixedLocator(places))
     axis.set_minor_locator(ticker.NullLocator())
     axis.set_major_formatter(plain_labels(digits=digits))
@@ -160,7 +139,6 @@ def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) ->
 
 
 def is_narrow() -> bool:
-    """Tell whether a figure is being drawn for a narrow screen."""
     return _screen.is_narrow
 
 
@@ -207,11 +185,6 @@ def fold(text: str, longest: int = LONGEST_LINE) -> str:
     return "\n".join(textwrap.fill(line, longest) for line in kept.split("\n")).replace("\u00a0", " ")
 
 
-def own_style(settings: Mapping[str, Any]) -> AbstractContextManager:
-    """Set the project's style, and ``settings``; the user's own count for nothing."""
-    return style.context(["default", {**STYLE, **settings}])
-
-
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
     """Draw the figure for broad and for narrow screens in SVG whose ids begin with ``name``: always the same bytes."""
     found = []
@@ -219,7 +192,7 @@ def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
         for kind, prefix in (("broad", ""), ("narrow", "narrow-")):
             _told.clear()
             _screen.is_narrow = kind == "narrow"
-            with own_style({"svg.hashsalt": name}):
+            with style.context(["default", {**STYLE, "svg.hashsalt": name}]):  # the user's own counts for nothing
                 drawing = _trimmed(draw())
                 if is_narrow():
                     _fit_narrow(drawing)
@@ -239,7 +212,10 @@ def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
     drawing.draw(renderer)
     renderer.finalize()
-    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), drawing))
+    svg = _linked(UNWANTED.sub("", buffer.getvalue()), drawing)
+    used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
+    svg = NAME.sub(lambda found: found[0] if found[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
+    svg = BREAK.sub("\n", PLACES.sub(lambda found: DECIMALS.sub(r"\1", found[0]), svg))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
@@ -328,14 +304,6 @@ def _scales(axes: Axes) -> list[_Scale]:
 
 
 def _said(axes: Axes, scales: Sequence[_Scale], mark: re.Match) -> Markup:
-    """Say what a mark stands for."""
     place = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
     values = axes.transData.inverted().transform(place)
     return escape(" ".join(", ".join(map(_Scale.said, scales, values)).split()))
-
-
-def _lean(svg: str) -> str:
-    """Return the drawing without names that nothing refers to, and without digits that nobody sees."""
-    used = set(REFERENCE.findall(svg))
-    svg = NAME.sub(lambda found: found[0] if found[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
-    return BREAK.sub("\n", PLACES.sub(lambda found: DECIMALS.sub(r"\1", found[0]), svg))

@@ -23,10 +23,8 @@ def macros() -> Any:
 class Picture(NamedTuple):
     """Hold a drawing in SVG, of which the element itself is left out."""
 
-    kind: str
-    """``broad`` or ``narrow``: the screens that it is for."""
-    view: str
-    """The box that it shows, as an SVG element has it."""
+    kind: str  # `broad` or `narrow`: the screens that it is for
+    view: str  # the box that it shows, as an SVG element has it
     content: Markup
 
     @property

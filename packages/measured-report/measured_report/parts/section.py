@@ -20,29 +20,21 @@ if TYPE_CHECKING:  # these take long to import, and what is kept from before nee
     import pandas as pd
     from matplotlib.figure import Figure as Drawing
 
-
-Pictures = Sequence[Picture | Markup]
-"""A figure as drawn for broad screens and for narrow ones; the stylesheet shows one of them."""
-AXIS = re.compile(r"\[([^\[\]]+)\]$")
-"""The unit at the end of what an axis is called."""
+Pictures = Sequence[Picture | Markup]  # a figure as drawn for broad screens and for narrow ones
+AXIS = re.compile(r"\[([^\[\]]+)\]$")  # the unit at the end of what an axis is called
 TAG = re.compile("<[^>]*>")
-UNDRAWN = "This cannot be drawn from what was measured"
-"""Said in the place of a figure; no figure of the tracked results may say it."""
-FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
-"""As wide as a digit and as a point. They are put behind a number by the stylesheet, so that nobody copies them."""
+UNDRAWN = "This cannot be drawn from what was measured"  # said in the place of a figure
+FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"  # as wide as a digit and as a point; the stylesheet puts them there
 FRACTION = re.compile(r"\.(\d*)$")
-SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
-"""Finds the source of each number that there is."""
+SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')  # finds the source of each number that there is
 
 
 @dataclass(frozen=True)
 class Table:
     """Show a table whose cells are Quantities, text, or yes and no; the index names the rows."""
 
-    frame: "pd.DataFrame | Markup"
-    """HTML where it is kept."""
-    numbers: Mapping[str, Any] = field(default_factory=dict)
-    """Named by its caption."""
+    frame: "pd.DataFrame | Markup"  # HTML where it is kept
+    numbers: Mapping[str, Any] = field(default_factory=dict)  # named by its caption
     wording: Wording | None = None
 
     def __html__(self) -> Markup:
@@ -53,10 +45,8 @@ class Table:
         if isinstance(self.frame, Markup):
             return self
         frame, columns = self.frame, [_column(name, self.frame[name]) for name in self.frame]
-        rows = (
-            (name, [column.cell(value) for column, value in zip(columns, row, strict=True)])
-            for name, row in zip(frame.index, frame.astype(object).to_numpy(), strict=True)
-        )
+        lines = zip(frame.index, frame.astype(object).to_numpy(), strict=True)
+        rows = ((name, [column.cell(cell) for column, cell in zip(columns, line, strict=True)]) for name, line in lines)
         return replace(self, frame=macros().table(frame.index.name or "", columns, rows))
 
 
@@ -64,8 +54,7 @@ class _Column(NamedTuple):
     name: str
     has_numbers: bool
     unit: str
-    places: int
-    """The most digits behind a point."""
+    places: int  # the most digits behind a point
 
     @property
     def label(self) -> str:
@@ -105,16 +94,12 @@ def _place_count(number: Quantity) -> int:
 class Figure:
     """Show a figure, which is drawn only after everything else has been checked."""
 
-    draw: "Callable[[], Drawing] | None"
-    """None where it is kept as it was drawn."""
-    sources: Sequence[Quantity | Series]
-    """All that it draws; when none of it exists the page says why in place of the figure."""
-    numbers: Mapping[str, Any] = field(default_factory=dict)
-    """Named by its caption and its alternative text."""
+    draw: "Callable[[], Drawing] | None"  # None where it is kept as it was drawn
+    sources: Sequence[Quantity | Series]  # all that it draws; when none of it exists the page says why in its place
+    numbers: Mapping[str, Any] = field(default_factory=dict)  # named by its caption and its alternative text
     wording: Wording | None = None
     anchor: str = ""
-    pictures: Pictures | None = None
-    """None where it is not kept, and still to be drawn."""
+    pictures: Pictures | None = None  # None where it is not kept, and still to be drawn
 
     @property
     def is_there(self) -> bool:
@@ -208,22 +193,15 @@ class Download:
 class Section:
     """Hold all that a section's template can name, besides what all of them can."""
 
-    tables: Mapping[str, Any] = field(default_factory=dict)
-    """Tables, and other things that print themselves."""
+    tables: Mapping[str, Any] = field(default_factory=dict)  # tables, and other things that print themselves
     figures: Mapping[str, Figure] = field(default_factory=dict)
     claims: Sequence[Claim] = ()
     downloads: Sequence[Download] = ()
-    unmeasured: Collection[str] = ()
-    """Names that only other records have, so that the words for them stay unsaid."""
+    unmeasured: Collection[str] = ()  # names that only other records have, so that the words for them stay unsaid
 
     def __post_init__(self):
         names = [claim.name for claim in self.claims]
         assert len(set(names)) == len(names), f"two claims have one name: {', '.join(names)}"
-
-    def tabled(self) -> "Section":
-        """Return the same with its tables as HTML, of which each is made once."""
-        tables = {name: thing.kept() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
-        return replace(self, tables=tables)
 
     def worded(self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording]) -> "Section":
         """Give it the words of the template ``place``; ReportError unless things and words are those of each other."""
@@ -243,7 +221,7 @@ class Section:
                 words[kind, name](part, thing.numbers)
             if kind == "figure":
                 thing = replace(thing, anchor=f"{anchor}-{name}")
-            return thing.checked() if kind == "claim" else thing
+            return thing
 
         found = {kind: {name: said(kind, name, thing) for name, thing in some.items()} for kind, some in things.items()}
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])

@@ -31,12 +31,9 @@ from markupsafe import Markup
 from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 
-PARTS = {
-    "claim": ("holds", "fails", "opposite", "asks", "because"),
-    "figure": ("caption", "alt"),
-    "table": ("caption",),
-}
-"""The parts of each kind. ``caption`` is what follows the opening tag; the others have a tag of their own."""
+# The parts of each kind; `caption` is what follows the opening tag, the others have a tag of their own.
+CLAIM = ("holds", "fails", "opposite", "asks", "because")
+PARTS = {"claim": CLAIM, "figure": ("caption", "alt"), "table": ("caption",)}
 OPTIONAL = {"opposite", "because"}
 # The token has a part that nobody can know before, so that no text of a record can be one.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
@@ -47,16 +44,14 @@ TYPED = re.compile(
     r"(?:[nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?|[mk][AV]|min|times|[%°×x])(?!\w)"
 )
 """A number with the unit of one that is measured."""
-FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)
-"""A formula in TeX; those in code are none."""
+FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)  # in TeX; none in code
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
     "more than|less than": (".most", ".least"),  # which of them depends on what the sentence denies
 }
 """Words that bound the number behind them, and how it is rounded there."""
-CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
-"""Names that Jinja has for itself, so that what is given under them is never said."""
+CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))  # which Jinja has for itself
 
 
 @dataclass(frozen=True)
@@ -66,8 +61,7 @@ class Wording:
     place: str
     blocks: Mapping[str, str]
     names: frozenset[str]
-    render: Callable[[str, Mapping[str, Any]], Markup] | None = None
-    """Renders the block of a name with what it can name; None until the template is compiled."""
+    render: Callable[[str, Mapping[str, Any]], Markup] | None = None  # a block; None until the template is compiled
 
     def __call__(self, part: str, numbers: Mapping[str, Any]) -> Markup:
         """Return a part with its numbers; empty where the template has no such part."""
@@ -123,13 +117,20 @@ class WordTags(Extension):
         return [nodes.If(nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno), shown]
 
 
-def refuse_typed(source: str) -> None:
-    """Refuse a number that is typed into the words of a template, where a measured one belongs."""
+def refuse_numbers(source: str) -> None:
+    """Refuse numbers that are typed where measured ones belong, and bounds that rounding could move past theirs."""
     words = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
     if found := TYPED.search(words):
         line = words.count("\n", 0, found.start()) + 1
         number = " ".join(found[0].split())
         raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
+    for bound, ends in BOUNDS.items():
+        spaced = bound.replace(" ", r"\s+")
+        bounded = rf"\b(?:{spaced})\s+(?:a factor of\s+)?\{{\{{\s*(.*?)\s*\}}\}}"
+        for found in re.finditer(bounded, source, re.IGNORECASE):
+            if not found[1].endswith(ends):
+                line = source.count("\n", 0, found.start()) + 1
+                raise TemplateSyntaxError(f"{' '.join(found[0].split())} takes {' or '.join(ends)}", line)
 
 
 def with_formulas(source: str) -> str:
@@ -150,16 +151,6 @@ def with_formulas(source: str) -> str:
         return f"<span>{formula}</span>"
 
     return FORMULA.sub(written, source)
-
-
-def refuse_unrounded(source: str) -> None:
-    """Refuse a number that words bound and that could be rounded to their wrong side."""
-    for words, ends in BOUNDS.items():
-        words = words.replace(" ", r"\s+")
-        for found in re.finditer(rf"\b(?:{words})\s+(?:a factor of\s+)?\{{\{{\s*(.*?)\s*\}}\}}", source, re.IGNORECASE):
-            if not found[1].endswith(ends):
-                line = source.count("\n", 0, found.start()) + 1
-                raise TemplateSyntaxError(f"{' '.join(found[0].split())} takes {' or '.join(ends)}", line)
 
 
 def token(printed: list[Any], thing: Any) -> Markup:

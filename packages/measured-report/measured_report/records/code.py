@@ -7,37 +7,34 @@ the place of these. So it stays the same when it, or what it names, moves to ano
 import ast
 import hashlib
 import sys
+from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cache
+from functools import cache, partial
 from itertools import accumulate
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from measured_report.files import root
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
-from measured_report.files.root import ROOT
 from measured_report.records import syntax
 from measured_report.records.syntax import EFFECTS, Definition, Definitions, Reader, Source, digest_of
 
-CARRIED = "measured_report"
-"""The package that carries calls to where they are made: nothing of it changes what they return."""
-ROUNDS = 3
-"""So many steps from a definition what its names mean counts for its digest; what lies farther counts by itself."""
+CARRIED = "measured_report"  # the package that carries calls, and changes nothing of what they return
+ROUNDS = 3  # so many steps from a definition what its names mean is part of its digest
 Node = tuple[str, str]
 
-_known: dict[str, Any] = {}
-"""What was read of modules, by the digest of that and of their names and texts: every section imports the same few."""
+_known: defaultdict[Path, dict[str, Any]] = defaultdict(dict)  # what was read of modules, by report and digest
 SOURCES = "sources"
 
 
 class Files:
-    """Looks at each source, graph of sources and installed package once."""
-
     def __init__(self) -> None:
-        self.source, self.graph = cache(read_source), cache(Graph)
-        self.versions: dict[str, str] = {}
+        self.source, self.graph = cache(partial(_read, "source")), cache(Graph)
+        self.versions: dict[str, str] = {}  # of installed packages
+        self.root = root.ROOT
 
 
 _files: ContextVar[Files | None] = ContextVar("files", default=None)
@@ -54,22 +51,24 @@ def unchanged_files() -> Iterator[None]:
 
 
 def files() -> Files:
-    return _files.get() or Files()
+    known = _files.get()
+    return known if known and known.root == root.ROOT else Files()  # another report has other packages
 
 
 @contextmanager
-def cached_sources(root: Path = ROOT) -> Iterator[None]:
+def cached_sources(folder: Path) -> Iterator[None]:
     """Know what sources say from the processes before, since parsing all of them takes a second."""
-    kept = Cache(root)
+    kept = Cache(folder)
     made_by = sys.version, hashlib.sha256(Path(syntax.__file__).read_bytes()).hexdigest()
-    _known.update(kept.get(SOURCES, made_by) or {})
-    before = len(_known)
+    known = _known[root.ROOT]
+    known.update(kept.get(SOURCES, made_by) or {})
+    before = len(known)
     try:
         yield
     finally:
-        if len(_known) > before:
+        if len(known) > before:
             # The newest: those of texts that are no more need not be kept for ever.
-            kept.put(SOURCES, made_by, dict(list(_known.items())[-1000:]))
+            kept.put(SOURCES, made_by, dict(list(known.items())[-1000:]))
 
 
 HERE = str(Path(__file__).resolve().parents[2])
@@ -88,7 +87,7 @@ class Graph:
         return path[max(len(root) for root in self.roots if path.startswith(f"{root}/")) + 1 :]
 
     def source(self, path: str) -> Source:
-        return read_source(Path(path), self.name_of(path))
+        return _read("source", Path(path), self.name_of(path))
 
     def defined(self, path: str) -> Definitions:
         return _read("definitions", Path(path), self.name_of(path))
@@ -155,10 +154,8 @@ class Graph:
     def digest(self, node: Node, rounds: int = ROUNDS) -> str:
         """Digest what defines a name, and what the names in it mean."""
         trees = [each.tree for each in self.definitions(node)]
-        meanings = [
-            meaning if isinstance(meaning, str) else [self.digest(each, rounds - 1) for each in meaning]
-            for meaning in (self.meanings(node) if rounds else ())
-        ]
+        meant = self.meanings(node) if rounds else []
+        meanings = [each if isinstance(each, str) else [self.digest(one, rounds - 1) for one in each] for each in meant]
         return digest_of([trees, meanings])
 
     def meanings(self, node: Node) -> list[list[Node] | str]:
@@ -190,22 +187,18 @@ class Graph:
 
 def roots_of(root: Path) -> tuple[str, ...]:
     """Name the folders that a project's modules are below: its own, its packages', and those of this program."""
-    folders = [root, *sorted((root / "packages").glob("*")), HERE]
-    return tuple(dict.fromkeys(map(str, folders)))
-
-
-def read_source(path: Path, name: str) -> Source:
-    """Read the module at ``path``; ReportError, with its ``name``, where it can't be read."""
-    return _read("source", path, name)
+    return tuple(dict.fromkeys(map(str, [root, *sorted((root / "packages").glob("*")), HERE])))
 
 
 def _read(what: str, path: Path, name: str) -> Any:
+    """Read ``source`` or ``definitions`` of a module; ReportError, with its ``name``, where it can't be read."""
     try:
         text = path.read_bytes()
         key = hashlib.sha256(f"{what}\0{name}\0".encode() + text).hexdigest()
-        if key not in _known:
+        known = _known[root.ROOT]
+        if key not in known:
             reader = Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1])
-            _known[key] = getattr(reader, what)()
-        return _known[key]
+            known[key] = getattr(reader, what)()
+        return known[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None

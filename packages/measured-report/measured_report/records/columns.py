@@ -8,27 +8,21 @@ from importlib import import_module
 from itertools import chain
 from typing import Any, TypeGuard
 
-from measured_report.files.config import Told, config
+from measured_report.files.config import Told, cached_in_report, config
 from measured_report.files.errors import UNPRINTABLE
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
 _OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "bytes_per_world": "B", "count": "1"}
-UNITS = _LENGTHS | _TIMES | _OTHERS | dict(config().units)
-"""Unit by the end of a column's name; the longest end that fits counts."""
-
 SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|min|h|°C?|%|1|dB)[²³]?")
 """A unit that nobody declares; several make one with ``/`` and ``·``. Numbers are never converted, so this is all."""
-PLAIN = "1"
-"""The unit of a number whose column names none."""
+PLAIN = "1"  # the unit of a number whose column names none
 LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
-NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
-"""Units of numbers that have no sign."""
+NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}  # units of numbers that have no sign
 PERCENTILE = re.compile(r"_p[0-9]+$")
 REASON = "_reason"
-UNBELIEVED = "the measurement gave "
-"""How the reason begins of a number that was measured and that no record may hold, such as one that is not finite."""
+UNBELIEVED = "the measurement gave "  # begins the reason of a number that no record may hold, as one that is not finite
 TEXT_LIMIT = 4096
 
 
@@ -37,11 +31,9 @@ class Column(Told):
     """Describes a column; what ``report.toml`` says of it is told there."""
 
     name: str
-    unit: str
-    """``1`` where the name says none."""
-    least: float
+    unit: str  # `1` where the name says none
+    least: float  # of the numbers that are believed, as the next
     largest: float
-    """The range of the numbers that are believed."""
     kinds: frozenset[str]
 
     @cached_property
@@ -52,7 +44,7 @@ class Column(Told):
     @property
     def words(self) -> str:
         """Write its name in words, without the unit."""
-        ends = [end for end, unit in UNITS.items() if unit == self.unit != PLAIN and self.name.endswith(f"_{end}")]
+        ends = [end for end, unit in units().items() if unit == self.unit != PLAIN and self.name.endswith(f"_{end}")]
         return self.name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
 
     @cached_property
@@ -61,13 +53,18 @@ class Column(Told):
         return self.is_setting or "given" in self.kinds
 
 
-@cache
+@cached_in_report
+def units() -> Mapping[str, str]:
+    """Return the unit by the end of a column's name; the longest end that fits counts."""
+    return _LENGTHS | _TIMES | _OTHERS | dict(config().units)
+
+
+@cached_in_report
 def column_of(name: str) -> Column:
-    """Tell what is known of the column of that name."""
     found = [each for each in config().columns if name in each.names or re.fullmatch(each.pattern, name)]
     words = PERCENTILE.sub("", name).split("_")
     ends = ("_".join(words[start:]) for start in range(len(words)))
-    unit = next((UNITS[end] for end in ends if end in UNITS), PLAIN)
+    unit = next((units()[end] for end in ends if end in units()), PLAIN)
     largest = LARGEST.get(unit, 1e18)
     signed = next((each.signed for each in found if each.signed is not None), unit not in NEVER_NEGATIVE)
     kinds = {each.kind for each in found if each.kind} | ({"parameter"} if name in parameters() else set())
@@ -77,7 +74,7 @@ def column_of(name: str) -> Column:
     return Column(name=name, unit=unit, least=least, largest=largest, kinds=frozenset(kinds), **said)
 
 
-@cache
+@cached_in_report
 def parameters() -> Mapping[str, Any]:
     """Return the parameters of a case and their defaults, ``MISSING`` for one that has none."""
     module, _, name = config().case.partition(":")
@@ -86,7 +83,7 @@ def parameters() -> Mapping[str, Any]:
 
 def is_unit(text: str) -> bool:
     """Tell whether a text is a unit: one of a column's, or made of symbols."""
-    return text in UNITS.values() or all(map(SYMBOL.fullmatch, re.split("[/·]", text)))
+    return text in units().values() or all(map(SYMBOL.fullmatch, re.split("[/·]", text)))
 
 
 def unlike(units: Iterable[str]) -> list[str]:
@@ -101,8 +98,7 @@ def unlike(units: Iterable[str]) -> list[str]:
 
 def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameters of a row's case that differ from their defaults."""
-    default = parameters()
-    return {name: cell for name, cell in row.items() if default.get(name, MISSING) not in (MISSING, cell)}
+    return {name: cell for name, cell in row.items() if parameters().get(name, MISSING) not in (MISSING, cell)}
 
 
 def number_of(column: str, row: Mapping[str, Any]) -> Any:

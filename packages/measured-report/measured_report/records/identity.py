@@ -13,9 +13,8 @@ from urllib.parse import unquote, urlparse
 
 from msgspec import Meta
 
-from measured_report.files.config import config
+from measured_report.files.config import config, report
 from measured_report.files.errors import UsageError
-from measured_report.files.root import ROOT
 from measured_report.records.code import digest_of, files, roots_of
 
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
@@ -29,31 +28,26 @@ class Identity:
     """Holds digests of all that a measurement depends on, except the machine."""
 
     code: Digest
-    config: Digest
-    """Digest of the profile and of the assets that these name."""
+    config: Digest  # digest of the profile and of the assets that these name
     packages: Mapping[str, Version]
     profile: Profile = "full"
     files: Mapping[FileName, Digest] = field(default_factory=dict)
     """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
 
 
-def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
+def identity_of(section: str, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Identity:
     """Return the identity that a section's ``measure`` has now, with ``packages`` or else those installed here."""
     return identity_at(f"experiments.{section}.measure", profile, root, packages)
 
 
-def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
+def identity_at(name: str, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Identity:
     """Return the identity of what has a dotted name, or of all that a module of that name has."""
     digest, code, named = files().graph(roots_of(root)).told(name)
     there = (asset for asset in named if (root / asset).is_file())
     assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in there}
-    return Identity(
-        code=digest,
-        config=digest_of([profile, sorted(assets.values())]),
-        packages=package_versions() if packages is None else packages,
-        profile=profile,
-        files=dict(sorted({**code, **assets}.items())),
-    )
+    named_digest = digest_of([profile, sorted(assets.values())])
+    versions = package_versions() if packages is None else packages
+    return Identity(digest, named_digest, versions, profile, dict(sorted({**code, **assets}.items())))
 
 
 def changes(recorded: Identity, current: Identity) -> list[str]:
@@ -72,16 +66,14 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
     return words + [f"packages: {change}" for change in package_changes(recorded.packages, current.packages)]
 
 
-def sections(root: Path = ROOT) -> list[str]:
+def sections(root: Path | None = None) -> list[str]:
     """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
-    folder = root / "report" / "sections"
+    folder = (root or report().root) / "report" / "sections"
     found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
     return sorted(name for name in found if not name.startswith(("_", ".")))
 
 
-SHORT_COMMIT = 7
-EDITED = ".edited"
-MISSING = "missing"
+SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"
 
 
 def package_versions() -> dict[str, str]:

@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
 from datetime import datetime
+from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -15,14 +16,22 @@ from msgspec import Meta, Struct
 from measured_report.files.atomic import RecordError, put_record, read_own_file, short_path
 from measured_report.files.config import config
 from measured_report.files.errors import UNPRINTABLE
-from measured_report.records.columns import PLAIN, REASON, column_of, columns_of, number_problem, text_problem, units_of
+from measured_report.records.columns import (
+    PLAIN,
+    REASON,
+    column_of,
+    columns_of,
+    is_number,
+    number_problem,
+    text_problem,
+    units_of,
+)
 from measured_report.records.identity import MISSING, Digest, Identity
 
 SCHEMA = 1
 BYTE_LIMIT = 32 << 20
 CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
-DIGITS = ".9g"
-"""Digits of a number: as many as tell any two of single precision apart, far below what any of these repeats to."""
+DIGITS = ".9g"  # as many digits as tell any two numbers of single precision apart
 Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
 Key = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_.+-]{1,200}\Z")]
 Name = Annotated[str, Meta(pattern=r"\A[a-z][a-z0-9_]{0,79}\Z")]
@@ -82,23 +91,19 @@ class Record:
 
     section: Line
     identity: Identity
-    machine: Mapping[Key, Noted]
-    """``device`` (cuda or cpu), ``gpu``, ``driver``, ``cpu``, ``python``; None where there is none."""
-    measured: Mapping[Key, Noted]
-    """``date``, ``commit``, ``command`` and ``seconds``."""
+    machine: Mapping[Key, Noted]  # `device` (cuda or cpu), `gpu`, `driver`, `cpu`, `python`; None where there is none
+    measured: Mapping[Key, Noted]  # `date`, `commit`, `command` and `seconds`
     units: Mapping[Name, Line]
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
     traces: Mapping[Case, Seal] = field(default_factory=dict)
 
     @property
     def processor(self) -> str:
-        """Name what the numbers were measured on."""
         device = "gpu" if self.machine.get("device") == "cuda" else "cpu"
         return self.machine.get(device) or device.upper()
 
     @property
     def machine_text(self) -> str:
-        """Name the processor, and the driver that it runs with."""
         return self.processor + (f" (driver {self.machine['driver']})" if self.machine.get("driver") else "")
 
     @property
@@ -113,14 +118,21 @@ class Record:
         """Return what must be the same for two times to be compared."""
         return tuple(map(self.machine.get, ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")))
 
+    @cached_property
+    def number_count(self) -> int:
+        return sum(is_number(cell) for row in self.rows for cell in row.values())
+
+    @property
+    def card(self) -> str:
+        """Name the one card, or else the host, that it was measured on, as far as its record tells."""
+        return str(self.machine.get("gpu_uuid") or (self.machine.get("host"), self.processor))
+
     @property
     def time(self) -> datetime:
-        """Return when it was measured."""
         return datetime.fromisoformat(self.measured["date"])
 
     @property
     def time_text(self) -> str:
-        """Say when it was measured, to the minute."""
         return self.time.strftime("%Y-%m-%d %H:%M %Z")
 
     @property
@@ -136,7 +148,6 @@ def trace_path(record: Path, case: str) -> Path:
 
 
 def traces_of(path: Path, record: Record) -> list[Path]:
-    """Name the traces that belong to the record at ``path``."""
     return [trace_path(path, case) for case in record.traces]
 
 
@@ -157,14 +168,13 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
 
 
 def record_text(record: Record) -> str:
-    rows = [
-        {column: float(f"{value:{DIGITS}}") if isinstance(value, float) else value for column, value in row.items()}
-        for row in record.rows
-    ]
     data = {"schema": SCHEMA, **asdict(replace(record, rows=[]))}  # which would copy every cell
     del data["rows"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
-    lines = [json.dumps(row, ensure_ascii=False, allow_nan=False, separators=(",", ":")) for row in rows]
+    lines = []
+    for row in record.rows:
+        rounded = {name: float(f"{cell:{DIGITS}}") if isinstance(cell, float) else cell for name, cell in row.items()}
+        lines.append(json.dumps(rounded, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
     return head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n"
 
 

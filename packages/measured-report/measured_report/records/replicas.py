@@ -10,15 +10,11 @@ from hashlib import sha256
 from pathlib import Path
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path, sums
-from measured_report.records.columns import is_number
 from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
 
-FOLDER = "replicas"
-"""Beside the records of the edition that was measured again."""
-SUMS = "SHA256SUMS"
-"""The file in it that seals all others."""
-WHOLE = 0.9
-"""Chosen: so large a share of the numbers is there again; runs at an edge may be lost."""
+FOLDER = "replicas"  # beside the records of the edition that was measured again
+SUMS = "SHA256SUMS"  # the file in it that seals all others
+WHOLE = 0.9  # chosen: so large a share of the numbers is there again; runs at an edge may be lost
 Records = Mapping[str, Record]
 
 
@@ -69,11 +65,10 @@ def unlike(tracked: Record, other: Record) -> str:
     """Say what keeps a record from being a replica of the tracked one; empty where nothing does."""
     if tracked.identity.packages != other.identity.packages:
         return "other packages"
-    same = tracked.identity, other.identity
-    if len({(each.code, each.config, each.profile) for each in same}) > 1:
+    if len({(each.code, each.config, each.profile) for each in (tracked.identity, other.identity)}) > 1:
         return "other code"
-    counts = [sum(is_number(cell) for row in each.rows for cell in row.values()) for each in (tracked, other)]
-    return "" if counts[1] >= WHOLE * counts[0] else "not all of it could be measured there"
+    is_whole = other.number_count >= WHOLE * tracked.number_count
+    return "" if is_whole else "not all of it could be measured there"
 
 
 def is_copy(one: Record, other: Record) -> bool:

@@ -9,19 +9,16 @@ from dataclasses import dataclass, field
 from itertools import chain
 from typing import Any, TypeGuard
 
-ASSETS = ("assets/", "experiments/")
-"""Where files lie that a program reads or starts by their path."""
+ASSETS = ("assets/", "experiments/")  # where files lie that a program reads or starts by their path
 GAP = "·"
-EFFECTS = ""
-"""The name under which is kept what a module does besides defining names."""
+EFFECTS = ""  # the name under which is kept what a module does besides defining names
 
 
 @dataclass(frozen=True)
 class Definition:
     """Holds one statement that defines a name."""
 
-    tree: str
-    """Digest of its syntax tree, with a gap in the place of each name that is not its own."""
+    tree: str  # digest of its syntax tree, with a gap in the place of each name that is not its own
     names: tuple[str, ...]
     """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.height_mm``."""
     imports: Mapping[str, str]
@@ -34,11 +31,9 @@ class Source:
     """Holds what the text of one module says, as far as it matters here."""
 
     digest: str
-    modules: tuple[str, ...]
-    """Names that it imports, anywhere in it, of which some are modules of this project."""
+    modules: tuple[str, ...]  # names that it imports, anywhere in it, of which some are modules of this project
     assets: tuple[str, ...]
-    top: Mapping[str, Any]
-    """By name, at its top level: the plain constants, and how many parameters a function has."""
+    top: Mapping[str, Any]  # by name, at its top level: the plain constants, and how many parameters a function has
     imports: Mapping[str, str]
 
 
@@ -171,12 +166,10 @@ SAID = {"print", "warnings.warn", "tqdm.tqdm.write", "tqdm.auto.tqdm.write"}
 LEVELS = ("debug", "info", "warning", "error", "exception", "critical")
 SAID |= {f"{logger}.{level}" for logger in ("logging", "logger") for level in LEVELS}
 """Functions whose texts are only printed."""
-BARS = {"tqdm.tqdm", "tqdm.auto.tqdm"}
-"""Progress bars: what they go through counts, and not how they show it."""
+BARS = {"tqdm.tqdm", "tqdm.auto.tqdm"}  # progress bars: what they go through counts, and not how they show it
 PARSERS = {"ArgumentParser", "add_argument", "add_parser", "add_subparsers"}
 HELP = {"help", "metavar", "description", "epilog", "usage", "prog"}
-NOTHING = ("nothing",)
-"""Stands for a statement that only prints texts."""
+NOTHING = ("nothing",)  # stands for a statement that only prints texts
 
 
 @dataclass(frozen=True)
@@ -184,8 +177,7 @@ class Scope:
     """Holds names as they are bound around a place."""
 
     local: Mapping[str, int] = field(default_factory=dict)
-    attributes: Collection[str] = ()
-    """Names that the class binds whose body this is."""
+    attributes: Collection[str] = ()  # names that the class binds whose body this is
 
 
 class Canonical:
@@ -208,7 +200,11 @@ class Canonical:
         """Make tuples of a statement at the top of its module; the names that it defines do not count."""
         self._own = frozenset(_bound(node))
         nodes = list(ast.walk(node))
-        self._locals_count, self._names_count = any(map(_reads_locals, nodes)), any(map(_reads_a_name, nodes))
+        self._locals_count = any(map(_reads_locals, nodes))
+        asked = ("__name__", "__qualname__")  # what a definition is called, which then counts
+        self._names_count = any(
+            _chain(each) for each in nodes if isinstance(each, ast.Attribute) and each.attr in asked
+        )
         return self.plain(node, Scope())
 
     def plain(self, node: Any, scope: Scope) -> Any:
@@ -220,11 +216,8 @@ class Canonical:
         return getattr(self, f"visit_{type(node).__name__}", self._fields)(node, scope)
 
     def _fields(self, node: ast.AST, scope: Scope, **instead: Any) -> Any:
-        fields = [
-            (name, instead[name] if name in instead else self.plain(value, scope))
-            for name, value in ast.iter_fields(node)
-            if name != "kind"
-        ]
+        there = ((name, value) for name, value in ast.iter_fields(node) if name != "kind")
+        fields = [(name, instead[name] if name in instead else self.plain(value, scope)) for name, value in there]
         return type(node).__name__, *(pair for pair in fields if pair[1] not in ("None", ()))
 
     def visit_Name(self, node: ast.Name, scope: Scope) -> Any:
@@ -371,11 +364,6 @@ def _reads_locals(node: ast.AST) -> bool:
     if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
         return False
     return node.func.id in ("locals", "eval", "exec") or (node.func.id in ("vars", "dir") and not node.args)
-
-
-def _reads_a_name(node: ast.AST) -> bool:
-    """Tell whether a node asks what a definition is called, which then counts."""
-    return isinstance(node, ast.Attribute) and node.attr in ("__name__", "__qualname__") and bool(_chain(node))
 
 
 def _named_assets(nodes: Iterable[ast.AST]) -> Iterator[str]:

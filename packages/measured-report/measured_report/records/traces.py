@@ -22,8 +22,7 @@ if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fres
 HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
 UNPACKED_LIMIT = 64 << 20
 COLUMN_LIMIT = 1_000
-CELL_LIMIT = 8_000_000
-"""More would take gigabytes to look at; the longest trace that was kept has some tens of thousands."""
+CELL_LIMIT = 8_000_000  # more would take gigabytes to look at; traces that were kept have some tens of thousands
 NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
 

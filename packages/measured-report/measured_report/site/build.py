@@ -11,22 +11,19 @@ from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import digests_below, replace, staging_folder, sums
 from measured_report.files.cache import Cache
-from measured_report.files.config import FILE
+from measured_report.files.config import FILE, report
 from measured_report.files.errors import ReportError
-from measured_report.files.root import ROOT
-from measured_report.pages.cache import DerivedCache, installed
-from measured_report.pages.editions import editions_of
+from measured_report.findings.cache import DerivedCache, installed
+from measured_report.pages.editions import worded_editions
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest, package_versions
 from measured_report.records.record import BYTE_LIMIT
+from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site, citation
-from measured_report.site.publish import SUMS
 
-OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
-"""Files that the site is made from, besides the folders."""
-WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
-"""Packages that have a part in it, besides those that decide what is drawn."""
+OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)  # files that the site is made from, besides the folders
+WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")  # which have a part in it, besides those that draw
 BUILT = "site"  # what is kept of the last build
 
 
@@ -42,7 +39,7 @@ class Built:
 def build(project: Project, address: str = "") -> dict[str, Built]:
     """Write the site, which may be known to lie at ``address``, whole or not at all; say what it lacks, by release."""
     cache = Cache(project.root)
-    with staging_folder(project.site) as fresh:
+    with project.report, staging_folder(project.site) as fresh:
         digest, there = inputs_digest(project, address), digests_below(project.site)
         if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
             elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
@@ -51,27 +48,24 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             return kept
         with cached_sources(project.root), unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates)
-            editions = editions_of(project, templates, derived)
+            editions = worded_editions(project, templates, derived)
             refuse_unknown_names(editions, editions.get(project.own_release or project.release))
-            site = Site(fresh, project.release, editions, templates, address, citation(), derived)
-            site.write()
+            Site(fresh, project.release, editions, templates, address, citation(), derived).write()
             (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
         replace(project.site, fresh)
-        built = {
-            release: Built(
-                [name for name, chapter in edition.chapters.items() if chapter.state.notes],
-                [*edition.left_out, *edition.plugins.left_out],
-                blind_spots(edition) if edition.project.is_own else (),
-            )
-            for release, edition in editions.items()
-        }
+        built = {}
+        for release, edition in editions.items():
+            stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
+            notes = blind_spots(edition) if edition.project.is_own else ()
+            built[release] = Built(stale, [*edition.left_out, *edition.plugins.left_out], notes)
         cache.put(BUILT, (digest, digests_below(project.site)), built)
     return built
 
 
 def inputs_digest(project: Project, address: str = "") -> str:
     """Digest all that the pages are made from."""
-    roots = {LAYOUT.parent: ["."], ROOT: INPUTS[:-1], project.root: INPUTS}  # often the same, but for the results
+    # The last two are often the same, but for the results.
+    roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
@@ -83,9 +77,5 @@ def inputs_digest(project: Project, address: str = "") -> str:
 
 def _inputs(root: Path, folders: Sequence[str]) -> list[Path]:
     below = (path for folder in folders for path in (root / folder).rglob("*") if "__pycache__" not in path.parts)
-    # Larger ones are refused by their readers.
-    return [
-        path
-        for path in (*map(root.joinpath, OTHER_INPUTS), *below)
-        if path.is_file() and path.stat().st_size <= BYTE_LIMIT
-    ]
+    there = (path for path in (*map(root.joinpath, OTHER_INPUTS), *below) if path.is_file())
+    return [path for path in there if path.stat().st_size <= BYTE_LIMIT]  # larger ones are refused by their readers

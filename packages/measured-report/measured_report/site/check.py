@@ -9,8 +9,7 @@ from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import SCRIPT, Data, PageReader, check_numbers
 
-SCHEMES = {"", "http", "https", "mailto"}
-"""Beginnings of links: a page may lead anywhere, but nothing that it leads to may run in it."""
+SCHEMES = {"", "http", "https", "mailto"}  # a page may lead anywhere, but nothing that it leads to may run in it
 BLANK = re.compile("[\x00-\x20\x7f-\x9f]")
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
@@ -28,18 +27,21 @@ def _problems_of(site: Path) -> list[str]:
     problems = []
     files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])  # drawings are parts of pages
     pages = {path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in files}
-    data = Data(site / "data")
+    data, scripts = Data(site / "data"), plugins().scripts()
     for path, page in pages.items():
-        found = [*check_self_contained(page), *_check_links(page, path, pages, site)]
+        found = [f"<{tag}> runs a script" for tag in page.scripts]
+        found += ["a script runs that is not the project's own" for text in page.inline if text not in scripts]
+        found += [f"{address} is fetched from elsewhere" for address in page.fetched if _is_elsewhere(address)]
+        found += ["a style fetches something"] if FETCHING_STYLE.search(page.styles) else []
+        found += _check_links(page, path, pages, site)
         unsaid = (claim["data-claim"] for claim in page.claims if claim.get("data-outcome") not in OUTCOMES)
         found += [f"the claim {name} has no outcome" for name in unsaid]
         found += check_numbers(page, data)
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
     for folder in {path.parent for path in pages if path.suffix == ".html"}:
-        claims = [claim for path, page in pages.items() if path.parent == folder for claim in page.claims]
-        if not claims:
+        if not any(page.claims for path, page in pages.items() if path.parent == folder):
             problems.append(f"{folder.relative_to(site.resolve()) / 'index.html'}: there is no claim on any page")
-    own = {(LAYOUT / SCRIPT).read_text(encoding="utf-8"), *plugins().scripts()}
+    own = {(LAYOUT / SCRIPT).read_text(encoding="utf-8"), *scripts}
     for path in sorted(site.rglob("*.js")):
         if path.read_text(encoding="utf-8", errors="replace") not in own:
             problems.append(f"{path.relative_to(site)} is not the project's script")
@@ -48,15 +50,6 @@ def _problems_of(site: Path) -> list[str]:
     if not (site / "index.html").is_file():
         problems.append("there is no index.html")
     return problems
-
-
-def check_self_contained(page: PageReader) -> list[str]:
-    """Say what a page runs or fetches that is not the project's, a line each."""
-    problems = [f"<{tag}> runs a script" for tag in page.scripts]
-    own = plugins().scripts()
-    problems += ["a script runs that is not the project's own" for text in page.inline if text not in own]
-    problems += [f"{address} is fetched from elsewhere" for address in page.fetched if _is_elsewhere(address)]
-    return problems + (["a style fetches something"] if FETCHING_STYLE.search(page.styles) else [])
 
 
 def _check_links(page: PageReader, path: Path, pages: Mapping[Path, PageReader], site: Path) -> list[str]:
@@ -68,11 +61,10 @@ def _check_links(page: PageReader, path: Path, pages: Mapping[Path, PageReader],
         if parts.scheme or parts.netloc:
             continue
         target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
+        fragment = unquote(parts.fragment)
         if parts.path.startswith("/") or not target.is_relative_to(site.resolve()):
             problems.append(f"{address} leaves the site")
-        elif not target.exists() or (
-            target in pages and parts.fragment and unquote(parts.fragment) not in pages[target].ids
-        ):
+        elif not target.exists() or (target in pages and fragment and fragment not in pages[target].ids):
             problems.append(f"{address} leads nowhere")
     return problems
 

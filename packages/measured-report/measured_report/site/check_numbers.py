@@ -2,7 +2,6 @@
 
 import json
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from html.parser import HTMLParser
@@ -10,26 +9,23 @@ from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import config
-from measured_report.pages.sections import labels_of
+from measured_report.findings.sections import labels_of
 from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
+from measured_report.values.evidence import Evidence, Repeated, evidence_of, repeats_of
 from measured_report.values.format import (
     format_code,
     format_least,
     format_most,
     format_number,
+    format_short,
     label_of,
     read_number,
-    spellings,
     whole,
 )
-from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import LEAST, MOST, VALUES_FILE
-from measured_report.values.scatter import Apart, apart
 
-SCRIPT = "page.js"
-"""The one script that pages run: the project's own, beside them."""
-
+SCRIPT = "page.js"  # the one script that pages run: the project's own, beside them
 FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "action", "formaction", "ping", "manifest"}
 """Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
 ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal", "set", "animate"}
@@ -43,13 +39,10 @@ class Drawn:
 
     text: str
     sources: list[str]
-    is_tick: bool = False
-    """Set at an axis, where numbers are places and not measurements."""
+    is_tick: bool = False  # set at an axis, where numbers are places and not measurements
 
 
 class PageReader(HTMLParser):
-    """Read the HTML of a page."""
-
     def __init__(self, html: str):
         super().__init__()
         self.ids: list[str] = []
@@ -75,12 +68,9 @@ class PageReader(HTMLParser):
         address = attributes.get("src", "")
         is_file = tag == "script" and address.endswith(".js") and attributes.keys() <= {"src", "defer"}
         is_active = tag in ACTIVE and not is_inline and not is_file
-        if is_active or any(name.startswith("on") or name == "srcdoc" for name in attributes):
+        leads_on = tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower()
+        if is_active or leads_on or any(name.startswith("on") or name == "srcdoc" for name in attributes):
             self.scripts.append(tag)
-        if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():
-            self.scripts.append(tag)
-        if tag == "script" and not is_inline:
-            self.fetched.append(address)
         if "id" in attributes:
             self.ids.append(attributes["id"])
         if "href" in attributes:
@@ -124,12 +114,8 @@ class PageReader(HTMLParser):
             pass
 
 
-WRITES = {"": format_number, MOST: format_most, LEAST: format_least}
-"""Writers of numbers in words, by how the page says that they are written."""
+WRITES = {"": format_number, MOST: format_most, LEAST: format_least}  # by how a page says that a number is written
 RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
-EDITION = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
-TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
-"""Numbers in drawings and in their words that are names and formulas."""
 
 
 class Data:
@@ -137,7 +123,7 @@ class Data:
 
     def __init__(self, folder: Path):
         self.folder = folder
-        self.file, self._floors, self._apart = cache(self._read), cache(self._floors_beside), cache(self._apart_in)
+        self.file, self._evidence, self._repeats = cache(self._read), cache(self._evidence_of), cache(self._repeats_in)
         self._replica = cache(read_replica)  # which is of all sections
 
     def _read(self, name: str) -> Any:
@@ -154,18 +140,21 @@ class Data:
         place, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), place)
         kept = number_of(column, row)
-        known = cell_noise(column, row, self._floors(name.rpartition("/")[0])), self._apart(name).noise(column, row)
-        return kept, max((noise for noise in known if noise is not None), default=None)
+        known = self._evidence(name).estimate(column, row)
+        return kept, known.written_noise if known else None
 
-    def _floors_beside(self, folder: str) -> Mapping[str, Floor]:
-        noise = f"{folder}/{NOISE}.json"
-        if not (self.folder / noise).is_file():
-            return {}
-        return floors_of(self.file(noise)["rows"], self.file(noise)["units"])
+    def _evidence_of(self, name: str) -> Evidence:
+        return evidence_of(measurements_beside(self.folder / name, self._replica), self._repeats(Path(name).parent))
 
-    def _apart_in(self, name: str) -> Apart:
-        records = measurements_beside(self.folder / name, self._replica)
-        return apart(records) if len(records) > 1 else Apart()
+    def _repeats_in(self, folder: Path) -> Repeated:
+        noise = folder / f"{config().noise_section}.json"
+        return repeats_of(self.file(str(noise))["rows"]) if (self.folder / noise).is_file() else {}
+
+    @cached_property
+    def typed(self) -> re.Pattern:
+        """Match numbers in drawings and in their words that are names and formulas."""
+        edition = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
+        return re.compile("|".join([*config().formulas, *edition]) or "(?!)")
 
     @cached_property
     def names(self) -> re.Pattern:
@@ -183,7 +172,11 @@ class Data:
 
 def check_numbers(page: PageReader, data: Data) -> list[str]:
     """Say what is wrong with the numbers of a page, a line each."""
-    return [*_check_written(page, data), *_check_drawn(page, data), *_check_cells(page, data)]
+    problems = [*_check_written(page, data), *_check_drawn(page, data)]
+    for cell in (cell for cell in page.cells if re.search(r"\d", cell)):
+        if number := re.search(r"\d\S*", _unnamed(cell, data)):
+            problems.append(f"the number {number[0]} leads nowhere in the cell: {cell.strip()}")
+    return problems
 
 
 def _check_written(page: PageReader, data: Data) -> list[str]:
@@ -212,7 +205,8 @@ def _check_drawn(page: PageReader, data: Data) -> list[str]:
         for source in drawn.sources:
             try:
                 value, noise = data.number(source)
-                texts = [*(write(value, noise=noise) for write in WRITES.values()), *spellings(value, noise)]
+                texts = [write(value, noise=noise) for write in WRITES.values()]
+                texts += [] if value is None or value < 0 else [format_short(value)]
             except (OSError, ValueError, LookupError, TypeError):
                 problems.append(f"{source} resolves to nothing")
                 continue
@@ -226,17 +220,8 @@ def _check_drawn(page: PageReader, data: Data) -> list[str]:
     return problems
 
 
-def _check_cells(page: PageReader, data: Data) -> list[str]:
-    left = ((cell, _unnamed(cell, data)) for cell in page.cells if re.search(r"\d", cell))
-    return [
-        f"the number {number[0]} leads nowhere in the cell: {cell.strip()}"
-        for cell, rest in left
-        if (number := re.search(r"\d\S*", rest))
-    ]
-
-
 def _unnamed(text: str, data: Data) -> str:
-    return data.names.sub("", TYPED.sub("", text))
+    return data.names.sub("", data.typed.sub("", text))
 
 
 def _resolve(data: Any, pointer: str) -> Any:

@@ -10,12 +10,12 @@ from pathlib import Path
 
 from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums
 from measured_report.files.errors import ReportError, UsageError
+from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
 DEFAULT = "git:origin"
 BRANCH = "gh-pages"
 SUBJECT = "The report, as make publish made it"
-SUMS = "SHA256SUMS"  # the file that names all others with their digests
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
@@ -85,10 +85,8 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
         raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
     if _run(["git", "check-ref-format", "--branch", branch]) != branch or branch.startswith(("@", "refs/")):
         raise UsageError(f"{branch} is no name for a branch")
-    if remote in _run([*git, "remote"]).splitlines():
-        address = _run([*git, "remote", "get-url", "--push", remote])
-    else:
-        address = remote
+    is_named = remote in _run([*git, "remote"]).splitlines()
+    address = _run([*git, "remote", "get-url", "--push", remote]) if is_named else remote
     _run(["git", "init", "--quiet", "--bare", str(aside)])
     own = site.parent / _run([*git, "rev-parse", "--git-path", "objects"])
     (aside / "objects/info/alternates").write_text(f"{own}\n", encoding="utf-8")
@@ -104,8 +102,7 @@ def _to_branch(copy: Path, place: str, site: Path) -> str:
     author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
     _run([*importing, str(copy)], GIT_DIR=str(aside), **author)
     commit = _run(["git", "-C", str(aside), "rev-parse", ref])
-    pushing = ["push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}"]
-    _run([*git, *pushing], **kept_aside)
+    _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}"], **kept_aside)
     return f"{remote}, branch {branch}"
 
 

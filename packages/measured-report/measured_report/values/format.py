@@ -6,20 +6,13 @@ from collections.abc import Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_UP, Decimal
 
 MINUS = "\u2212"
-THIN_SPACE = "\u202f"
-"""Narrow and no-break, so that a number never wraps."""
+THIN_SPACE = "\u202f"  # narrow and no-break, so that a number never wraps
 ABSENT = "n/a"
-BELOW = "<"
-"""Begins what is below its noise."""
-
-DIGITS_KNOWN, DIGITS_UNKNOWN = 3, 2
-"""The most significant digits of what is measured: with a noise, which may allow fewer, and without."""
-DIGITS_TYPED = 6
-"""The most significant digits of what was chosen; what has more was computed, and gets ``DIGITS_KNOWN``."""
-DIGITS_EXACT = 12
-"""So many significant digits of what was computed are those of its numbers."""
-PLAIN_EXPONENTS = range(-4, 7)
-"""Powers of ten that are written plainly; anything smaller or larger gets a power of ten."""
+BELOW = "<"  # begins what is below its noise
+DIGITS_KNOWN, DIGITS_UNKNOWN = 3, 2  # the most significant digits: with a noise, which may allow fewer, and without
+DIGITS_TYPED = 6  # the most significant digits of what was chosen; what has more was computed, and gets `DIGITS_KNOWN`
+DIGITS_EXACT = 12  # so many significant digits of what was computed are those of its numbers
+PLAIN_EXPONENTS = range(-4, 7)  # powers of ten that are written plainly; anything smaller or larger gets a power of ten
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
 NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"
@@ -103,12 +96,6 @@ def format_short(value: float) -> str:
     exact = Decimal(repr(float(value)))
     places = next((places for places, limit in ((2, "0.095"), (1, "9.95")) if exact < Decimal(limit)), 0)
     return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix("0" if places == 2 else "")
-
-
-def spellings(value: float | int | None, noise: float | None) -> list[str]:
-    """List the ways in which a figure may write a number."""
-    short = [] if value is None or value < 0 else [format_short(value)]
-    return [format_number(value, noise=noise), *short]
 
 
 def whole(text: str) -> re.Pattern:

@@ -1,115 +1,184 @@
-"""Noise: when two values differ at all."""
+"""Noise: how far a number may be from the truth, and whether two numbers differ, by what is known of their variances.
+
+How far is a confidence interval of the mean of all measurements; whether is a two-sample test of all measurements of
+both. Whose variance that is ``evidence.py`` says.
+"""
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from statistics import NormalDist, fmean, stdev
+from functools import cache, cached_property
+from statistics import NormalDist, median
 from typing import Any
 
-from measured_report.files.config import config
-from measured_report.records.columns import column_of
-
-NOISE = config().noise_section
-"""The section whose rows are runs of one and the same case, as ``of`` says."""
-ROUNDING_SHARE = 1e-3
-"""Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
-EDGES = ("_p5", "_p95")
-"""Ends of columns that say how far the numbers spread of which a column has the median."""
-MEDIAN = 1.25
-"""Ratio of the spreads of the median of n numbers and of their mean, which does by 1/√n of theirs: √(π/2), for many."""
-TIMES = ("s", "ms")
-PAIRS = 0.999
-"""Chosen: so many of all pairs of runs of one case differ by no more than the noise, of hundreds that are compared."""
-CONFIDENCE = 0.95
-"""Chosen: how sure that is, for a spread that was measured with as many runs."""
+SURE = 0.95
+"""Chosen: so often the truth is within a printed number's noise."""
+FALSE_SHARE = 0.01
+"""Chosen: so large a share of the changes that are told may be none."""
+PAIRS, CONFIDENCE = 0.999, 0.95
+"""Chosen: so many of all pairs of runs of one case differ by no more than the tolerance, and how sure that is."""
 LEAST_RUNS = 4
-"""With fewer their spread says too little."""
+"""With fewer their spread says too little of a tolerance."""
+OUTLIER, LEAST_FENCED = 5.0, 6
+"""Chosen: an outlier is so many deviations from the median, and of no fewer numbers."""
+NORMAL = NormalDist()
+Z = NORMAL.inv_cdf((1 + SURE) / 2)
+"""Deviations that ``SURE`` of a normal distribution is within."""
+MOST_T, SMALL_T = 1e6, 2.0
+WRITTEN_SHARE = 5e-4
+"""Chosen: no number is written to a smaller share of it, however well it is known."""
+ROUNDED_SHARE = 1e-6
+"""Chosen: no difference is smaller than this share of a number, as single precision makes of a few sums."""
 
 
-def is_beyond(noise: float, before: float, after: float) -> bool:
-    """Tell whether two values differ by more than noise, and than rounding, as another order of sums may make."""
-    return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
+@cache
+def t_quantile(share: float, freedom: float) -> float:
+    """Return Student's t that ``share`` of all lie within, by halving."""
+    z = NORMAL.inv_cdf((1 + share) / 2)
+    low, high = (z, z) if math.isinf(freedom) else (0.0, MOST_T)
+    while high - low > 1e-9 * high:
+        middle = math.sqrt(low * high) if low > 1 else (low + high) / 2
+        low, high = (middle, high) if deviations_of(middle, freedom) < z else (low, middle)
+    return high
 
 
-def tolerance(values: Sequence[float]) -> float:
+def deviations_of(t: Any, freedom: Any) -> Any:
+    """Return normal deviations as rare as Student's t with finite degrees of freedom; of arrays too.
+
+    Hill (1970), Algorithm 395, Communications of the ACM 13, 617-619; with fewer than two degrees of freedom, where it
+    is too rare, Wallace (1959), Annals of Mathematical Statistics 30, 1124-1130, who errs to the other side.
+    """
+    import numpy as np  # it takes long, and what is kept from before needs none of it
+
+    grown = np.log1p(t * t / freedom)
+    a = np.maximum(freedom, 1.0) - 0.5
+    b, y = 48 * a**2, a * grown
+    tail = (((-0.4 * y - 3.3) * y - 24) * y - 85.5) / (0.8 * y**2 + 100 + b)
+    wallace = np.sqrt(freedom * grown) * (8 * freedom + 1) / (8 * freedom + 3)
+    return np.where(freedom < 2, wallace, ((tail + y + 3) / b + 1) * np.sqrt(y))
+
+
+def chance_of(difference: float, error: float, freedom: float) -> float:
+    """Tell how often two means of one truth come out so far apart or farther, by their standard error."""
+    if not difference:
+        return 1.0
+    t = min(difference / error, MOST_T) if error else MOST_T
+    is_small = t < SMALL_T  # most are, and how small they are decides nothing
+    return math.erfc((t if is_small or math.isinf(freedom) else float(deviations_of(t, freedom))) / math.sqrt(2))
+
+
+def discoveries(chances: Sequence[float]) -> float:
+    """Return the largest chance that counts as none, by Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289."""
+    ranked = enumerate(sorted(chances), 1)
+    return max((each for rank, each in ranked if each <= FALSE_SHARE * rank / len(chances)), default=0.0)
+
+
+def fenced(numbers: Sequence[float]) -> list[float]:
+    """Return the numbers, an outlier moved to ``OUTLIER`` deviations from the median; where they are few, as they are.
+
+    A deviation is 1.4826 times the median distance from the median (Hampel 1974, J. Am. Stat. Assoc. 69, 383-393).
+    """
+    middle = median(numbers)
+    reach = OUTLIER * 1.4826 * median(abs(number - middle) for number in numbers)
+    if len(numbers) < LEAST_FENCED or not reach:
+        return list(numbers)
+    return [min(max(number, middle - reach), middle + reach) for number in numbers]
+
+
+def mean_of(numbers: Sequence[float]) -> float:
+    return math.fsum(numbers) / len(numbers)
+
+
+def variance_of(numbers: Sequence[float]) -> float:
+    """Return the variance of what these are a sample of."""
+    mean = mean_of(numbers)
+    return math.fsum((number - mean) ** 2 for number in numbers) / (len(numbers) - 1)
+
+
+def tolerance(numbers: Sequence[float]) -> float:
     """Bound how far apart two runs of one case come out: ``PAIRS`` of all pairs do by no more, with ``CONFIDENCE``.
 
     A difference of two runs scatters normally by √2 σ, and σ is at most s √(ν / χ²), by the confidence interval of a
     standard deviation (NIST/SEMATECH e-Handbook of Statistical Methods, 7.2.3.1), with χ² at ν degrees of freedom by
-    Wilson and Hilferty (1931). It is never less than the largest difference between the values themselves.
+    Wilson and Hilferty (1931). Of fewer than ``LEAST_RUNS`` it is their largest difference.
     """
-    seen = max(values) - min(values)
-    if len(values) < LEAST_RUNS or not seen:
-        return seen
-    normal, freedom = NormalDist(), len(values) - 1
+    if len(numbers) < LEAST_RUNS:
+        return max(numbers) - min(numbers)
+    freedom = len(numbers) - 1
     part = 2 / (9 * freedom)
-    chi_squared = freedom * (1 - part + normal.inv_cdf(1 - CONFIDENCE) * math.sqrt(part)) ** 3
-    deviation = stdev(values) * math.sqrt(freedom / chi_squared)
-    return max(seen, math.sqrt(2) * normal.inv_cdf((1 + PAIRS) / 2) * deviation)
+    chi_squared = freedom * (1 - part + NORMAL.inv_cdf(1 - CONFIDENCE) * math.sqrt(part)) ** 3
+    deviation = math.sqrt(variance_of(fenced(numbers)) * freedom / chi_squared)
+    return math.sqrt(2) * NORMAL.inv_cdf((1 + PAIRS) / 2) * deviation
 
 
 def binomial_noise(share: float, trials: float) -> float:
-    """Bound how far apart shares of successes of two times so many trials come out, one of them ``share``.
+    """Bound how far the share of successes of so many trials is from the truth, on the wider side: with ``SURE``.
 
-    Either is off by no more than its interval is wide on the wider side, and both are independent, as in Newcombe
-    (1998), Statistics in Medicine 17, 873-890, method 10. The interval is Wilson's (1927), Journal of the American
-    Statistical Association 22, 209-212, with ``CONFIDENCE``.
+    The interval is Wilson's (1927), Journal of the American Statistical Association 22, 209-212.
     """
-    z2 = NormalDist().inv_cdf((1 + CONFIDENCE) / 2) ** 2
-    middle = (share + z2 / (2 * trials)) / (1 + z2 / trials)
-    half = math.sqrt(z2 * (share * (1 - share) / trials + z2 / (4 * trials**2))) / (1 + z2 / trials)
-    return math.sqrt(2) * (abs(share - middle) + half)
+    middle = (share + Z**2 / (2 * trials)) / (1 + Z**2 / trials)
+    half = Z * math.sqrt(share * (1 - share) / trials + Z**2 / (4 * trials**2)) / (1 + Z**2 / trials)
+    return abs(share - middle) + half
 
 
 @dataclass(frozen=True)
-class Floor:
-    """Bounds how far apart runs of one case come out in one column."""
+class Estimate:
+    """Tells what is known of a number by all that was measured of it."""
 
-    spread: float
-    magnitude: float
-    """The largest mean of such runs; larger values are taken to be noisier in proportion."""
-    length: float = 0.0
-    """Length of the longest of them, in the column that it grows with; 0 where it does not."""
+    value: float | int
+    """The mean of its measurements; where they agree, what they say."""
+    variance: float = 0.0
+    """Of one measurement."""
+    freedom: float = math.inf
+    """Degrees of freedom of the variance."""
+    count: float = 1.0
+    """Measurements that the value is the mean of."""
+    least: float = 0.0
+    """The least that it may be off, as by rounding."""
+    samples: Sequence[float | None] = ()
+    """The number in each measurement of the edition, None where it was not measured; empty where it is exact."""
+    is_of_cards: bool = False
+    """Set where the variance has the part that cards of one kind have."""
+    is_edge: bool = False
+    """Set where chance decides in which of two ways it ends."""
 
-    def at(self, *values: float, length: float | None = None) -> float:
-        """Return the noise of such values, of a run of that length."""
-        scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
-        longer = (length or 0.0) / self.length if self.length else 1.0
-        return self.spread * max(1.0, scale, longer)
+    @property
+    def note(self) -> str:
+        """Say what it is the mean of; nothing where it was measured once."""
+        there = [sample for sample in self.samples if sample is not None]
+        if len(there) < 2:
+            return ""
+        least, largest = min(there), max(there)
+        several = f"{len(there)} measurements from {least:.6g} to {largest:.6g}"
+        return (
+            f"at an edge, where chance decides: {several}" if self.is_edge else "mean of " * (least < largest) + several
+        )
+
+    @property
+    def is_again(self) -> bool:
+        """Tell whether it was measured more than once."""
+        return sum(sample is not None for sample in self.samples) > 1
+
+    @cached_property
+    def noise(self) -> float:
+        """Bound how far the truth may be from the value: ``SURE``, by Student's t of the mean."""
+        error = math.sqrt(self.variance / self.count)
+        return max(t_quantile(SURE, self.freedom) * error, self.least) if error else self.least
+
+    @property
+    def written_noise(self) -> float:
+        """Return the noise that sets the digits of the number; 0 for one that is exact."""
+        return max(self.noise, WRITTEN_SHARE * abs(self.value)) if self.noise else 0.0
 
 
-def is_lost(row: Mapping[str, Any]) -> bool:
-    """Tell whether the run of a row was lost, which makes its numbers chance."""
-    return any(row[name] for name in row if "loss" in column_of(name).kinds)
+def welch(a: Estimate, b: Estimate) -> tuple[float, float]:
+    """Return the standard error of the difference of two means, and its degrees of freedom.
 
-
-def is_repeated(column: str, row: Mapping[str, Any]) -> bool:
-    """Tell whether an engine repeats this number of a row to the last bit."""
-    told = any(row.get(name) in said for name, said in config().repeating.items())
-    return told and column_of(column).unit not in TIMES
-
-
-def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
-    """Return the noise of a number in ``row``, in its unit; None where nobody measured it."""
-    value, about = row[column], column_of(column)
-    timed = about.rate_of or column
-    if value is None:
-        return None
-    if trials := row.get(about.trials):
-        count = trials if column.endswith("_count") else 1
-        return binomial_noise(value / count, trials) * count
-    if about.is_exact or isinstance(value, int):
-        return 0.0
-    if seen := row.get(about.known_within):
-        return abs(seen * value)
-    low, high = (row.get(timed + edge) for edge in EDGES)
-    if low is not None and high is not None and row.get(timed):
-        share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
-        return abs(share * value)
-    if column not in floors:
-        return ROUNDING_SHARE * abs(value) if is_repeated(column, row) else None
-    found = max(floors[column].at(value, length=row.get(about.grows_with)), about.resolution)
-    return found or (None if about.unit in TIMES else ROUNDING_SHARE * abs(value))  # what repeats to the last bit
+    Welch (1947), Biometrika 34, 28-35, for variances that need not be the same.
+    """
+    parts = [each.variance / each.count for each in (a, b)]
+    parts_squared = sum(part**2 / each.freedom for part, each in zip(parts, (a, b), strict=True))
+    return math.sqrt(sum(parts)), sum(parts) ** 2 / parts_squared if parts_squared else math.inf
 
 
 def derived_noise(
@@ -117,41 +186,22 @@ def derived_noise(
 ) -> float | None:
     """Return the noise of ``function``, each source changed by its noise; None where one has none.
 
-    Each of two runs is off by 1/√2 of the noise, and what is off independently adds in squares: a difference of two has
-    the noise of one, a mean of many less. It never has less than its noisiest source gives it, nor more than all of
-    them together can: the largest of many has the noise of one. What was chosen has a noise of 0.
+    What is off independently adds in squares, as in the Guide to the Expression of Uncertainty in Measurement (JCGM
+    100:2008), 5.1.2, with differences for derivatives. What was chosen has a noise of 0.
     """
     if None in noises:
         return None
-    middle, farthest = function(*values), list(values)
-    changes = []
+    middle, changes = function(*values), []
     for place, noise in enumerate(noises):
         if noise:
-            ways = [values[place] + noise, values[place] - noise]
-            moves = [function(*values[:place], way, *values[place + 1 :]) - middle for way in ways]
-            changes.append(max(map(abs, moves)))
-            farthest[place] = ways[moves.index(max(moves))]
-    together = abs(function(*farthest) - middle)
-    return max(max(changes, default=0.0), min(math.hypot(*changes) / math.sqrt(2.0), together))
+            ways = (values[place] + noise, values[place] - noise)
+            ends = [function(*values[:place], way, *values[place + 1 :]) for way in ways]
+            changes.append(max(abs(end - middle) for end in ends))
+    return math.hypot(*changes)
 
 
-def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[str, Floor]:
-    """Measure the noise of the columns ``units`` of one record of the section on noise."""
-    runs, floors = runs_of(rows), {}
-    for column in units:
-        lengths = [row.get(column_of(column).grows_with) or 0.0 for rows in runs.values() for row in rows]
-        cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
-        cells = [cell for cell in cells if len(cell) > 1]
-        if cells:
-            spread = max(tolerance(cell) for cell in cells)
-            floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells), max(lengths))
-    return floors
-
-
-def runs_of(rows: Iterable[Mapping[str, Any]]) -> dict[str, list[Mapping[str, Any]]]:
-    """Group rows of the section on noise by the case that they are runs of, which a damaged one may not say."""
-    runs: dict[str, list[Mapping[str, Any]]] = {}
-    for row in rows:
-        if "of" in row:
-            runs.setdefault(row["of"], []).append(row)
-    return runs
+def sampled_noise(samples: Sequence[float]) -> float:
+    """Bound how far the mean of these is from the truth, by Student's t; infinitely far of one."""
+    if len(samples) < 2:
+        return math.inf
+    return t_quantile(SURE, len(samples) - 1) * math.sqrt(variance_of(samples) / len(samples))

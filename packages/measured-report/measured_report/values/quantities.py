@@ -1,9 +1,11 @@
 """Quantities: numbers that know their unit and where they come from."""
 
 import json
+import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import zip_longest
 from typing import Any
 
 from markupsafe import Markup, escape
@@ -11,6 +13,7 @@ from markupsafe import Markup, escape
 from measured_report.files.config import config
 from measured_report.records.record import Origin
 from measured_report.values.format import format_code, format_least, format_most, format_number, unit_label
+from measured_report.values.noise import WRITTEN_SHARE, derived_noise, sampled_noise
 
 VALUES_FILE = "values.json"
 MOST, LEAST = "most", "least"
@@ -53,9 +56,11 @@ class Quantity:
     origins: frozenset[Origin] = frozenset()
     """Releases and machines that it was measured with; none for what was not measured."""
     noise: float | None = None
-    """Difference of two measurements of it, in its unit; None where nobody knows, 0 for what is exact."""
+    """How far the truth may be from it, in its unit; None where nobody knows, 0 for what is exact."""
     formula: str = ""
     """Words for how it is computed; of what was measured more than once between what."""
+    samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
+    """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
 
     @property
     def reads(self) -> frozenset[str]:
@@ -98,10 +103,20 @@ class Quantity:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
         attributes |= {"data-as": written_as} if written_as else {}
-        attributes |= {"title": self.reason or self.formula} if self.reason or self.formula else {}
+        hint = self.reason or "; ".join(filter(None, (self.formula, self._known)))
+        attributes |= {"title": hint} if hint else {}
         # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
         written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
         return Markup(f"<data{written}>{escape(text)}</data>")
+
+    @property
+    def _known(self) -> str:
+        """Say how far the truth may be from it, and what a derived one was in each of several measurements."""
+        if self.value is None or not self.noise:
+            return ""
+        there = [sample for sample in self.samples if sample is not None]
+        several = f", in {len(there)} measurements {', '.join(f'{sample:.4g}' for sample in there)}"
+        return f"±{self.noise:.2g}" + (several if len(there) > 1 and isinstance(self, Value) else "")
 
     def __html__(self) -> Markup:
         return self._with_unit(self.bare)
@@ -148,3 +163,52 @@ def mixed(*origins: frozenset[Origin]) -> str:
     if len({origin for origin in origins if origin}) < 2:
         return ""
     return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"
+
+
+LEAST_SAMPLES = 3
+"""Chosen: fewer measurements of a value say less than those of its sources."""
+
+
+def of_all(function: Callable[..., float]) -> Callable[..., float]:
+    """Return a function of numbers one by one; the largest or smallest of none is no number."""
+    return (lambda *values: function(values, default=math.nan)) if function in (max, min) else function
+
+
+def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[float | None]:
+    """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
+    given = [source.samples if isinstance(source, Quantity) else None for source in sources]
+    count = max((len(samples) for samples in given if samples), default=0)
+    if None in given or not count:
+        return []
+    ways = [samples or count * (source.value,) for samples, source in zip(given, sources, strict=True)]
+    return [
+        None if None in values else _evaluated(function, values)
+        for values in zip_longest(*(way[:count] for way in ways))
+    ]
+
+
+def _evaluated(function: Callable[..., float], values: Sequence[float]) -> float | None:
+    try:
+        value = of_all(function)(*values)
+        return float(value) if math.isfinite(value) else None
+    except (ArithmeticError, ValueError, LookupError, TypeError):
+        return None
+
+
+def noise_of(function: Callable[..., float], sources: Sequence[Any], samples: Sequence[float | None]) -> float | None:
+    """Return the noise of a value: what its sources make of it, or how far its measurements are apart, if that is less.
+
+    What measurements have in common, as the speed of a card, cancels in a ratio of two numbers of each of them.
+    """
+    values: list[Any] = [source.value for source in sources]
+    noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
+    try:
+        noise = derived_noise(of_all(function), values, noises)
+    except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
+        noise = None
+    there = [sample for sample in samples if sample is not None]
+    if len(there) >= LEAST_SAMPLES and None not in noises:
+        noise = min(sampled_noise(there), math.inf if noise is None else noise)
+    if noise is None or not math.isfinite(noise):
+        return None
+    return max(float(noise), WRITTEN_SHARE * abs(of_all(function)(*values))) if any(noises) else 0.0

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
@@ -15,13 +15,17 @@ from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
+from measured_report.values.evidence import Evidence, Key, key_of
 from measured_report.values.format import label_of
-from measured_report.values.noise import Floor, cell_noise, derived_noise
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
-from measured_report.values.scatter import Apart
+from measured_report.values.noise import Estimate
+from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed, noise_of, of_all, samples_of
 
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd
+
+
+MEANS = "rows"
+"""Begins the names of values that are means of several measurements of a row."""
 
 
 class ResultsError(ReportError):
@@ -50,7 +54,7 @@ class Row:
     """
 
     def __init__(self, results: "Results", index: int | None, case: str = ""):
-        self._results, self._record = results, results.record
+        self._results, self._record, self._index = results, results.record, index
         self.plain: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
         self.source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
@@ -72,13 +76,18 @@ class Row:
         value = number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
             return value
-        said = (self.label, self.plain.get(f"{column}_reason") or "lost") if value is None else ()
-        reason = ": ".join(filter(None, said))
-        apart = self._results.apart
-        known = cell_noise(column, self.plain, self._results.floors), apart.noise(column, self.plain)
-        noise = max((each for each in known if each is not None), default=None)
-        place, interval = f"{self.source}/{column}", apart.interval(column, self.plain)
-        return Quantity(value, units[column], place, reason, self._origins, noise, interval)
+        origins, place = self._origins, f"{self.source}/{column}"
+        if value is None:
+            reason = ": ".join(filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost")))
+            return Quantity(None, units[column], place, reason, origins)
+        known = self.estimate(column)
+        if known is None:
+            return Quantity(value, units[column], place, "", origins)
+        if known.value == value:
+            return Quantity(value, units[column], place, "", origins, known.written_noise, known.note, known.samples)
+        mean = f"{self._results.values_file}/{MEANS}.{self._index}.{column}"
+        told = known.value, units[column], mean, "", origins, known.written_noise, known.note, known.samples
+        return Value(*told, sources=(place,), roots=frozenset({place}))
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
@@ -91,6 +100,23 @@ class Row:
     def __bool__(self) -> bool:
         """Tell whether the record has it."""
         return not self._lack
+
+    @property
+    def evidence(self) -> Evidence:
+        return self._results.evidence
+
+    @cached_property
+    def key(self) -> Key:
+        return key_of(self.plain)
+
+    @property
+    def card(self) -> str:
+        """Name what it was measured on."""
+        return self._record.card
+
+    def estimate(self, column: str) -> Estimate | None:
+        """Return what is known of one of its numbers; None where nobody knows how that scatters."""
+        return self._results.evidence.estimate(column, self.plain, self.key)
 
     @property
     def label(self) -> str:
@@ -119,9 +145,8 @@ class Results:
     """Results of the sections that stand before this one on the page."""
     derived: dict[str, Value] = field(default_factory=dict)
     """Every derived value by name, for the site's values file."""
-    floors: Mapping[str, Floor] = field(default_factory=dict, repr=False)
-    """Noise of one case with this release, by column."""
-    apart: Apart = field(default_factory=Apart, repr=False)
+    evidence: Evidence = field(default_factory=Evidence, repr=False)
+    """What all measurements of it say of its numbers."""
     label: str = ""
     """Name of the section in figures and tables."""
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
@@ -137,6 +162,11 @@ class Results:
         """Return where the record lies below the site's ``data/``."""
         return f"{self.path.parent.name}/{self.path.name}"
 
+    @property
+    def values_file(self) -> str:
+        """Return the pointer to its derived values below the site's ``data/``."""
+        return f"{self.path.parent.name}/{VALUES_FILE}#/{self.record.section}"
+
     @cached_property
     def rows(self) -> list[Row]:
         """Return all rows but those that are damaged in what tells them apart."""
@@ -148,6 +178,11 @@ class Results:
         named = [(row.plain["case"], row) for row in self.rows]
         count = Counter(case for case, _ in named)
         return Rows({case: row for case, row in named if count[case] == 1}, self)
+
+    def means(self, names: Iterable[str]) -> dict[str, Value]:
+        """Return those of its numbers that are means of measurements and have these names among its values."""
+        places = {name: name.split(".") for name in sorted(names)}
+        return {name: Row(self, int(index))[column] for name, (_, index, column) in places.items()}
 
     def trace(self, case: str) -> Series:
         path = trace_path(self.path, case)
@@ -183,13 +218,15 @@ class Results:
         origins = [source.origins for source in sources]
         refusal = "" if across else mixed(*origins)
         value, reason = (None, refusal) if refusal else _evaluate(function, sources)
+        samples = () if value is None or is_noise else samples_of(function, sources)
         self.derived[name] = Value(
             value=value,
             unit=unit,
-            source=f"{self.path.parent.name}/{VALUES_FILE}#/{self.record.section}/{name}",
+            source=f"{self.values_file}/{name}",
             reason=reason,
             origins=frozenset().union(*origins),
-            noise=None if value is None or is_noise else _noise(function, sources),
+            noise=None if value is None or is_noise else noise_of(function, sources, samples),
+            samples=samples,
             formula=formula,
             sources=tuple(source.source for source in sources if source.source),
             roots=frozenset().union(*(source.reads for source in sources)),
@@ -219,7 +256,7 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
     if reasons:
         return None, reasons[0]
     try:
-        value = _of_all(function)(*(source.value for source in sources))
+        value = of_all(function)(*(source.value for source in sources))
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
@@ -229,17 +266,3 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
         return None, "it has no finite value"
     value = getattr(value, "item", lambda: value)()
     return (value, "") if math.isfinite(value) else (None, "it has no finite value")
-
-
-def _of_all(function: Callable[..., float]) -> Callable[..., float]:
-    return (lambda *values: function(values, default=math.nan)) if function in (max, min) else function
-
-
-def _noise(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> float | None:
-    values: list[Any] = [source.value for source in sources]
-    noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
-    try:
-        noise = derived_noise(_of_all(function), values, noises)
-    except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
-        return None
-    return float(noise) if noise is not None and math.isfinite(noise) else None

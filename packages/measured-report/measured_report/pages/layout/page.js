@@ -211,25 +211,18 @@ function unitOf(number) {
   return behind.match(/^\u00a0([^\s,.;:)]+)/)?.[1] ?? "";
 }
 
-function noiseOf(floors, column, value) {
-  if (!(column in floors)) return null;
-  const [spread, magnitude] = floors[column];
-  return spread * Math.max(1, magnitude ? Math.abs(value) / magnitude : 1);
-}
-
 function lineOf(...content) {
   const line = document.createElement("p");
   line.append(...content);
   return line;
 }
 
-function explain(number, origins, floors) {
+function explain(number, origins) {
   const [file, pointer] = number.dataset.src.split("#");
   const parts = pointer.split("/");
   const isDerived = file.endsWith("values.json");
   const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
   const record = isDerived ? `${folder}/${parts[1]}.json` : file;
-  const noise = isDerived || number.value === "" ? null : noiseOf(floors, parts.at(-1), Number(number.value));
   const exact = document.createElement("b");
   exact.textContent = number.value === "" ? "There is no number" : `${number.value} ${unitOf(number)}`.trim();
   const link = document.createElement("a");
@@ -237,7 +230,7 @@ function explain(number, origins, floors) {
   link.textContent = isDerived ? `${file}#${pointer}` : `${parts.at(-1)}, row ${parts.at(-2)} of ${file}`;
   link.tabIndex = -1;
   return [
-    lineOf(exact, noise === null ? "" : `, noise ${noise.toPrecision(2)}`),
+    lineOf(exact),
     ...(number.dataset.hint ? [lineOf(isDerived ? "Derived: " : "", number.dataset.hint)] : []),
     lineOf(origins[record] ?? ""),
     lineOf("Data: ", link),
@@ -245,7 +238,7 @@ function explain(number, origins, floors) {
 }
 
 function addOrigins() {
-  const [origins, floors] = ["origins", "floors"].map((name) => JSON.parse(metaOf(name) || "{}"));
+  const origins = JSON.parse(metaOf("origins") || "{}");
   const numbers = [...document.querySelectorAll("main data")];
   const box = document.createElement("div");
   box.className = "origin";
@@ -266,7 +259,7 @@ function addOrigins() {
     if (number === shown) return;
     hide();
     shown = number;
-    box.replaceChildren(...explain(number, origins, floors));
+    box.replaceChildren(...explain(number, origins));
     box.hidden = false;
     number.setAttribute("aria-describedby", box.id);
     const at = number.getBoundingClientRect();

@@ -9,9 +9,8 @@ import pytest
 from conftest import MODULE, REPORT, ROWS, TEMPLATE, Toy, link, program
 
 from measured_report.files.cache import Cache
-from measured_report.pages import cache as derived
-from measured_report.pages.editions import editions_of
-from measured_report.pages.prose import Templates
+from measured_report.findings import cache as derived
+from measured_report.findings.editions import editions_of
 from measured_report.records.record import write_record
 
 SECTION = """
@@ -141,7 +140,7 @@ def test_only_what_reads_a_record_is_derived_again(toy):
 
 
 def left_out(toy: Toy) -> dict[str, str]:
-    [edition] = editions_of(toy.project, Templates(toy.project.templates)).values()
+    [edition] = editions_of(toy.project).values()
     return {state.section: "; ".join(state.notes) for state in edition.left_out}
 
 

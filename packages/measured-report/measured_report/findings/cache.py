@@ -10,18 +10,14 @@ from platform import python_version
 from typing import Any, NamedTuple
 
 from measured_report.files.cache import Cache
-from measured_report.files.config import config
-from measured_report.files.root import ROOT
+from measured_report.files.config import config, report
 from measured_report.parts import macros
-from measured_report.parts.section import Figure, Pictures, Section
+from measured_report.parts.section import Figure, Pictures, Section, Table
 from measured_report.records.code import digest_of, files, roots_of
 from measured_report.values.quantities import Value
 
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
-READ_BY_NAME = config().sources
-"""What says what columns are, and nobody imports."""
-Derivation = tuple[Section, Mapping[str, Value]]
-"""A section without its words, and the values that were derived for it."""
+Derivation = tuple[Section, Mapping[str, Value]]  # a section without its words, and the values that were derived for it
 Place = tuple[str, str, str]
 
 
@@ -40,16 +36,17 @@ class DerivedCache:
     root: Path | None = None
     _new: dict[Place, Entry] = field(default_factory=dict)
     code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
-    """Digests all that decides what a module makes, besides what it is given."""
 
     def derived(self, place: Place, code: Path, given: Sequence[str], derive: Callable[[], Derivation]) -> Entry:
         """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` texts before."""
-        digest = digest_of([*given, self.code(code)]) if self.root else ""
-        kept = Cache(self.root).get(".".join(place), digest) if self.root else None
-        if kept:
-            return kept
+        if self.root is None:
+            return Entry("", *derive())
+        digest = digest_of([*given, self.code(code)])
+        if entry := Cache(self.root).get(".".join(place), digest):
+            return entry
         section, values = derive()
-        self._new[place] = entry = Entry(digest, section.tabled(), values)
+        tables = {name: each.kept() if isinstance(each, Table) else each for name, each in section.tables.items()}
+        self._new[place] = entry = Entry(digest, replace(section, tables=tables), values)
         return entry
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:
@@ -77,31 +74,26 @@ class DerivedCache:
         if self.root is None:
             return
         for place, entry in self._new.items():
-            figures = {
-                name: figure.kept(pictures.get((place[1], f"{place[2]}-{name}")))
-                for name, figure in entry.section.figures.items()
-            }
-            kept = entry._replace(section=replace(entry.section, figures=figures))
+            (_, release, section), figures = place, entry.section.figures
+            drawn = {name: each.kept(pictures.get((release, f"{section}-{name}"))) for name, each in figures.items()}
+            kept = entry._replace(section=replace(entry.section, figures=drawn))
             Cache(self.root).put(".".join(place), entry.digest, kept)
         self._new.clear()
 
 
 def code_digest(code: Path) -> str:
-    """Digest a module, and all else of the project and of what is installed that decides what it makes."""
-    return digest_of([installed(), files_of(code)])
-
-
-def files_of(code: Path) -> dict[str, str]:
-    """Digest, by name, a module, what it and this room import of the project, and the files that all these name."""
+    """Digest what decides what a module makes: what is installed, what it and this room import, and the files named."""
     root = next(folder for folder in code.parents if (folder / "report").is_dir())
-    graph = files().graph(tuple(dict.fromkeys([*roots_of(root), *roots_of(ROOT)])))
+    graph = files().graph(tuple(dict.fromkeys([*roots_of(root), *roots_of(report().root)])))
     closure = {file for start in (Path(__file__).resolve(), code) for file in graph.closure(str(start))}
     sources = {graph.name_of(file): graph.source(file) for file in closure}
-    named = {name for source in sources.values() for name in source.assets} | set(READ_BY_NAME)
-    found = {name: (ROOT / name).read_bytes() for name in named if (ROOT / name).is_file()}
+    # What says what columns are is imported by nobody.
+    named = {name for source in sources.values() for name in source.assets} | set(config().sources)
+    paths = {name: report().root / name for name in named}
+    found = {name: path.read_bytes() for name, path in paths.items() if path.is_file()}
     found[macros.FILE.name] = macros.FILE.read_bytes()
     digests = {name: hashlib.sha256(content).hexdigest() for name, content in found.items()}
-    return digests | {name: source.digest for name, source in sources.items()}
+    return digest_of([installed(), digests | {name: source.digest for name, source in sources.items()}])
 
 
 @functools.cache

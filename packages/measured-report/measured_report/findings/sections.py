@@ -6,23 +6,12 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.atomic import RecordError
+from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import Page, config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
 from measured_report.values.results import Results, ResultsError
-
-
-def _whole(page: Page) -> Page:
-    """Fill in what ``report.toml`` does not say of a page."""
-    label = page.label or page.name.replace("_", " ").capitalize()
-    return replace(page, label=label, texts=page.texts or (f"pages/{page.name}.md.j2",))
-
-
-PAGES = tuple(map(_whole, config().pages))
-FRONT = PAGES[0]
-OF_SECTIONS = {page.name: page for page in PAGES[1:]}
 
 
 @dataclass(frozen=True)
@@ -32,19 +21,14 @@ class Outline:
     file: Path
     root: Path
     order: int
-    page: Page
-    """The page that it names, or else the first that takes sections."""
+    page: Page  # the page that it names, or else the first that takes sections
     compares: bool
     """Set where it compares releases: its ``derive(results, releases)`` then takes them as well, as
     ``releases["1.4.0"]["friction"].results``."""
-    leads: bool
-    """Set where its page begins with it, wherever its order has it: it says what the others there come to."""
-    label: str
-    """What figures and tables call the section; the name of its file where it does not say."""
-    labels: Mapping[str, str]
-    """What they call its cases; ``label_of`` reads it."""
-    reads: tuple[str, ...]
-    """Sections before it whose results it reads as well."""
+    leads: bool  # set where its page begins with it, wherever its order has it: it says what the others there come to
+    label: str  # what figures and tables call the section; the name of its file where it does not say
+    labels: Mapping[str, str]  # what they call its cases; `label_of` reads it
+    reads: tuple[str, ...]  # sections before it whose results it reads as well
 
     @property
     def source(self) -> str:
@@ -64,13 +48,14 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
-    page, label = says.get("page", next(iter(OF_SECTIONS), "")), str(says.get("label", section.replace("_", " ")))
-    if page not in OF_SECTIONS:
-        raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(OF_SECTIONS)}")
+    pages = {page.name: page for page in config().pages[1:]}
+    page, label = says.get("page", next(iter(pages), "")), str(says.get("label", section.replace("_", " ")))
+    if page not in pages:
+        raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
     leads, labels, reads = says.get("leads", False), says.get("labels", {}), says.get("reads", ())
     if unknown := [other for other in reads if not file_of("report.sections", other)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
-    return Outline(file, root, says["order"], OF_SECTIONS[page], says["derive"] > 1, leads, label, labels, reads)
+    return Outline(file, root, says["order"], pages[page], says["derive"] > 1, leads, label, labels, reads)
 
 
 @dataclass(frozen=True)
@@ -108,10 +93,15 @@ def file_of(package: str, name: str) -> Path | None:
 
 def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
     """Derive a section of its results, its words not yet said; one that compares releases has them as well."""
-    outline = outline_of(results.record.section)
+    name = results.record.section
+    return derive_by(f"report.sections.{name}", results, *([releases] if outline_of(name).compares else []))
+
+
+def derive_by(name: str, *given: Any) -> Section:
+    """Return what ``derive`` of the module ``name`` makes of what it is given, its claims checked."""
     try:
-        derive = import_module(f"report.sections.{results.record.section}").derive
-        section = derive(results, releases) if outline.compares else derive(results)
+        module = import_module(name)
+        section = module.derive(*given)
     except RecordError:
         raise
     except (ImportError, NameError) as error:  # whatever was measured, this is none of it
@@ -119,5 +109,6 @@ def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
     except Exception as error:
         raise ResultsError(bug_of(error)) from error
     if not isinstance(section, Section):
-        raise ReportError(f"{outline.source}: derive returns a {type(section).__name__}, and not a Section")
-    return section
+        kind = type(section).__name__
+        raise ReportError(f"{short_path(Path(str(module.__file__)))}: derive returns a {kind}, and not a Section")
+    return replace(section, claims=[claim.checked() for claim in section.claims])

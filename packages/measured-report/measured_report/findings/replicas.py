@@ -1,0 +1,115 @@
+"""Measurements of an edition: what its replicas are, and what they say together with what is tracked."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from measured_report.editions.project import Project
+from measured_report.editions.status import records_of
+from measured_report.files.atomic import RecordError
+from measured_report.files.config import config
+from measured_report.files.errors import ReportError
+from measured_report.findings.cache import DerivedCache
+from measured_report.findings.sections import outline_of
+from measured_report.parts.claim import Claim
+from measured_report.parts.section import Section
+from measured_report.records.identity import files_digest
+from measured_report.records.record import Record
+from measured_report.records.replicas import FOLDER, Records, is_copy, read_replica, unlike
+from measured_report.values.evidence import Evidence, evidence_of, repeats_of
+
+
+@dataclass(frozen=True)
+class Measurements:
+    """Hold what all measurements of an edition say, by section."""
+
+    evidence: Mapping[str, Evidence] = field(default_factory=dict)
+    kinds: Mapping[str, str] = field(default_factory=dict)
+    """On how many kinds of processor a section was measured, in words; empty for one."""
+    digest: str = ""
+    """Covers the replicas."""
+
+    def confirmed(self, name: str, section: Section) -> Section:
+        """Return a section whose claims say by how many measurements they are decided, where there are several."""
+        count = self.evidence[name].count if name in self.evidence else 1
+        told = f"by {count} measurements{self.kinds.get(name, '')}" if count > 1 else ""
+        return replace(section, claims=[replace(claim, confirmed=_decided_by(claim, told)) for claim in section.claims])
+
+
+def _decided_by(claim: Claim, told: str) -> str:
+    has_traces = any(".csv.gz" in pointer for pointer in claim.outcome.reads)  # which replicas lack
+    return "" if has_traces or claim.outcome.name == "unknown" else told
+
+
+def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> Measurements:
+    """Return what all measurements of an edition say, kept from before; RecordError for a damaged replica."""
+
+    def find() -> Measurements:
+        replicas = [*replicas_of(project, tracked).values()]
+        noise = tracked.get(config().noise_section)
+        repeats = repeats_of(noise.rows) if noise else {}
+        of = {name: [record, *(each.get(name) for each in replicas)] for name, record in tracked.items()}
+        evidence = {name: evidence_of(records, repeats) for name, records in of.items()}
+        kinds = {name: _kinds([*filter(None, records)]) for name, records in of.items()}
+        return Measurements(evidence, kinds, files_digest(replica_files(project), project.results))
+
+    if not tracked:
+        return Measurements()
+    files = [*replica_files(project), *(project.record_path(name) for name in tracked)]
+    name, module = f"{project.profile}.{project.release}.evidence", outline_of(next(iter(tracked))).file
+    return cache.value(name, module, [files_digest(files, project.results)], find)
+
+
+def _kinds(records: Sequence[Record]) -> str:
+    processors, devices = {each.processor for each in records}, {each.machine["device"] for each in records}
+    noun = "GPU" if devices == {"cuda"} else "processor"
+    return f", on {len(processors)} kinds of {noun}" if len(processors) > 1 else ""
+
+
+def replica_files(project: Project) -> list[Path]:
+    return sorted((project.results / FOLDER).glob("*.tgz"))
+
+
+def replicas_of(project: Project, tracked: Records) -> dict[str, Records]:
+    """Read an edition's replicas by name, as far as they are like what is tracked; RecordError for a damaged one."""
+    found = {path.stem: read_replica(path) for path in replica_files(project)}
+    return {name: _alike(tracked, records) for name, records in found.items()}
+
+
+def replicas_text(project: Project) -> list[str]:
+    """Write a line for each replica: how many of its sections are as they are tracked."""
+    tracked, lines = {record.section: record for record in records_of(project)}, []
+    for path in replica_files(project):
+        try:
+            records = read_replica(path)
+        except RecordError as error:
+            lines.append(f"damaged: {error}")
+        else:
+            lines.append(f"replica {path.stem}: {len(_alike(tracked, records))} of {len(records)} sections fresh")
+    return lines
+
+
+def _alike(tracked: Records, records: Records) -> Records:
+    return {name: each for name, each in records.items() if name in tracked and not unlike(tracked[name], each)}
+
+
+def refused(project: Project, records: Records) -> Mapping[str, str]:
+    """Say by section why it is no measurement of this edition; ReportError, one line, for copies and when none is."""
+    tracked = {record.section: record for record in records_of(project)}
+    there, found = [tracked, *replicas_of(project, tracked).values()], {}
+    for name, each in records.items():
+        if reason := unlike(tracked[name], each) if name in tracked else "not measured here":
+            found[name] = reason
+        elif any(is_copy(other[name], each) for other in there if name in other):
+            raise ReportError(f"its section {name} is a copy of one that is there")
+    if len(found) == len(records):
+        raise ReportError(f"it has no section of this edition: {reasons_text(found)}")
+    return found
+
+
+def reasons_text(reasons: Mapping[str, str]) -> str:
+    """Name sections by why they are left out."""
+    names: dict[str, list[str]] = {}
+    for name, reason in reasons.items():
+        names.setdefault(reason, []).append(name)
+    return "; ".join(f"{reason} ({', '.join(each)})" for reason, each in names.items())

@@ -1,0 +1,368 @@
+"""Evidence: all that was measured of the numbers of a section, and what that says of each.
+
+A measurement gives the truth, with a part of its host and card, one of its process and one of its run. What was
+measured more than once scatters by all of them. Absolute times have the part of their card in common, so that no more
+is known of it than there are cards. What was measured once has what runs of one case say of its column, or what it says
+itself.
+"""
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from statistics import median
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from measured_report.files.config import cached_in_report, config
+from measured_report.records.columns import REASON, column_of, is_number
+from measured_report.records.record import Record
+from measured_report.values.noise import (
+    NORMAL,
+    ROUNDED_SHARE,
+    Estimate,
+    Z,
+    binomial_noise,
+    discoveries,
+    fenced,
+    mean_of,
+    variance_of,
+)
+
+if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
+    import numpy as np
+
+REPEATED_SHARE = 1e-3
+"""Chosen: what repeats to the last bit here may round otherwise elsewhere, by this share."""
+EDGES = ("_p5", "_p95")
+"""Ends of columns that say how far the numbers spread of which a column has the median."""
+MEDIAN = math.sqrt(math.pi / 2)
+"""Ratio of the spreads of the median of many numbers and of their mean."""
+AT_EDGE = 4.4
+"""Chosen: a number so many normal deviations from all others is no chance, of which there is one in 100,000."""
+MEAN = "mean of"
+"""Begins the key of what the section on noise has many runs of."""
+Key = tuple[Any, ...]
+Cells = Mapping[str, Any]
+
+
+def is_lost(row: Cells) -> bool:
+    """Tell whether the run of a row was lost, which makes its numbers chance."""
+    return any(row[name] for name in row if "loss" in column_of(name).kinds)
+
+
+def is_cost(column: str) -> bool:
+    """Tell whether a column's numbers are of the machine: times, rates, bytes."""
+    return "cost" in column_of(column).kinds
+
+
+def is_absolute(column: str) -> bool:
+    """Tell whether a column has times or rates, of which each card has its own; ratios have none of that."""
+    about = column_of(column)
+    return is_cost(column) and (about.unit not in ("1", "B") or bool(about.rate_of))
+
+
+def is_repeated(column: str, row: Cells) -> bool:
+    """Tell whether an engine repeats this number of a row to the last bit."""
+    return not is_cost(column) and any(row.get(name) in cells for name, cells in config().repeating.items())
+
+
+def key_of(row: Cells) -> Key:
+    """Return what tells a row from the others of its section, in any measurement."""
+    return tuple(row.get(name) for name in config().changes.keys)
+
+
+def engine_of(row: Cells) -> Key:
+    """Return what tells whose numbers a row has, as to how well they repeat."""
+    return tuple(row.get(name) for name in config().repeating)
+
+
+class Repeats(NamedTuple):
+    """Hold what runs of one case, of one measurement, say of a column."""
+
+    mean: float
+    variance: float
+    run_count: int
+    length: float = 0.0
+    """Of the longest of them, in the column that it grows with; 0 where it does not."""
+
+    def variance_at(self, value: float, length: float | None) -> float:
+        """Return the variance of a run with such a number: larger and longer ones have more, in proportion."""
+        scale = abs(value / self.mean) if self.mean else 1.0
+        longer = (length or 0.0) / self.length if self.length else 1.0
+        return self.variance * max(1.0, scale, longer) ** 2
+
+
+Repeated = Mapping[str, Mapping[str, Repeats]]
+"""Runs of one case, by case and column."""
+
+
+def repeats_of(rows: Iterable[Cells]) -> Repeated:
+    """Gather the runs of one case of a record, by the case, as ``of`` says, and the column; outliers are fenced in."""
+    runs: dict[str, list[Cells]] = {}
+    for row in rows:
+        if "of" in row:
+            runs.setdefault(row["of"], []).append(row)
+    found: dict[str, dict[str, Repeats]] = {case: {} for case in runs}
+    for case, column in ((case, column) for case, rows in runs.items() for column in rows[0]):
+        numbers = fenced([row[column] for row in runs[case] if is_number(row.get(column))] or [0.0])
+        if len(numbers) > 1 and scatters(column):
+            length = max(row.get(column_of(column).grows_with) or 0.0 for row in runs[case])
+            found[case][column] = Repeats(mean_of(numbers), variance_of(numbers), len(numbers), length)
+    return found
+
+
+@dataclass(frozen=True)
+class Column:
+    """Holds the numbers of a column in all measurements, an array by row and measurement, and how each scatters."""
+
+    places: Mapping[Key, int]
+    samples: "np.ndarray"
+    variances: "np.ndarray"
+    freedoms: "np.ndarray"
+    counts: "np.ndarray"
+    """Measurements, or cards, that a row's mean is of."""
+    is_of_cards: bool = False
+    """Set where it has the part that cards of one kind have."""
+
+    @cached_property
+    def lines(self) -> list[tuple[list[float], float, float, float]]:
+        """Return of each row its samples and how they scatter."""
+        arrays = self.samples, self.variances, self.freedoms, self.counts
+        return list(zip(*(array.tolist() for array in arrays), strict=True))
+
+    def estimate(self, key: Key, value: float | int, is_edge: bool) -> Estimate:
+        """Return what is known of the number of a row, which is ``value`` where it is shown."""
+        numbers, variance, freedom, count = self.lines[self.places[key]]
+        there = [number for number in numbers if number == number]
+        samples = (
+            numbers if len(there) == len(numbers) else [number if number == number else None for number in numbers]
+        )
+        least, largest = min(there), max(there)
+        if least == largest:
+            exact = isinstance(value, int)
+            return Estimate(
+                value, 0.0 if exact else variance, freedom, count, samples=samples, is_of_cards=self.is_of_cards
+            )
+        if is_edge:
+            middle = median(there)
+            return Estimate(middle, least=max(largest - middle, middle - least), samples=samples, is_edge=True)
+        return Estimate(mean_of(there), variance, freedom, count, samples=samples, is_of_cards=self.is_of_cards)
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Holds what all measurements of a section say of its numbers."""
+
+    count: int = 1
+    columns: Mapping[Key, Column] = field(default_factory=dict)
+    """By column and engine, those of which there is more than one measurement."""
+    repeats: Repeated = field(default_factory=dict)
+    """Runs of one case, of the section on noise."""
+    edges: frozenset[Key] = frozenset()
+    """Rows that end in one of two ways, by chance."""
+    edge_share: float = 0.0
+    """How often a row has ended otherwise in one measurement than in the others."""
+    changed: Sequence[tuple[int, int]] = ()
+    """How many numbers each measurement has, and how many of them changed against all other measurements."""
+
+    def estimate(self, column: str, row: Cells, key: Key | None = None) -> Estimate | None:
+        """Return what is known of a number in ``row``, of that key; None where nobody knows how it scatters."""
+        value, about, key = row[column], column_of(column), key or key_of(row)
+        if value is None:
+            return None
+        if trials := row.get(about.trials):
+            scale = trials if column.endswith("_count") else 1
+            return Estimate(value, (scale * binomial_noise(value / scale, trials) / Z) ** 2, samples=(value,))
+        if about.is_exact:
+            return Estimate(value)
+        measured = self.columns.get((column, *engine_of(row)))
+        if measured and key in measured.places:
+            return measured.estimate(key, value, key in self.edges)
+        if isinstance(value, int):
+            return Estimate(value)
+        return _by_itself(column, row) or self._by_repeats(column, row)
+
+    def means(self) -> dict[tuple[str, str], Estimate]:
+        """Return what is known of the means of runs of one case, by case and column."""
+        found = {}
+        for case, columns in self.repeats.items():
+            for column, runs in columns.items():
+                key = MEAN, case, column
+                measured = self.columns.get((column, MEAN) if is_absolute(column) else (MEAN,))
+                if measured and key in measured.places:
+                    found[case, column] = measured.estimate(key, runs.mean, key in self.edges)
+                else:
+                    found[case, column] = Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
+        return found
+
+    def _by_repeats(self, column: str, row: Cells) -> Estimate | None:
+        """Return what the noisiest runs of one case say of a number; what repeats to the last bit is rounded."""
+        value, about = row[column], column_of(column)
+        rounding = 0.0 if is_cost(column) else REPEATED_SHARE * abs(value)
+        if is_repeated(column, row):
+            return Estimate(value, least=rounding, samples=(value,))
+        length = row.get(about.grows_with)
+        runs = [each[column] for each in self.repeats.values() if column in each]
+        noisiest = max(runs, key=lambda each: each.variance_at(value, length), default=None)
+        if noisiest is None:
+            return None
+        variance = noisiest.variance_at(value, length)
+        least = about.resolution or (0.0 if variance else rounding)
+        freedom = noisiest.run_count - 1
+        return Estimate(value, variance, freedom, least=least, samples=(value,)) if variance or least else None
+
+
+def _by_itself(column: str, row: Cells) -> Estimate | None:
+    """Return what a row itself says of how well its number is known; None where it says nothing."""
+    value, about = row[column], column_of(column)
+    if share := row.get(about.known_within):
+        return Estimate(value, (share * value / Z) ** 2, samples=(value,))
+    timed = about.rate_of or column
+    low, high = (row.get(timed + edge) for edge in EDGES)
+    if low is None or high is None or not row.get(timed):
+        return None
+    deviation = MEDIAN * (high - low) / (2 * NORMAL.inv_cdf(0.95)) / row[timed] * value
+    return Estimate(value, deviation**2, count=max(1, row.get("repeat_count") or 1), samples=(value,))
+
+
+class Cell(NamedTuple):
+    """Hold a number of a row in all measurements, NaN where there is none."""
+
+    key: Key
+    samples: list[float]
+    scale: float = 1.0
+    """What its deviation would be if runs alone were apart; 1 where nobody knows."""
+
+
+def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidence:
+    """Compare the measurements of a section, None where there is none; the first of them is that which is shown."""
+    shown, *others = measured
+    if shown is None or not any(others):
+        return Evidence(repeats=repeats)
+    keyed = [_by_key(record.rows if record else ()) for record in measured]
+    found = {key: [rows.get(key, {}) for rows in keyed] for key in keyed[0]}
+    lost = {key: [is_lost(row) for row in rows] for key, rows in found.items()}
+    edges = {key for key, rows in found.items() if _ends_apart(rows, lost[key])}
+    kept = [key for key in found if key not in edges and not lost[key][0]]
+    is_alike = [record is not None and record.machine_for_speed == shown.machine_for_speed for record in measured]
+    groups: dict[Key, list[Cell]] = {}
+    for key in kept:
+        rows = [{} if gone else row for row, gone in zip(found[key], lost[key], strict=True)]
+        engine = engine_of(rows[0])
+        for column in filter(scatters, rows[0]):
+            if cell := _cell(key, column, rows, is_alike):
+                groups.setdefault((column, *engine), []).append(cell)
+    runs = [repeats_of(record.rows if record else ()) for record in measured]
+    for case, column in ((case, column) for case, columns in runs[0].items() for column in columns):
+        means = [{column: each[case][column].mean} if column in each.get(case, {}) else {} for each in runs]
+        own = runs[0][case][column]
+        if cell := _cell((MEAN, case, column), column, means, is_alike, math.sqrt(own.variance / own.run_count)):
+            groups.setdefault((column, MEAN) if is_absolute(column) else (MEAN,), []).append(cell)
+    cards = [record.card if record else "" for record in measured]
+    columns: dict[Key, Column] = {}
+    far: list[Far] = []
+    for group, cells in groups.items():
+        if is_absolute(group[0]) and (of_cards := _of_cards(cells, cards)):
+            columns[group] = of_cards
+        else:
+            columns[group], deviations = _moderated(MEAN if MEAN in group else group[0], cells)
+            far.append(Far([cell.key for cell in cells], deviations))
+    events = {(key, place) for each in far for key, place in each.events}
+    count = sum(map(bool, cards))
+    share = len(events) / max(1, len(kept) * count)
+    changed = [_changed(far, events, place, len(kept) * (count - 1)) for place in range(len(cards)) if count > 2]
+    return Evidence(count, columns, repeats, frozenset(edges | {key for key, _ in events}), share, changed)
+
+
+@cached_in_report
+def scatters(column: str) -> bool:
+    """Tell whether a column's numbers may come out otherwise, and say something when they do."""
+    about = column_of(column)
+    return not (about.is_exact or "chance" in about.kinds or column.endswith(EDGES))
+
+
+def _by_key(rows: Sequence[Cells]) -> dict[Key, Cells]:
+    """Return rows by their keys, those that share one left out, and runs of one case."""
+    single = [(key_of(row), row) for row in rows if "of" not in row]
+    count = Counter(key for key, _ in single)
+    return {key: row for key, row in single if count[key] == 1}
+
+
+def _ends_apart(rows: Sequence[Cells], lost: Sequence[bool]) -> bool:
+    """Tell whether measurements of a row were lost in some and not in others, or say another thing in words."""
+    there = [(row, gone) for row, gone in zip(rows, lost, strict=True) if row]
+    words = {name for row, _ in there for name, cell in row.items() if isinstance(cell, str | bool)}
+    words -= {"case"} | {name for name in words if name.endswith(REASON)}
+    return len({gone for _, gone in there}) > 1 or any(len({row.get(name) for row, _ in there}) > 1 for name in words)
+
+
+def _cell(key: Key, column: str, rows: Sequence[Cells], is_alike: Sequence[bool], scale: float = 1.0) -> Cell | None:
+    """Return a number in all measurements, of which costs stand beside those of machines alike alone; None of one."""
+    numbers = [row.get(column) for row in rows]
+    if is_cost(column):
+        numbers = [number if alike else None for number, alike in zip(numbers, is_alike, strict=True)]
+    samples = [float(number) if is_number(number) else math.nan for number in numbers]
+    return Cell(key, samples, scale) if sum(sample == sample for sample in samples) > 1 else None
+
+
+@dataclass(frozen=True)
+class Far:
+    """Holds how far each measurement of each row of a column is from the others, in normal deviations."""
+
+    keys: Sequence[Key]
+    deviations: "np.ndarray"
+    """By row and measurement; not a number where there is none."""
+
+    @property
+    def events(self) -> Iterable[tuple[Key, int]]:
+        """Yield the rows and measurements that no chance is."""
+        rows, places = (self.deviations > AT_EDGE).nonzero()
+        return ((self.keys[row], place) for row, place in zip(rows.tolist(), places.tolist(), strict=True))
+
+
+def _moderated(name: str, cells: Sequence[Cell]) -> tuple[Column, "np.ndarray"]:
+    """Return a column, and how far each measurement is from the others, in normal deviations."""
+    import numpy as np
+
+    from measured_report.values.shrinkage import left_out, moderated
+
+    samples, scales = np.array([cell.samples for cell in cells]), np.array([cell.scale or 1.0 for cell in cells])
+    scaled = samples / scales[:, None]
+    counts = (~np.isnan(samples)).sum(axis=1)
+    sizes = np.maximum(abs(np.nanmean(scaled, axis=1)), 1e-12) if name != MEAN else np.ones(len(cells))
+    found = moderated(np.nanvar(scaled, axis=1, ddof=1), counts - 1.0, sizes, usual=float(name == MEAN))
+    least = np.maximum(column_of(name).resolution, ROUNDED_SHARE * abs(np.nanmean(samples, axis=1))) / scales
+    places = {cell.key: place for place, cell in enumerate(cells)}
+    column = Column(places, samples, found.variances * scales**2, found.freedoms, counts)
+    return column, left_out(scaled, found.lent, found.common, least)
+
+
+def _of_cards(cells: Sequence[Cell], cards: Sequence[str]) -> Column | None:
+    """Return a column of absolute times: how far cards are apart is as well known as there are cards; None of one."""
+    import numpy as np
+
+    samples = np.array([cell.samples for cell in cells])
+    places_of = {card: np.array([each == card for each in cards]) for card in cards}
+    there = [samples[:, places] for places in places_of.values() if not np.isnan(samples[:, places]).all()]
+    if len(there) < 2:
+        return None
+    by_card = np.stack([np.nanmean(each, axis=1) if each.shape[1] > 1 else each[:, 0] for each in there], axis=1)
+    whole, means = ~np.isnan(by_card).any(axis=1), by_card.mean(axis=1)
+    if not whole.any():
+        return None
+    share = np.median(by_card[whole].var(axis=1, ddof=1) / means[whole] ** 2)
+    counts = np.full(len(cells), float(len(there)))
+    places = {cell.key: place for place, cell in enumerate(cells) if whole[place]}
+    return Column(places, samples, share * means**2, counts - 1, counts, is_of_cards=True)
+
+
+def _changed(far: Sequence[Far], events: set[tuple[Key, int]], place: int, others: int) -> tuple[int, int]:
+    """Return how many numbers a measurement has, and how many changed against the others, of ``others`` rows."""
+    known = {(key, other) for key, other in events if other != place}
+    share, edges = len(known) / max(1, others), {key for key, _ in known}
+    pairs = (pair for each in far for pair in zip(each.keys, each.deviations[:, place].tolist(), strict=True))
+    z = [deviations for key, deviations in pairs if deviations == deviations and key not in edges]
+    chances = [max(math.erfc(each / math.sqrt(2)), share) for each in z]
+    limit = discoveries(chances)
+    return len(z), sum(chance <= limit for chance in chances) if limit else 0

@@ -1,0 +1,76 @@
+"""Answers of editions: which end one is nearer to, how one after another is marked, and when a threshold is blind."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from measured_report.changes import query
+from measured_report.changes.bisect import first_change, said
+from measured_report.changes.query import Query, blind_spots, history, points
+from measured_report.files.config import Changes, Config
+from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
+from measured_report.values.quantities import Quantity
+
+
+def chapters(value=None, noise=None, outcome=None):
+    """What an edition has of one section: a value and a claim."""
+    found = Quantity(value, "mm", "values.json#/s/slip_mm", "" if value is not None else "it fell", noise=noise)
+    record = SimpleNamespace(units={"slip_mm": "mm"})
+    results = SimpleNamespace(derived={"slip_mm": found}, row={}, rows=[], record=record)
+    section = SimpleNamespace(claims=[Claim("c", outcome)] if outcome else [])
+    return {"s": SimpleNamespace(results=results, section=section)}
+
+
+def test_a_number_is_as_the_first_where_it_is_nearer_to_it_and_halfway_it_is_not():
+    nearer = {1.0: True, 1.25: True, 1.5: False, 1.75: False, 2.0: False, -9.0: True, 9.0: False}
+    assert {each: Query("s.v").is_first(each, 1.0, 2.0) for each in nearer} == nearer
+    assert [Query("s.v").is_first(each, -1.0, -3.0) for each in (0.0, -1.5, -2.5)] == [True, True, False]
+    claim = Query("s.c", is_claim=True)
+    assert claim.is_first("holds", "holds", "fails") and not claim.is_first("fails", "holds", "fails")
+    asked = [(each.section, each.case, each.column, each.unit) for each in map(Query, ("s.gap_m", "s.at-0.5.slip_mm"))]
+    assert asked == [("s", "", "gap_m", "m"), ("s", "at-0.5", "slip_mm", "mm")]
+
+
+MARKS = [((2.0, 0.25), (3.0, 0.125), "worse"), ((3.0, 0.125), (2.0, 0.25), "better")]  # less slip is better
+MARKS += [((2.0, 1.0), (3.0, 0.125), ""), ((2.0, 0.125), (3.0, 1.0), ""), ((2.0, None), (3.0, 0.25), "worse")]
+
+
+@pytest.mark.parametrize(("first", "second", "mark"), MARKS)
+def test_what_moves_by_far_more_than_the_larger_noise_is_marked_by_which_way_is_better(first, second, mark):
+    found = points({"1.0": chapters(*first), "2.0": chapters(*second)}, Query("s.slip_mm"))
+    assert [point.mark for point in found] == ["", mark]
+
+
+def test_a_history_says_numbers_in_four_digits_with_their_noise_and_why_there_is_none():
+    releases = {"1.0": chapters(6.36174, 0.0123), "2.0": chapters(), "3.0": chapters(1234.56), "4.0": {}}
+    lines = [" ".join(line.split()) for line in history(releases, Query("s.slip_mm")).splitlines()]
+    assert lines == ["s.slip_mm", "1.0 6.362 ± 0.012", "2.0 cannot tell it fell", "3.0 1235 worse"]
+    outcomes = {"1.0": HOLDS, "2.0": HOLDS, "3.0": Outcome("unknown", "near"), "4.0": FAILS, "5.0": OPPOSITE}
+    releases = {release: chapters(outcome=outcome) for release, outcome in outcomes.items()}
+    lines = [" ".join(line.split()) for line in history(releases, Query("s.c", is_claim=True)).splitlines()]
+    assert lines[1:] == ["1.0 holds", "2.0 holds", "3.0 cannot tell near", "4.0 fails flipped", "5.0 the opposite"]
+    assert [said(answer) for answer in (None, "holds", 6.36174)] == ["cannot tell", "holds", "6.362"]
+
+
+HIDDEN = "s.slip_mm: threshold {} %, but noise hides changes below {} %"
+LATE = [(4.0, 0.5, 0.18, ""), (-4.0, 0.5, 0.17, HIDDEN.format(17, 18))]  # √2 · 0.5 of 4
+LATE += [
+    (4.0, None, 0.09, HIDDEN.format(9, 10)),
+    (4.0, None, 0.1, ""),
+    (None, None, 0.2, "s.slip_mm never rings: it fell"),
+]
+
+
+@pytest.mark.parametrize(("value", "noise", "threshold", "late"), LATE)
+def test_a_threshold_rings_late_where_the_noise_of_two_is_a_larger_share(monkeypatch, value, noise, threshold, late):
+    monkeypatch.setattr(query, "config", lambda: Config(changes=Changes(thresholds={"s.slip_mm": threshold})))
+    found = blind_spots(SimpleNamespace(chapters=chapters(value, noise)))
+    assert found == ([late] if late else [])
+
+
+def test_a_search_halves_what_is_left_and_passes_over_what_cannot_tell():
+    asked = []
+    found = first_change(range(17), lambda point: asked.append(point) or (None if point == 8 else point < 11))
+    assert found == (10, 11, []) and asked == [8, 9, 13, 11, 10]
+    assert first_change(range(8), lambda point: None if point == 4 else point < 2) == (1, 2, []), "4 is no neighbour"
+    assert first_change(range(3), lambda _: None) == (0, 2, [1]) and first_change("ab", None) == ("a", "b", [])

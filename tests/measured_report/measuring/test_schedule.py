@@ -1,0 +1,110 @@
+"""The schedule: how many batches run at once, what is alone, and what a record says of the time that they took."""
+
+import pickle
+from concurrent.futures import Future
+from types import SimpleNamespace
+
+import pytest
+from batches import all_of, section_of
+
+from measured_report.editions.project import Project
+from measured_report.measuring import batch, machine
+from measured_report.measuring.batch import Batch, Result
+from measured_report.measuring.machine import Gpu, gpus, measuring_device, share_count
+from measured_report.measuring.measure import batches_at_once
+from measured_report.measuring.section import Loop, believable
+from measured_report.records.record import load_record
+
+MACHINE = {"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "cores": "8", "python": "3.12"}
+
+
+class Pool:
+    """Runs nothing by itself."""
+
+    lost = BrokenPipeError
+
+    def __init__(self, limit: int):
+        self.limit = limit
+
+    def submit(self, *_) -> Future:
+        return Future()
+
+
+def begin(toy, names: str, count: int, exclusive: str = "") -> Loop:
+    section = section_of(toy, all_of([Batch(name, print, exclusive=name in exclusive) for name in names]))
+    section.advance()
+    return Loop([section], Pool(count), Pool(1))
+
+
+def running(loop: Loop) -> str:
+    """Submit what can be, and name what runs."""
+    loop._submit()
+    return "".join(each.name for _, each in loop.running.values())
+
+
+def end(loop: Loop, name: str, start: int = 0, seconds: float = 1.0, **other) -> None:
+    """Let a batch that runs end."""
+    future = next(future for future, (_, each) in loop.running.items() if each.name == name)
+    times = [f"2026-01-02T03:04:{second:02}+00:00" for second in (start, start + int(seconds))]
+    future.set_result(Result(pickle.dumps({"case": name, "slip_mm": 1.0}), {**MACHINE, **other}, *times, seconds))
+    loop._take(future, *loop.running.pop(future))
+
+
+def test_no_more_run_at_once_than_fit_and_what_is_exclusive_waits_for_all_others(toy):
+    loop = begin(toy, "axbycd", 2, exclusive="xy")
+    for names, ended in (("ab", "b"), ("ac", "a"), ("cd", "c"), ("d", "d"), ("x", "x"), ("y", "y")):
+        assert running(loop) == running(loop) == names
+        end(loop, ended)
+    assert running(loop) == "" and loop.sections[0].is_over and not loop.sections[0].has_failed
+
+
+def test_a_record_tells_from_the_first_beginning_to_the_last_end_and_adds_what_all_took(toy):
+    loop = begin(toy, "abc", 3)
+    assert running(loop) == "abc"
+    for name, start, seconds, host in (("b", 20, 30.26, "one"), ("a", 10, 5.0, "two"), ("c", 15, 10.0, None)):
+        end(loop, name, start, seconds, host=host)
+    record = load_record(toy.record_path)
+    times = [record.measured[name].partition("T")[2][:8] for name in ("started", "ended", "date")]
+    assert times == ["03:04:10", "03:04:50", "03:04:50"] and record.measured["seconds"] == 45.3
+    assert record.machine["host"] == "one, two" and record.machine["gpu"] is None
+
+
+def test_a_batch_ends_as_long_after_its_beginning_as_it_took(monkeypatch):
+    ticks = iter((100.0, 161.26))
+    monkeypatch.setattr(batch, "time", SimpleNamespace(perf_counter=lambda: next(ticks)))
+    found = batch.measure_batch(Batch("a", int), "cpu")
+    start, stop = (batch.datetime.fromisoformat(each) for each in (found.started, found.ended))
+    assert found.seconds == 61.3 and 61 <= (stop - start).total_seconds() <= 62 and pickle.loads(found.value) == 0
+
+
+def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
+    row = {"way_mm": 1e11, "pause_s": -1.0, "pull_n": None, "ratio": None, "load_kg": 0.0}
+    reasons = {f"{name}_reason": f"the measurement gave {row[name]}" for name in ("way_mm", "pause_s", "pull_n")}
+    assert believable(row) == {**row, "way_mm": None, "pause_s": None, **reasons}
+
+
+SHARED = [(16, 81920, 1, False, 4), (16, 81920, 1, True, 16), (64, 81920, 1, True, 16), (3, 81920, 1, False, 3)]
+SHARED += [(16, 6144, 1, True, 3), (16, 6143, 1, True, 2), (16, 0, 1, True, 1), (15, 81920, 4, True, 3)]
+SHARED += [(7, 81920, 8, True, 1)]
+
+
+@pytest.mark.parametrize(("cores", "mib", "gpus", "has_daemon", "count"), SHARED)
+def test_a_gpu_is_shared_by_as_many_as_have_memory(monkeypatch, tmp_path, cores, mib, gpus, has_daemon, count):
+    monkeypatch.setattr(machine.os, "cpu_count", lambda: cores)
+    monkeypatch.setenv(machine.MPS, str(tmp_path if has_daemon else tmp_path / "none"))
+    (tmp_path / "control").touch()
+    assert share_count(Gpu("GPU-1", mib, "A GPU"), gpus) == count
+
+
+def test_gpus_are_those_that_the_process_may_use_and_a_cpu_measures_where_there_are_none(monkeypatch, toy):
+    listing = "0, GPU-a, 81559, NVIDIA H100 80GB, HBM3\n1, GPU-b, [N/A], NVIDIA GB10\nno devices"
+    monkeypatch.setattr(machine, "said", lambda *_: listing)
+    monkeypatch.setattr(machine.os, "cpu_count", lambda: 6)
+    both = [Gpu("GPU-a", 81559, "NVIDIA H100 80GB, HBM3"), Gpu("GPU-b", 0, "NVIDIA GB10")]
+    quick = Project("1.4.0", "quick", root=toy.project.root)
+    for allowed, found in {"1": both[1:], "GPU-a, GPU-b": both, "": []}.items():
+        monkeypatch.setenv("CUDA_VISIBLE_DEVICES", allowed)
+        assert gpus() == found and measuring_device(None, "full") == ("cuda" if found else None), allowed
+        counts = [batches_at_once(*each) for each in ((quick, "cpu"), (toy.project, "cpu"), (quick, "cuda"))]
+        assert counts == [6, 1, 4 if found == both else 1]
+    assert measuring_device(None, "quick") == measuring_device("cpu", "full") == "cpu"
