@@ -210,9 +210,9 @@ def judged(move: Move, estimates: Sequence[Estimate | None]) -> Move:
         least = max(column_of(move.column).resolution, ROUNDED_SHARE * size, teacher.least)
         taught = Estimate(teacher.value, teacher.variance, teacher.freedom)
         error, freedom = welch(*(each if each and each.is_again >= teacher.is_again else taught for each in estimates))
-    chance = chance_of(max(0.0, abs(values[1] - values[0]) - least), error, freedom)
+    chance = max(chance_of(max(0.0, abs(values[1] - values[0]) - least), error, freedom), move.chance or 0.0)
     known = {"error": error, "freedom": freedom, "least": least, "is_chosen": not teacher}
-    return replace(move, before=values[0], after=values[1], chance=max(chance, move.chance or 0.0), **known)
+    return replace(move, before=values[0], after=values[1], chance=chance, **known)
 
 
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:

@@ -134,20 +134,17 @@ class Column:
     def estimate(self, key: Key, value: float | int, is_edge: bool) -> Estimate:
         """Return what is known of the number of a row, which is ``value`` where it is shown."""
         numbers, variance, freedom, count = self.lines[self.places[key]]
-        there = [number for number in numbers if number == number]
-        samples = (
-            numbers if len(there) == len(numbers) else [number if number == number else None for number in numbers]
-        )
+        samples = [number if number == number else None for number in numbers]
+        there = [number for number in samples if number is not None]
         least, largest = min(there), max(there)
-        if least == largest:
-            exact = isinstance(value, int)
-            return Estimate(
-                value, 0.0 if exact else variance, freedom, count, samples=samples, is_of_cards=self.is_of_cards
-            )
-        if is_edge:
+        if is_edge and least < largest:
             middle = median(there)
             return Estimate(middle, least=max(largest - middle, middle - least), samples=samples, is_edge=True)
-        return Estimate(mean_of(there), variance, freedom, count, samples=samples, is_of_cards=self.is_of_cards)
+        if least < largest:
+            value = mean_of(there)
+        elif isinstance(value, int):  # a count, of which all say the same
+            variance = 0.0
+        return Estimate(value, variance, freedom, count, 0.0, samples, self.is_of_cards, is_again=True)
 
 
 @dataclass(frozen=True)

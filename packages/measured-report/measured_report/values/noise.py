@@ -139,6 +139,8 @@ class Estimate:
     """The number in each measurement of the edition, None where it was not measured; empty where it is exact."""
     is_of_cards: bool = False
     """Set where the variance has the part that cards of one kind have."""
+    is_again: bool = False
+    """Set where it was measured more than once."""
     is_edge: bool = False
     """Set where chance decides in which of two ways it ends."""
 
@@ -153,11 +155,6 @@ class Estimate:
         return (
             f"at an edge, where chance decides: {several}" if self.is_edge else "mean of " * (least < largest) + several
         )
-
-    @property
-    def is_again(self) -> bool:
-        """Tell whether it was measured more than once."""
-        return sum(sample is not None for sample in self.samples) > 1
 
     @cached_property
     def noise(self) -> float:
