@@ -33,8 +33,7 @@ SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
 PARTS = {"response": "response_s", "the term": "left_out_mm_s", "step": "step_mm_s"}
 PARTS |= {"law": "predicted_drift_mm_s", "measured": "drift_mm_s"}
 SHAKE = {"amplitude_m": "m", "frequency_hz": "Hz"}
-MOST = 0.9
-"""Chosen: the law is asked of so many of the runs."""
+MOST = 0.9  # chosen: the law is asked of so many of the runs
 SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")
 """Runs of the table."""
 

@@ -36,8 +36,7 @@ labels = {
     "without-broad-phase": "without the broad phase",
 }
 
-MANY_COUNT = 16384
-"""The most worlds, for which there is a target."""
+MANY_COUNT = 16384  # the most worlds, for which there is a target
 REFERENCE, ALL = "untrimmed", "without-all"
 Timed = Mapping[tuple[str, str, int], Row]
 """Rows by device, case and number of worlds; a row without anything where nothing was measured."""

@@ -32,8 +32,7 @@ NAMES = {
 """Names by case, which has a gap for the shake: contacts, integrator, impratio, pads; term and positions."""
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
 """Columns of the parts of the slip that are predicted from the arm's motion, and what they are called."""
-SHOWN = (SHIPPED, STIFF, TERM, BEST)
-"""Variants whose parts are shown."""
+SHOWN = (SHIPPED, STIFF, TERM, BEST)  # variants whose parts are shown
 OTHER_CONTACTS = {
     "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
     "pyramid": "pyramidal-euler-400-shipped-3cm-full-kept",

@@ -11,8 +11,7 @@ from report.shared.arithmetic import cell_count, departure, difference, extreme,
 from report.shared.tables import Column, table_of
 
 ENGINES = ("warp", "c")
-CORNERS = 4
-"""Contacts of the box."""
+CORNERS = 4  # contacts of the box
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """Variants that one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")

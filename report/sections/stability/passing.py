@@ -4,14 +4,10 @@ from experiments.facts import classes
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
-CLASSES = classes.CLASSES[::-1]
-"""How a run ends, from the best to the worst."""
-DEPTH_LARGEST = 1.0
-"""Depth in stiff pads, at most, in percent of the edge."""
-GROWTH_LARGEST = 1.1
-"""Creep per cycle at the end of the long run over that at its beginning, at most."""
-LIMIT_MARGIN = 10.0
-"""So near to what friction can carry, in percent of it, nothing is asked."""
+CLASSES = classes.CLASSES[::-1]  # how a run ends, from the best to the worst
+DEPTH_LARGEST = 1.0  # depth in stiff pads, at most, in percent of the edge
+GROWTH_LARGEST = 1.1  # creep per cycle at the end of the long run over that at its beginning, at most
+LIMIT_MARGIN = 10.0  # so near to what friction can carry, in percent of it, nothing is asked
 JUDGED_BY = {
     "shake": ("load",),
     "grip": ("load",),

@@ -106,8 +106,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
 
 
-SAME = 5.0
-"""Chosen: a slip that is no farther from another, in percent of that, is the same."""
+SAME = 5.0  # chosen: a slip that is no farther from another, in percent of that, is the same
 
 
 def nothing_to_explain(same: Outcome) -> Outcome | None:

@@ -16,10 +16,8 @@ from measured_report.records.replicas import FOLDER
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
-LINES = 5
-"""Chosen: so many of the largest moves are told."""
-MARKDOWN_LIMIT = 60_000
-"""Characters; a comment on GitHub holds 65,536."""
+LINES = 5  # chosen: so many of the largest moves are told
+MARKDOWN_LIMIT = 60_000  # characters; a comment on GitHub holds 65,536
 
 
 def _json(kind: str, is_alarm: bool, parts: dict[str, Any]) -> str:
@@ -32,8 +30,7 @@ def _lines(lines: Iterable[str], form: str) -> str:
     return text if form == "text" else "\n".join(["```text", text.replace("```", "'''")[:MARKDOWN_LIMIT], "```"])
 
 
-Say = Callable[[str, Claim], str]
-"""Words a claim of a section."""
+Say = Callable[[str, Claim], str]  # words a claim of a section
 
 
 def check_text(edition: Edition, form: str, say: Say) -> str:

@@ -140,8 +140,7 @@ class Fault:
 
     release: str
     section: str
-    kind: str
-    """``damaged``, ``missing``, ``not shown``, ``broken`` or ``cannot tell``."""
+    kind: str  # `damaged`, `missing`, `not shown`, `broken` or `cannot tell`
     reason: str
     claim: str = ""
 

@@ -16,10 +16,8 @@ from measured_report.values.noise import FALSE_SHARE, ROUNDED_SHARE, Estimate, c
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
-NAMED = 4
-"""Chosen: so many claims, and twice as many settings, are named in a line."""
-CHOSEN_SHARE = 0.1
-"""Chosen: the share of a value that counts as noise where none was measured."""
+NAMED = 4  # chosen: so many claims, and twice as many settings, are named in a line
+CHOSEN_SHARE = 0.1  # chosen: the share of a value that counts as noise where none was measured
 
 
 @dataclass(frozen=True)
@@ -28,24 +26,17 @@ class Move:
 
     column: str
     before: Any
-    after: Any
-    """A number, a text, or yes and no, as the other; None where an edition lacks it."""
-    chance: float | None = None
-    """None for what is no number."""
-    error: float = 0.0
-    """Standard error of the difference, and its degrees of freedom."""
+    after: Any  # a number, a text, or yes and no, as the other; None where an edition lacks it
+    chance: float | None = None  # None for what is no number
+    error: float = 0.0  # standard error of the difference, and its degrees of freedom
     freedom: float = math.inf
-    least: float = 0.0
-    """What a difference has to exceed in any case."""
-    is_chosen: bool = False
-    """Set where nobody knows the noise, and a share of the value stands for it."""
+    least: float = 0.0  # what a difference has to exceed in any case
+    is_chosen: bool = False  # set where nobody knows the noise, and a share of the value stands for it
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)
-    rows: Sequence[Row] = ()
-    """Its row in both; none where it is of many."""
+    rows: Sequence[Row] = ()  # its row in both; none where it is of many
     unit: str = "1"
-    limit: float = FALSE_SHARE
-    """The largest chance that counts as none."""
+    limit: float = FALSE_SHARE  # the largest chance that counts as none
 
     @property
     def sides(self) -> list[Any]:

@@ -32,12 +32,10 @@ from measured_report.values.noise import (
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import numpy as np
 
-REPEATED_SHARE = 1e-3
-"""Chosen: what repeats to the last bit here may round otherwise elsewhere, by this share."""
+REPEATED_SHARE = 1e-3  # chosen: what repeats to the last bit here may round otherwise elsewhere, by this share
 EDGES = ("_p5", "_p95")
 """Ends of columns that say how far the numbers spread of which a column has the median."""
-MEDIAN = math.sqrt(math.pi / 2)
-"""Ratio of the spreads of the median of many numbers and of their mean."""
+MEDIAN = math.sqrt(math.pi / 2)  # ratio of the spreads of the median of many numbers and of their mean
 AT_EDGE = 4.4
 """Chosen: a number so many normal deviations from all others is no chance, of which there is one in 100,000."""
 MEAN = "mean of"
@@ -83,8 +81,7 @@ class Repeats(NamedTuple):
     mean: float
     variance: float
     run_count: int
-    length: float = 0.0
-    """Of the longest of them, in the column that it grows with; 0 where it does not."""
+    length: float = 0.0  # of the longest of them, in the column that it grows with; 0 where it does not
 
     def variance_at(self, value: float, length: float | None) -> float:
         """Return the variance of a run with such a number: larger and longer ones have more, in proportion."""
@@ -93,8 +90,7 @@ class Repeats(NamedTuple):
         return self.variance * max(1.0, scale, longer) ** 2
 
 
-Repeated = Mapping[str, Mapping[str, Repeats]]
-"""Runs of one case, by case and column."""
+Repeated = Mapping[str, Mapping[str, Repeats]]  # runs of one case, by case and column
 
 
 def repeats_of(rows: Iterable[Cells]) -> Repeated:
@@ -122,8 +118,7 @@ class Column:
     freedoms: "np.ndarray"
     counts: "np.ndarray"
     """Measurements, or cards, that a row's mean is of."""
-    is_of_cards: bool = False
-    """Set where it has the part that cards of one kind have."""
+    is_of_cards: bool = False  # set where it has the part that cards of one kind have
 
     @cached_property
     def lines(self) -> list[tuple[list[float], float, float, float]]:
@@ -154,12 +149,9 @@ class Evidence:
     count: int = 1
     columns: Mapping[Key, Column] = field(default_factory=dict)
     """By column and engine, those of which there is more than one measurement."""
-    repeats: Repeated = field(default_factory=dict)
-    """Runs of one case, of the section on noise."""
-    edges: frozenset[Key] = frozenset()
-    """Rows that end in one of two ways, by chance."""
-    edge_share: float = 0.0
-    """How often a row has ended otherwise in one measurement than in the others."""
+    repeats: Repeated = field(default_factory=dict)  # runs of one case, of the section on noise
+    edges: frozenset[Key] = frozenset()  # rows that end in one of two ways, by chance
+    edge_share: float = 0.0  # how often a row has ended otherwise in one measurement than in the others
     changed: Sequence[tuple[int, int]] = ()
     """How many numbers each measurement has, and how many of them changed against all other measurements."""
 
@@ -228,8 +220,7 @@ class Cell(NamedTuple):
 
     key: Key
     samples: list[float]
-    scale: float = 1.0
-    """What its deviation would be if runs alone were apart; 1 where nobody knows."""
+    scale: float = 1.0  # what its deviation would be if runs alone were apart; 1 where nobody knows
 
 
 def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidence:

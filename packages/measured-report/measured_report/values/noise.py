@@ -11,22 +11,17 @@ from functools import cache, cached_property
 from statistics import NormalDist, median
 from typing import Any
 
-SURE = 0.95
-"""Chosen: so often the truth is within a printed number's noise."""
-FALSE_SHARE = 0.01
-"""Chosen: so large a share of the changes that are told may be none."""
+SURE = 0.95  # chosen: so often the truth is within a printed number's noise
+FALSE_SHARE = 0.01  # chosen: so large a share of the changes that are told may be none
 PAIRS, CONFIDENCE = 0.999, 0.95
 """Chosen: so many of all pairs of runs of one case differ by no more than the tolerance, and how sure that is."""
-LEAST_RUNS = 4
-"""With fewer their spread says too little of a tolerance."""
+LEAST_RUNS = 4  # with fewer their spread says too little of a tolerance
 OUTLIER, LEAST_FENCED = 5.0, 6
 """Chosen: an outlier is so many deviations from the median, and of no fewer numbers."""
 NORMAL = NormalDist()
-Z = NORMAL.inv_cdf((1 + SURE) / 2)
-"""Deviations that ``SURE`` of a normal distribution is within."""
+Z = NORMAL.inv_cdf((1 + SURE) / 2)  # deviations that `SURE` of a normal distribution is within
 MOST_T, SMALL_T = 1e6, 2.0
-WRITTEN_SHARE = 5e-4
-"""Chosen: no number is written to a smaller share of it, however well it is known."""
+WRITTEN_SHARE = 5e-4  # chosen: no number is written to a smaller share of it, however well it is known
 ROUNDED_SHARE = 1e-6
 """Chosen: no difference is smaller than this share of a number, as single precision makes of a few sums."""
 
@@ -125,24 +120,16 @@ def binomial_noise(share: float, trials: float) -> float:
 class Estimate:
     """Tells what is known of a number by all that was measured of it."""
 
-    value: float | int
-    """The mean of its measurements; where they agree, what they say."""
-    variance: float = 0.0
-    """Of one measurement."""
-    freedom: float = math.inf
-    """Degrees of freedom of the variance."""
-    count: float = 1.0
-    """Measurements that the value is the mean of."""
-    least: float = 0.0
-    """The least that it may be off, as by rounding."""
+    value: float | int  # the mean of its measurements; where they agree, what they say
+    variance: float = 0.0  # of one measurement
+    freedom: float = math.inf  # degrees of freedom of the variance
+    count: float = 1.0  # measurements that the value is the mean of
+    least: float = 0.0  # the least that it may be off, as by rounding
     samples: Sequence[float | None] = ()
     """The number in each measurement of the edition, None where it was not measured; empty where it is exact."""
-    is_of_cards: bool = False
-    """Set where the variance has the part that cards of one kind have."""
-    is_again: bool = False
-    """Set where it was measured more than once."""
-    is_edge: bool = False
-    """Set where chance decides in which of two ways it ends."""
+    is_of_cards: bool = False  # set where the variance has the part that cards of one kind have
+    is_again: bool = False  # set where it was measured more than once
+    is_edge: bool = False  # set where chance decides in which of two ways it ends
 
     @property
     def note(self) -> str:

@@ -29,8 +29,7 @@ def local(text: str, release: str) -> str:
 class Pointer:
     """Names the place of a number of a record, or of a trace, below the site's ``data/``."""
 
-    text: str
-    """Such as ``engine-1.4.0/friction.json#/rows/3/drag_n``."""
+    text: str  # such as `engine-1.4.0/friction.json#/rows/3/drag_n`
 
     @property
     def file(self) -> str:
@@ -141,10 +140,8 @@ def absent(unit: str, reason: str) -> Quantity:
 class Value(Quantity):
     """Holds a number derived from others, which says how."""
 
-    sources: Sequence[str] = ()
-    """Pointers to what it is computed from."""
-    roots: frozenset[str] = frozenset()
-    """The same, and pointers to what those are computed from, down to the records."""
+    sources: Sequence[str] = ()  # pointers to what it is computed from
+    roots: frozenset[str] = frozenset()  # the same, and pointers to what those are computed from, down to the records
 
     @property
     def reads(self) -> frozenset[str]:
@@ -165,8 +162,7 @@ def mixed(*origins: frozenset[Origin]) -> str:
     return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"
 
 
-LEAST_SAMPLES = 3
-"""Chosen: fewer measurements of a value say less than those of its sources."""
+LEAST_SAMPLES = 3  # chosen: fewer measurements of a value say less than those of its sources
 
 
 def of_all(function: Callable[..., float]) -> Callable[..., float]:

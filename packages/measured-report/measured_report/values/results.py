@@ -143,10 +143,8 @@ class Results:
     path: Path
     others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)
     """Results of the sections that stand before this one on the page."""
-    derived: dict[str, Value] = field(default_factory=dict)
-    """Every derived value by name, for the site's values file."""
-    evidence: Evidence = field(default_factory=Evidence, repr=False)
-    """What all measurements of it say of its numbers."""
+    derived: dict[str, Value] = field(default_factory=dict)  # every derived value by name, for the site's values file
+    evidence: Evidence = field(default_factory=Evidence, repr=False)  # what all measurements of it say of its numbers
     label: str = ""
     """Name of the section in figures and tables."""
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)

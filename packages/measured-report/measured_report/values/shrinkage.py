@@ -11,16 +11,12 @@ import numpy as np
 
 from measured_report.values.noise import MOST_T, ROUNDED_SHARE, deviations_of
 
-Array = Any
-"""An array of NumPy's, of which the types say nothing that a reader needs."""
-MOST_FREEDOM = 100.0
-"""Strength of a column whose variances differ by chance alone."""
+Array = Any  # an array of NumPy's, of which the types say nothing that a reader needs
+MOST_FREEDOM = 100.0  # strength of a column whose variances differ by chance alone
 USUAL_FREEDOM, USUAL_ROWS = 4.0, 8
 """Chosen: the strength of a column without rows, and of how many rows it is worth as much as what theirs show."""
-LEAST_ROWS = 3
-"""Fewer rows are no column."""
-WILD = 3.3
-"""Chosen: a variance so many normal deviations above its column's is none of that."""
+LEAST_ROWS = 3  # fewer rows are no column
+WILD = 3.3  # chosen: a variance so many normal deviations above its column's is none of that
 
 
 def digamma(x: Array | float) -> Array:
@@ -54,8 +50,7 @@ class Prior(NamedTuple):
     """Hold what a column says of a number's variance before it was measured twice."""
 
     level: float
-    slope: float
-    """The power of a number's size that its variance goes with: 2 for noise in proportion to it."""
+    slope: float  # the power of a number's size that its variance goes with: 2 for noise in proportion to it
     freedom: float
 
 
@@ -85,10 +80,8 @@ class Moderated(NamedTuple):
 
     variances: Array
     freedoms: Array
-    lent: Array
-    """Degrees of freedom that are the column's; none where a row is none of it."""
-    common: Array
-    """The column's variance on the scale of each number."""
+    lent: Array  # degrees of freedom that are the column's; none where a row is none of it
+    common: Array  # the column's variance on the scale of each number
 
 
 def moderated(variances: Array, freedoms: Array, sizes: Array, usual: float = 0.0) -> Moderated:
