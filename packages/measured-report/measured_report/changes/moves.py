@@ -2,12 +2,12 @@
 
 import math
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from measured_report.files.config import config
+from measured_report.files.config import cached_in_report, config
 from measured_report.findings.chapters import Chapter
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
@@ -128,47 +128,56 @@ class Move:
         return " → ".join(map(_text, sides))
 
 
-def cells_between(before: Chapter, after: Chapter) -> Iterator[Move]:
-    """Yield the values of a section that compare between two editions, moved or not, and settings that one lacks."""
+@dataclass(frozen=True)
+class Pair:
+    """Hold what both editions know of a number, with the move that it makes, not yet judged."""
+
+    move: Mapping[str, Any]  # what the move says of itself, before it is judged
+    column: str
+    estimates: Sequence[Estimate | None]  # None where nobody knows how it scatters
+    ends: tuple[float, float]
+    edge_share: float = 0.0  # no chance is less
+
+
+def cells_between(before: Chapter, after: Chapter) -> list[Move]:
+    """Return the values of a section that compare between two editions, moved or not, and settings that one lacks."""
     records = before.results.record, after.results.record
     edges = before.results.evidence.edges | after.results.evidence.edges
+    edge_share = max(chapter.results.evidence.edge_share for chapter in (before, after))
     rules, old, new = config().changes, _rows_by_key(before), _rows_by_key(after)
-    means = {move.name: move for move in _means_between(before, after)}
-    yield from means.values()
+    pairs = list(_means_between(before, after))
+    moves, mean_cells = [], {(pair.move["place"]["case"], pair.column) for pair in pairs}
     for key in dict.fromkeys((*old, *new)):
         place, a, b = dict(key), old.get(key), new.get(key)
         if a is None or b is None:
             if place.get("kind") in rules.settings:
                 values = a and a.plain["value"], b and b.plain["value"]
-                yield Move("value", *values, section=before.name, place=place)
+                moves.append(Move("value", *values, section=before.name, place=place))
+            continue
         # Where repeats of a run end in different classes it is chance which one the row is about.
-        elif a.key not in edges and not any(
+        if a.names[0] in edges or any(
             len(set(row.plain[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row
         ):
-            for column in _comparable((a.plain, b.plain), records):
-                move = _move(column, (a, b), before.name, place)
-                if move and move.name not in means:
-                    yield move
+            continue
+        is_other_card = a.card != b.card
+        for column in _comparable((a.plain, b.plain), records):
+            ends = a.plain[column], b.plain[column]
+            move = {"section": before.name, "place": place, "rows": (a, b)}
+            if not (is_number(ends[0]) and is_number(ends[1])):
+                moves.append(Move(column, *ends, **move))
+            elif (place["case"], column) not in mean_cells:
+                estimates = [a.estimate(column), b.estimate(column)]
+                if is_absolute(column):
+                    if is_other_card and not _knows_cards(estimates):
+                        continue
+                    estimates = [each and (each if each.is_again else _of_process(each)) for each in estimates]
+                pairs.append(Pair(move, column, estimates, ends, edge_share))
+    return [*judged(pairs), *moves]
 
 
-def _move(column: str, rows: tuple[Row, Row], section: str, place: Mapping[str, Any]) -> Move | None:
-    """Compare a cell of two rows; None for absolute times of two cards where nobody knows how far cards are apart."""
-    before, after = (row.plain[column] for row in rows)
-    if not (is_number(before) and is_number(after)):
-        return Move(column, before, after, section=section, place=place, rows=rows)
-    estimates = [row.estimate(column) for row in rows]
-    if is_absolute(column):
-        if _are_apart(column, {row.card for row in rows}, estimates):
-            return None
-        estimates = [each and (each if each.is_again else _of_process(each)) for each in estimates]
-    edge_share = max(row.evidence.edge_share for row in rows)
-    move = Move(column, before, after, edge_share, section=section, place=place, rows=rows)
-    return judged(move, estimates)
-
-
-def _are_apart(column: str, cards: Collection[str], estimates: Sequence[Estimate | None]) -> bool:
-    """Tell whether these are absolute times of two cards, and nobody knows how far cards of one kind are apart."""
-    return is_absolute(column) and len(cards) > 1 and not any(each and each.is_of_cards for each in estimates)
+def _knows_cards(estimates: Sequence[Estimate | None]) -> bool:
+    """Tell whether somebody knows how far absolute times of two cards of one kind are apart."""
+    return any(each and each.is_of_cards for each in estimates)
 
 
 def _of_process(time: Estimate) -> Estimate:
@@ -176,34 +185,55 @@ def _of_process(time: Estimate) -> Estimate:
     return replace(time, count=1.0, least=CHOSEN_SHARE * abs(time.value))
 
 
-def _means_between(before: Chapter, after: Chapter) -> Iterator[Move]:
+def _means_between(before: Chapter, after: Chapter) -> Iterator[Pair]:
     """Yield the means of what the section on noise has many runs of, by case and column."""
     if before.name != config().noise_section:
         return
     old, new = (chapter.results.evidence.means() for chapter in (before, after))
+    is_other_card = before.results.record.card != after.results.record.card
     for case, column in (key for key in old if key in new):
-        pair, unit = (old[case, column], new[case, column]), before.results.record.units[column]
-        if _are_apart(column, {chapter.results.record.card for chapter in (before, after)}, pair):
-            continue
-        yield judged(Move(column, 0.0, 0.0, section=before.name, place={"case": case}, unit=unit), pair)
+        means = old[case, column], new[case, column]
+        if not (is_absolute(column) and is_other_card) or _knows_cards(means):
+            unit = before.results.record.units[column]
+            move = {"section": before.name, "place": {"case": case}, "unit": unit}
+            yield Pair(move, column, means, (means[0].value, means[1].value))
 
 
-def judged(move: Move, estimates: Sequence[Estimate | None]) -> Move:
-    """Say how often chance makes such a move, by what is known of both sides, and no less often than the move says.
+def judged(pairs: Sequence[Pair]) -> list[Move]:
+    """Say of numbers how often chance makes such a move, by what is known of both sides; all at once.
 
     What was measured again tells of a number that was measured once how far its own other measurements would be, and
     what is known of one side alone stands for both.
     """
-    values = [each.value if each else end for each, end in zip(estimates, (move.before, move.after), strict=True)]
-    size, teacher = max(map(abs, values)), max(filter(None, estimates), key=lambda each: each.is_again, default=None)
-    least, error, freedom = max(column_of(move.column).resolution, CHOSEN_SHARE * size), 0.0, math.inf
-    if teacher:
-        least = max(column_of(move.column).resolution, ROUNDED_SHARE * size, teacher.least)
-        taught = Estimate(teacher.value, teacher.variance, teacher.freedom)
-        error, freedom = welch(*(each if each and each.is_again >= teacher.is_again else taught for each in estimates))
-    chance = max(chance_of(max(0.0, abs(values[1] - values[0]) - least), error, freedom), move.chance or 0.0)
-    known = {"error": error, "freedom": freedom, "least": least, "is_chosen": not teacher}
-    return replace(move, before=values[0], after=values[1], chance=chance, **known)
+    import numpy as np  # most commands that know what a move is judge none
+
+    if not pairs:
+        return []
+    known = [_both(pair) for pair in pairs]
+    ends = [[each.value for each in sides] for sides, _, _ in known]
+    sides = np.array([[(each.variance / each.count, each.freedom) for each in sides] for sides, _, _ in known])
+    error, freedom = welch(sides[:, :, 0], sides[:, :, 1])
+    least = np.array([least for _, least, _ in known])
+    distance = np.maximum(0.0, abs(np.array([after - before for before, after in ends])) - least)
+    arrays = chance_of(distance, error, freedom), error.tolist(), freedom.tolist(), least.tolist()
+    return [
+        Move(pair.column, *values, max(chance, pair.edge_share), *numbers, is_chosen, **pair.move)
+        for pair, values, (_, _, is_chosen), chance, *numbers in zip(pairs, ends, known, *arrays, strict=True)
+    ]
+
+
+def _both(pair: Pair) -> tuple[list[Estimate], float, bool]:
+    """Return what is known of both sides, the least difference that counts, and whether nobody knows any of that."""
+    bare = [each or Estimate(end) for each, end in zip(pair.estimates, pair.ends, strict=True)]
+    size, resolution = max(abs(each.value) for each in bare), column_of(pair.column).resolution
+    teacher = max(filter(None, pair.estimates), key=lambda each: each.is_again, default=None)
+    if teacher is None:
+        return bare, max(resolution, CHOSEN_SHARE * size), True
+    sides = [
+        side if each and each.is_again >= teacher.is_again else Estimate(side.value, teacher.variance, teacher.freedom)
+        for side, each in zip(bare, pair.estimates, strict=True)
+    ]
+    return sides, max(resolution, ROUNDED_SHARE * size, teacher.least), False
 
 
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
@@ -220,11 +250,11 @@ def _unlike(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
 def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterator[str]:
     has_same_terms = len(set(map(cost_terms, records, cells))) == 1
     lost, unlike = [is_lost(cell) for cell in cells], _unlike(*cells)
-    for column in (name for name in cells[0] if name in cells[1] and name not in config().changes.keys):
-        about = column_of(column)
-        if "chance" in about.kinds or column.endswith((REASON, *EDGES)):
+    for column, before in cells[0].items():
+        if column not in cells[1] or not _may_differ(column):
             continue
-        if any(isinstance(cell[column], str | bool) for cell in cells):
+        about = column_of(column)
+        if isinstance(before, str | bool) or isinstance(cells[1][column], str | bool):
             is_so = not (all(lost) and "loss" in about.kinds)
         elif any(lost) or ("cost" in about.kinds and not has_same_terms):
             is_so = False
@@ -233,6 +263,13 @@ def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterat
             is_so = not unlike or about.is_setting or (is_rate and all("setting" in kinds for kinds in unlike))
         if is_so:
             yield column
+
+
+@cached_in_report
+def _may_differ(column: str) -> bool:
+    """Tell whether a column says something of a run, which is no chance and of no other column."""
+    is_key = column in config().changes.keys
+    return not (is_key or "chance" in column_of(column).kinds or column.endswith((REASON, *EDGES)))
 
 
 def few(names: Sequence[str], count: int = NAMED) -> str:

@@ -5,8 +5,10 @@ from measured_report.changes.compare import compare
 from measured_report.commands.options import Arguments, refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
-from measured_report.findings.editions import editions_of
+from measured_report.findings.cache import DerivedCache
+from measured_report.findings.editions import derive_edition
 from measured_report.pages.editions import sentences_of
+from measured_report.records.code import unchanged_files
 from measured_report.site.build import inputs_digest
 
 OPTIONS = shared("a", "b", "profile", "format")
@@ -22,7 +24,9 @@ def run(project: Project, arguments: Arguments) -> int:
     cache = Cache(project.root)
     found = cache.get("diff", key)
     if not found:
-        before, after = editions_of(project, among=names).values()
+        # Each by itself: what compares releases says nothing of one of them.
+        with unchanged_files():
+            before, after = (derive_edition(project.of(name), DerivedCache(project.root)) for name in names)
         comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
         text = diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
         found = text, int(comparison.is_alarm)

@@ -75,6 +75,11 @@ def engine_of(row: Cells) -> Key:
     return tuple(row.get(name) for name in config().repeating)
 
 
+def names_of(row: Cells) -> tuple[Key, Key]:
+    """Return what tells a row from others, and its engine."""
+    return key_of(row), engine_of(row)
+
+
 class Repeats(NamedTuple):
     """Hold what runs of one case, of one measurement, say of a column."""
 
@@ -155,9 +160,9 @@ class Evidence:
     changed: Sequence[tuple[int, int]] = ()
     """How many numbers each measurement has, and how many of them changed against all other measurements."""
 
-    def estimate(self, column: str, row: Cells, key: Key | None = None) -> Estimate | None:
-        """Return what is known of a number in ``row``, of that key; None where nobody knows how it scatters."""
-        value, about, key = row[column], column_of(column), key or key_of(row)
+    def estimate(self, column: str, row: Cells, names: tuple[Key, Key] | None = None) -> Estimate | None:
+        """Return what is known of a number in ``row``, which has such names; None where nobody knows its scatter."""
+        value, about, (key, engine) = row[column], column_of(column), names or names_of(row)
         if value is None:
             return None
         if trials := row.get(about.trials):
@@ -165,7 +170,7 @@ class Evidence:
             return Estimate(value, (scale * binomial_noise(value / scale, trials) / Z) ** 2, samples=(value,))
         if about.is_exact:
             return Estimate(value)
-        measured = self.columns.get((column, *engine_of(row)))
+        measured = self.columns.get((column, *engine))
         if measured and key in measured.places:
             return measured.estimate(key, value, key in self.edges)
         if isinstance(value, int):

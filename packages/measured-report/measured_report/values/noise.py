@@ -20,7 +20,7 @@ OUTLIER, LEAST_FENCED = 5.0, 6
 """Chosen: an outlier is so many deviations from the median, and of no fewer numbers."""
 NORMAL = NormalDist()
 Z = NORMAL.inv_cdf((1 + SURE) / 2)  # deviations that `SURE` of a normal distribution is within
-MOST_T, SMALL_T = 1e6, 2.0
+MOST_T, MOST_FREEDOM, TINY = 1e6, 1e9, 1e-300
 WRITTEN_SHARE = 5e-4  # chosen: no number is written to a smaller share of it, however well it is known
 ROUNDED_SHARE = 1e-6
 """Chosen: no difference is smaller than this share of a number, as single precision makes of a few sums."""
@@ -30,7 +30,7 @@ ROUNDED_SHARE = 1e-6
 def t_quantile(share: float, freedom: float) -> float:
     """Return Student's t that ``share`` of all lie within, by halving."""
     z = NORMAL.inv_cdf((1 + share) / 2)
-    low, high = (z, z) if math.isinf(freedom) else (0.0, MOST_T)
+    low, high = 0.0, MOST_T
     while high - low > 1e-9 * high:
         middle = math.sqrt(low * high) if low > 1 else (low + high) / 2
         low, high = (middle, high) if deviations_of(middle, freedom) < z else (low, middle)
@@ -38,13 +38,14 @@ def t_quantile(share: float, freedom: float) -> float:
 
 
 def deviations_of(t: Any, freedom: Any) -> Any:
-    """Return normal deviations as rare as Student's t with finite degrees of freedom; of arrays too.
+    """Return normal deviations as rare as Student's t; of arrays too.
 
     Hill (1970), Algorithm 395, Communications of the ACM 13, 617-619; with fewer than two degrees of freedom, where it
     is too rare, Wallace (1959), Annals of Mathematical Statistics 30, 1124-1130, who errs to the other side.
     """
     import numpy as np  # it takes long, and what is kept from before needs none of it
 
+    freedom = np.minimum(freedom, MOST_FREEDOM)
     grown = np.log1p(t * t / freedom)
     a = np.maximum(freedom, 1.0) - 0.5
     b, y = 48 * a**2, a * grown
@@ -53,13 +54,12 @@ def deviations_of(t: Any, freedom: Any) -> Any:
     return np.where(freedom < 2, wallace, ((tail + y + 3) / b + 1) * np.sqrt(y))
 
 
-def chance_of(difference: float, error: float, freedom: float) -> float:
-    """Tell how often two means of one truth come out so far apart or farther, by their standard error."""
-    if not difference:
-        return 1.0
-    t = min(difference / error, MOST_T) if error else MOST_T
-    is_small = t < SMALL_T  # most are, and how small they are decides nothing
-    return math.erfc((t if is_small or math.isinf(freedom) else float(deviations_of(t, freedom))) / math.sqrt(2))
+def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
+    """Tell of arrays how often two means of one truth come out so far apart or farther, by their standard error."""
+    import numpy as np
+
+    t = np.minimum(difference / np.maximum(error, difference / MOST_T + TINY), MOST_T)
+    return [math.erfc(each) for each in (deviations_of(t, freedom) / math.sqrt(2)).tolist()]
 
 
 def discoveries(chances: Sequence[float]) -> float:
@@ -155,14 +155,19 @@ class Estimate:
         return max(self.noise, WRITTEN_SHARE * abs(self.value)) if self.noise else 0.0
 
 
-def welch(a: Estimate, b: Estimate) -> tuple[float, float]:
-    """Return the standard error of the difference of two means, and its degrees of freedom.
+def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
+    """Return the standard errors of differences of two means, and their degrees of freedom, both in arrays.
 
     Welch (1947), Biometrika 34, 28-35, for variances that need not be the same.
+
+    Args:
+        variances: Of the means, by difference and side.
+        freedoms: Degrees of freedom of each.
     """
-    parts = [each.variance / each.count for each in (a, b)]
-    parts_squared = sum(part**2 / each.freedom for part, each in zip(parts, (a, b), strict=True))
-    return math.sqrt(sum(parts)), sum(parts) ** 2 / parts_squared if parts_squared else math.inf
+    import numpy as np
+
+    total, squared = variances.sum(axis=1), (variances**2 / freedoms).sum(axis=1)
+    return np.sqrt(total), np.where(squared > 0, total**2 / np.maximum(squared, TINY), math.inf)
 
 
 def derived_noise(

@@ -15,7 +15,7 @@ from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
-from measured_report.values.evidence import Evidence, Key, key_of
+from measured_report.values.evidence import Evidence, Key, names_of
 from measured_report.values.format import label_of
 from measured_report.values.noise import Estimate
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed, noise_of, of_all, samples_of
@@ -106,8 +106,8 @@ class Row:
         return self._results.evidence
 
     @cached_property
-    def key(self) -> Key:
-        return key_of(self.plain)
+    def names(self) -> tuple[Key, Key]:
+        return names_of(self.plain)
 
     @property
     def card(self) -> str:
@@ -116,7 +116,7 @@ class Row:
 
     def estimate(self, column: str) -> Estimate | None:
         """Return what is known of one of its numbers; None where nobody knows how that scatters."""
-        return self._results.evidence.estimate(column, self.plain, self.key)
+        return self._results.evidence.estimate(column, self.plain, self.names)
 
     @property
     def label(self) -> str:
