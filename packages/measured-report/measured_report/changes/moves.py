@@ -132,7 +132,7 @@ class Move:
 class Pair:
     """Hold what both editions know of a number, with the move that it makes, not yet judged."""
 
-    move: Mapping[str, Any]  # what the move says of itself, before it is judged
+    move: dict[str, Any]  # what the move says of itself, before it is judged
     column: str
     estimates: Sequence[Estimate | None]  # None where nobody knows how it scatters
     ends: tuple[float, float]
@@ -162,7 +162,7 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
         is_other_card = a.card != b.card
         for column in _comparable((a.plain, b.plain), records):
             ends = a.plain[column], b.plain[column]
-            move = {"section": before.name, "place": place, "rows": (a, b)}
+            move: dict[str, Any] = {"section": before.name, "place": place, "rows": (a, b)}
             if not (is_number(ends[0]) and is_number(ends[1])):
                 moves.append(Move(column, *ends, **move))
             elif (place["case"], column) not in mean_cells:
@@ -212,13 +212,15 @@ def judged(pairs: Sequence[Pair]) -> list[Move]:
     known = [_both(pair) for pair in pairs]
     ends = [[each.value for each in sides] for sides, _, _ in known]
     sides = np.array([[(each.variance / each.count, each.freedom) for each in sides] for sides, _, _ in known])
-    error, freedom = welch(sides[:, :, 0], sides[:, :, 1])
-    least = np.array([least for _, least, _ in known])
-    distance = np.maximum(0.0, abs(np.array([after - before for before, after in ends])) - least)
-    arrays = chance_of(distance, error, freedom), error.tolist(), freedom.tolist(), least.tolist()
+    errors, freedoms = welch(sides[:, :, 0], sides[:, :, 1])
+    leasts = np.array([least for _, least, _ in known])
+    distance = np.maximum(0.0, abs(np.array([after - before for before, after in ends])) - leasts)
+    arrays = chance_of(distance, errors, freedoms), errors.tolist(), freedoms.tolist(), leasts.tolist()
     return [
-        Move(pair.column, *values, max(chance, pair.edge_share), *numbers, is_chosen, **pair.move)
-        for pair, values, (_, _, is_chosen), chance, *numbers in zip(pairs, ends, known, *arrays, strict=True)
+        Move(pair.column, *values, max(chance, pair.edge_share), error, freedom, least, is_chosen, **pair.move)
+        for pair, values, (_, _, is_chosen), chance, error, freedom, least in zip(
+            pairs, ends, known, *arrays, strict=True
+        )
     ]
 
 
