@@ -210,15 +210,15 @@ def judged(pairs: Sequence[Pair]) -> list[Move]:
     if not pairs:
         return []
     known = [_both(pair) for pair in pairs]
-    ends = [[each.value for each in sides] for sides, _, _ in known]
+    ends = [(before.value, after.value) for (before, after), _, _ in known]
     sides = np.array([[(each.variance / each.count, each.freedom) for each in sides] for sides, _, _ in known])
     errors, freedoms = welch(sides[:, :, 0], sides[:, :, 1])
     leasts = np.array([least for _, least, _ in known])
     distance = np.maximum(0.0, abs(np.array([after - before for before, after in ends])) - leasts)
     arrays = chance_of(distance, errors, freedoms), errors.tolist(), freedoms.tolist(), leasts.tolist()
     return [
-        Move(pair.column, *values, max(chance, pair.edge_share), error, freedom, least, is_chosen, **pair.move)
-        for pair, values, (_, _, is_chosen), chance, error, freedom, least in zip(
+        Move(pair.column, before, after, max(chance, pair.edge_share), error, freedom, least, is_chosen, **pair.move)
+        for pair, (before, after), (_, _, is_chosen), chance, error, freedom, least in zip(
             pairs, ends, known, *arrays, strict=True
         )
     ]
