@@ -46,8 +46,10 @@ wp.config.enable_backward = False  # before kernels are imported, of which gradi
 INSTALLED = package_versions()
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
-KERNELS = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "warp-of-tests"
-os.environ.setdefault("WARP_CACHE_PATH", str(KERNELS))  # to compile them takes minutes, and Warp tells what has changed
+KEPT = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")  # from one run of the tests to the next
+# To compile the kernels takes minutes, and Warp tells what has changed.
+os.environ.setdefault("WARP_CACHE_PATH", str(KEPT / "warp-of-tests"))
+os.environ.setdefault("UV_CACHE_DIR", str(KEPT / "uv"))  # a new report's packages are unpacked there already
 if "PYTEST_XDIST_WORKER" not in os.environ:  # the processes of one run share what they derive of the tracked results
     CACHES = tempfile.TemporaryDirectory(prefix="caches-")
     os.environ["XDG_CACHE_HOME"] = CACHES.name
@@ -264,9 +266,12 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
     (base / f"{name}.lock").mkdir(exist_ok=True)
     with locked(base / f"{name}.lock"):
         if not (base / name).exists():
-            part = Path(tempfile.mkdtemp(dir=base))
-            make(part)
-            part.rename(base / name)
+            (base / name).mkdir()
+            try:  # in its own place, by which the cache knows what was derived there
+                make(base / name)
+            except BaseException:
+                shutil.rmtree(base / name)
+                raise
     return base / name
 
 
@@ -276,12 +281,14 @@ SIMULATING = ("tests/experiments", "tests/newton_lint/newton_models")
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Begin with the files whose tests are the slowest, so that no process ends long after the others.
 
-    Of those that simulate one is the first: the others wait until it has compiled the kernels.
+    Of those that simulate one is the first: the others wait until it has compiled the kernels; so do those that read
+    the tracked site, which it builds.
     """
     slow = Counter(item.path for item in items for _ in item.iter_markers("slow"))
     simulating = {path for path in slow if any(path.is_relative_to(ROOT / each) for each in SIMULATING)}
+    waiting = simulating | {item.path for item in items if "site" in item.fixturenames}
     first = max(sorted(simulating), key=slow.get, default=None)
-    items.sort(key=lambda item: (item.path != first, not slow[item.path], item.path in simulating, -slow[item.path]))
+    items.sort(key=lambda item: (item.path != first, not slow[item.path], item.path in waiting, -slow[item.path]))
     for item in items:
         if any(item.path.is_relative_to(ROOT / path) for path in SIMULATING):
             item.fixturenames.insert(0, "kernels")

@@ -7,10 +7,15 @@ import pytest
 import warp as wp
 
 from experiments import error_runtime
-from experiments.error_runtime.settings import FRAME_COUNT, PADS, native_of, setting, settings
+from experiments.error_runtime.settings import PADS, native_of, setting, settings
 from experiments.facts import metrics
 from experiments.facts.case import FIXED
 from experiments.simulation.reference import NativeShake, pilot_at_shake
+
+CASES = {pads: replace(base, cube_in_hand=True) for pads, base in PADS.items()}
+"""Where the shake begins early."""
+FRAME_COUNT = 60
+"""Of the shake."""
 
 
 @pytest.mark.parametrize("profile", ["full", "quick"])
@@ -23,8 +28,9 @@ def test_every_point_has_its_own_name_and_its_like_in_c(profile):
 @pytest.fixture(scope="module")
 def shakes():
     """One setting of each pads in Warp, with its traces and the states from which C starts."""
-    pilot = pilot_at_shake(PADS.values(), wp.get_device("cpu"))
-    points = [setting(base, pads, "newton", "substeps") for pads, base in PADS.items()]
+    pilot = pilot_at_shake(CASES.values(), wp.get_device("cpu"))
+    points = [setting(case, pads, "newton", "substeps") for pads, case in CASES.items()]
+    points = [replace(point, case=replace(point.case, frame_count=FRAME_COUNT)) for point in points]
     simulations = {point: error_runtime.in_warp(point, pilot, pilot.device) for point in points}
     starts = error_runtime.starts_by_pads(pilot, FRAME_COUNT)  # runs the pilot on
     return error_runtime.run_shakes(simulations), starts
@@ -33,7 +39,7 @@ def shakes():
 def test_warp_and_c_agree_from_the_same_state(shakes):
     traces, starts = shakes
     for point, of_warp in traces.items():
-        of_c = NativeShake(native_of(point).case, starts[point.pads]).run()
+        of_c = NativeShake(replace(native_of(point).case, frame_count=FRAME_COUNT), starts[point.pads]).run()
         assert len(of_warp.phase) == len(of_c.phase) == FRAME_COUNT
         assert (of_warp.phase == metrics.SHAKE).all()
         np.testing.assert_allclose(of_warp.poses[0, : of_c.poses.shape[1]], of_c.poses[0], atol=2e-5)
