@@ -22,8 +22,7 @@ from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, s
 from measured_report.records.code import cached_sources
 from measured_report.records.record import load_record
 
-OWN = "report.commands"
-"""The package of a report's own commands, which need not be there."""
+OWN = "report.commands"  # the package of a report's own commands, which need not be there
 
 
 class Parser(argparse.ArgumentParser):

@@ -12,8 +12,7 @@ from measured_report.files.errors import UsageError
 from measured_report.measuring.machine import DEVICES
 from measured_report.records.identity import sections
 
-Arguments = Namespace
-"""What a command is given: its options by their names, and the ``release`` that is asked for."""
+Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
 SCHEDULER = re.compile(r"(tcp|tls)://[^\s/]+:[0-9]{1,5}")
 
 
