@@ -26,8 +26,6 @@ OWN = "report.commands"  # the package of a report's own commands, which need no
 
 
 class Parser(argparse.ArgumentParser):
-    """Say in one line what can't be read."""
-
     def error(self, message: str):
         raise UsageError(f"{' '.join(message.split()):.300}; see {self.prog} --help")
 
@@ -95,7 +93,6 @@ def commands() -> dict[str, str]:
 
 
 def help_of(module: ModuleType) -> str:
-    """Return the first line of a command's docstring."""
     return (module.__doc__ or "").partition("\n")[0].rstrip(".")
 
 

@@ -9,7 +9,6 @@ from measured_report.files.config import config
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print all commands with the variables that each takes, and what each variable is."""
     said: dict[str, str] = {}
     for name, module in ((name, import_module(place)) for name, place in commands().items()):
         told = options_of(module).items()

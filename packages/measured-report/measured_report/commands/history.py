@@ -11,7 +11,6 @@ OPTIONS = shared("claim", "value", "profile")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print a claim or a value; without one, the numbers that say most and the claims that flip."""
     releases = {release: edition.chapters for release, edition in editions_of(project).items()}
     if not (arguments.claim or arguments.value):
         told = [history(releases, Query(value)) for value in config().changes.headlines.values()]

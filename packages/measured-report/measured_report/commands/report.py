@@ -16,7 +16,6 @@ OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Measure what is not fresh, where that may be done unasked, and build the site."""
     device = device_of(project, arguments)
     if not device:
         refuse_unmeasured(project, arguments.release.asked)

@@ -117,7 +117,6 @@ class Project:
         return named.order, date, named.source, named.pins, named.machine
 
     def of(self, release: str) -> "Project":
-        """Return the report of another edition."""
         return replace(self, release=release, own_release=self.own_release or self.release)
 
     def record_path(self, section: str) -> Path:

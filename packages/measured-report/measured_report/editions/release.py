@@ -43,7 +43,6 @@ class Release:
     checkout: Path | None = None  # the folder that is installed as it lies there, so that what is edited counts
 
     def __str__(self) -> str:
-        """Write its label."""
         pins = (f"+{config().short_names.get(package, package)}-{version}" for package, version in self.pins)
         return self.package_version + "".join(pins) + (f"@{self.machine}" if self.machine else "")
 
@@ -58,7 +57,6 @@ class Release:
         return Version(self.version)
 
     def is_installed_with(self, versions: Mapping[str, str]) -> bool:
-        """Tell whether these versions of packages are the ones that it names."""
         return versions[config().edition] == self.package_version and dict(self.pins).items() <= versions.items()
 
 
@@ -159,7 +157,6 @@ def release_date(release: Release) -> str:
 
 
 def releases_between(older: Release, newer: Release) -> list[Release]:
-    """Return the releases of the index between two, oldest first."""
     return [each for each in releases_of(config().edition) if older.order < each.order < newer.order]
 
 

@@ -89,7 +89,6 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def status_matrix(project: Project) -> str:
-    """Write the state of every section, in a column for each release."""
     with unchanged_files():
         states = {release: states_of(project.of(release)) for release in project.releases}
     rows = zip(*([state.summary for state in found] for found in states.values()), strict=True)

@@ -132,7 +132,6 @@ class Config:
         return self.option.lower().replace("_", "-") or "edition"
 
     def name_of(self, release: str) -> str:
-        """Write what people call an edition."""
         return f"{self.edition_name} {release}".strip()
 
     def edition_folder(self, release: str) -> str:

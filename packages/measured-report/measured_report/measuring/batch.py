@@ -46,8 +46,6 @@ Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
 
 @dataclass(frozen=True)
 class Result:
-    """Keep a value that a batch has returned, and what measured it."""
-
     value: Any  # travels as bytes, which are read where an error costs this batch alone
     machine: Mapping[str, Any]
     started: str

@@ -77,7 +77,6 @@ def gpus() -> list[Gpu]:
 
 
 def share_count(gpu: Gpu, gpu_count: int = 1) -> int:
-    """Return how many processes share one of so many GPUs."""
     has_daemon = (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists()
     most = min(MPS_SHARE_COUNT if has_daemon else SHARE_COUNT, (os.cpu_count() or 1) // gpu_count)
     return max(1, min(most, gpu.memory_mib // SHARE_MIB))
@@ -107,7 +106,6 @@ def machine_name(device: str) -> str:
 
 
 def machine_of(record: Record) -> str:
-    """Name the machine that measured a record for a label."""
     return "cpu" if record.machine.get("device") == "cpu" else slug(record.processor)
 
 

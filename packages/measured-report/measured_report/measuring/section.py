@@ -28,8 +28,6 @@ GONE = "the scheduler is gone; what is finished is kept"
 
 @dataclass
 class Section:
-    """Lead a section to its record."""
-
     project: Project
     name: str
     device: str

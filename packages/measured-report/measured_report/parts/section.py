@@ -103,7 +103,6 @@ class Figure:
 
     @property
     def is_there(self) -> bool:
-        """Tell whether anything of what it draws exists."""
         return any(source.value is not None for source in self.sources)
 
     def kept(self, pictures: Pictures | None) -> "Figure":

@@ -82,7 +82,6 @@ def parameters() -> Mapping[str, Any]:
 
 
 def is_unit(text: str) -> bool:
-    """Tell whether a text is a unit: one of a column's, or made of symbols."""
     return text in units().values() or all(map(SYMBOL.fullmatch, re.split("[/·]", text)))
 
 
@@ -146,7 +145,6 @@ def name_problem(text: str) -> str:
 
 @cache
 def text_problem(text: str) -> str:
-    """Say what is wrong with a text; empty when nothing is."""
     if len(text) > TEXT_LIMIT:
         return f"is a text of more than {TEXT_LIMIT} characters"
     found = UNPRINTABLE.search(text)

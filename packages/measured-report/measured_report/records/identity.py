@@ -121,7 +121,6 @@ def checkout_source(folder: Path) -> str:
 
 
 def code_in(folder: Path) -> str:
-    """Digest the package's code in a checkout."""
     module = config().edition.replace("-", "_")
     paths = [path for place in (folder, folder / "src") for path in (place / module).rglob("*.py")]
     return files_digest(paths, folder)[:SHORT_COMMIT]

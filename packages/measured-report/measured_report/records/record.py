@@ -58,8 +58,6 @@ class Origin:
 
 @dataclass(frozen=True)
 class Seal:
-    """Binds a trace to its record."""
-
     digest: Digest
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
@@ -115,7 +113,6 @@ class Record:
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
-        """Return what must be the same for two times to be compared."""
         return tuple(map(self.machine.get, ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")))
 
     @cached_property
@@ -141,7 +138,6 @@ class Record:
 
 
 def trace_path(record: Path, case: str) -> Path:
-    """Name the place of the trace of ``case``, beside the record at ``record``."""
     if not CASE.fullmatch(str(case)):
         raise RecordError(f"a trace needs a case name that can be part of a file name, not {case!r}")
     return record.with_name(f"{record.stem}.{case}.csv.gz")
