@@ -20,12 +20,11 @@ def run(project: Project, arguments: Arguments) -> int:
     names = [str(arguments.a), str(arguments.b)]
     key = (inputs_digest(project), names, arguments.format)
     cache = Cache(project.root)
-    found = cache.get("diff", key)
-    if not found:
+    if not (answer := cache.get("diff", key)):
         before, after = editions_of(project, among=names).values()
         comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
         text = diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
-        found = text, int(comparison.is_alarm)
-        cache.put("diff", key, found)
-    print(found[0])
-    return found[1]
+        answer = text, int(comparison.is_alarm)
+        cache.put("diff", key, answer)
+    print(answer[0])
+    return answer[1]
