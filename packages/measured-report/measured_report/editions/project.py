@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from measured_report.editions.release import Release, read_label
 from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
-from measured_report.files.config import FILE, Report, config, parse_toml, report, report_in
+from measured_report.files.config import FILE, Report, config, report, report_in, tomllib
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import name_problem
 
@@ -37,10 +37,10 @@ def read_manifest(results: Path) -> Manifest | None:
         return None
     content = read_own_file(path, BYTE_LIMIT)
     try:
-        found = parse_toml(content.decode("utf-8"))
-        if any(name_problem(str(text)) for text in (*found.values(), *found.get("sections", ()))):
+        fields = tomllib.loads(content.decode("utf-8"))
+        if any(name_problem(str(text)) for text in (*fields.values(), *fields.get("sections", ()))):
             raise ValueError("it has a text with what can't be printed")
-        return msgspec.convert({"asked": found.pop(config().edition), **found}, Manifest)
+        return msgspec.convert({"asked": fields.pop(config().edition), **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 

@@ -13,6 +13,10 @@ import msgspec
 from measured_report.files import root
 from measured_report.files.errors import ReportError, suggestion
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 FILE = "report.toml"
 ROOMS = ("experiments", "report")  # packages that every report has of its own, by the same names
 T = TypeVar("T")
@@ -147,16 +151,7 @@ class Config:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Read a TOML file; ValueError or OSError where it is none."""
-    return parse_toml(path.read_text(encoding="utf-8-sig"))
-
-
-def parse_toml(text: str) -> dict[str, Any]:
-    """Read a text of TOML; ValueError where it is none."""
-    if sys.version_info >= (3, 11):
-        import tomllib
-    else:
-        import tomli as tomllib
-    return tomllib.loads(text)
+    return tomllib.loads(path.read_text(encoding="utf-8-sig"))
 
 
 @dataclass(eq=False)

@@ -201,10 +201,9 @@ class Canonical:
         self._own = frozenset(_bound(node))
         nodes = list(ast.walk(node))
         self._locals_count = any(map(_reads_locals, nodes))
-        asked = ("__name__", "__qualname__")  # what a definition is called, which then counts
-        self._names_count = any(
-            _chain(each) for each in nodes if isinstance(each, ast.Attribute) and each.attr in asked
-        )
+        # What a definition is called counts where it is asked for.
+        attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
+        self._names_count = any(node.attr in ("__name__", "__qualname__") and _chain(node) for node in attributes)
         return self.plain(node, Scope())
 
     def plain(self, node: Any, scope: Scope) -> Any:
