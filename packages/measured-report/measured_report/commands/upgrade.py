@@ -30,8 +30,7 @@ from measured_report.records.identity import sections as all_sections
 from measured_report.records.replicas import FOLDER, packed
 from measured_report.values.evidence import is_absolute
 
-TIMED = "timed"
-"""The folder below ``results`` of what two editions were timed for; what lies there is measured anew each time."""
+TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
 SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compare with, in place of the one before"}
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 

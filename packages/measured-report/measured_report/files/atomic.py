@@ -13,8 +13,7 @@ from typing import Any
 
 from measured_report.files.errors import UNPRINTABLE, ReportError
 
-WHOLE, NEW, ASIDE = ".whole", "-new", ".damaged"
-"""Ends of folders that wait to be put in place, are still being written, and are refused."""
+WHOLE, NEW, ASIDE = ".whole", "-new", ".damaged"  # ends of folders that wait for their place, are written, are refused
 
 
 class RecordError(ReportError):

@@ -72,8 +72,7 @@ class Claim:
     """Quantities, which must all be there for it to tell, and texts and flags; "" for one that it does without."""
     wording: Wording | None = None
     confirmed: str = ""  # says how many measurements agree, where there are several
-    effect: Outcome = HOLDS
-    """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
+    effect: Outcome = HOLDS  # whether there is what its `because` explains; where that fails it is not explained
 
     def __post_init__(self):
         assert isinstance(self.outcome, Outcome), f"the claim {self.name} takes what a test returns, as at_most(…)"

@@ -91,7 +91,6 @@ def package_versions() -> dict[str, str]:
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
-    """Say which packages are of another version than before, each with both."""
     versions = {name: (before.get(name), after.get(name)) for name in config().packages}
     return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 

@@ -19,8 +19,7 @@ class Definition:
     """Holds one statement that defines a name."""
 
     tree: str  # digest of its syntax tree, with a gap in the place of each name that is not its own
-    names: tuple[str, ...]
-    """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.height_mm``."""
+    names: tuple[str, ...]  # what stands in the gaps: names, and attributes that are asked of them: `metrics.height_mm`
     imports: Mapping[str, str]
     assets: tuple[str, ...]
     decorators: tuple[str, ...]
@@ -41,8 +40,6 @@ Definitions = Mapping[str, tuple[Definition, ...]]
 
 
 class Reader:
-    """Reads the syntax tree of one module of a package."""
-
     def __init__(self, tree: ast.Module, package: tuple[str, ...]):
         self._tree, self._package = tree, package
         aside = (_imports_alone, _is_text, _is_aside)
