@@ -34,8 +34,9 @@ from measured_report.findings.editions import Edition, derive_edition
 from measured_report.pages.editions import WordedEdition, worded_editions
 from measured_report.pages.prose import Prose, Templates
 from measured_report.records.code import cached_sources, unchanged_files
+from measured_report.records.columns import units_of
 from measured_report.records.identity import identity_of, package_versions
-from measured_report.records.record import Record, units_of, write_record
+from measured_report.records.record import Record, write_record
 from measured_report.records.traces import load_trace, packed
 from measured_report.site.build import build
 from measured_report.site.pages import Content, contents_of, links_of

@@ -6,9 +6,9 @@ from altered import SCENARIOS
 from damage import RECORD_WAYS, TRACE_WAYS
 
 from measured_report.files.root import ROOT
+from tests.measured_report.commands.test_publish import DAMAGES as OF_SITES
 from tests.measured_report.files.test_outside import WHOLE_DAMAGES
 from tests.measured_report.records.test_replicas import DAMAGES as OF_REPLICAS
-from tests.measured_report.site.test_publish import DAMAGES as OF_SITES
 
 
 def test_reliability_counts_what_is_tried_and_names_tests_that_there_are():

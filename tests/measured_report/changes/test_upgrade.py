@@ -38,7 +38,7 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
     for profile in ("full", "quick"):
         assert base_of(Project("1.9.0", profile, root=toy.project.root)) == "1.8.0"
     measured = Project("1.8.0", root=toy.project.root)
-    write_manifest(measured.results, Manifest("1.8.0", "2026-11-11"))
+    write_manifest(measured.results, Manifest("1.8.0", "2026-11-11", ()))
     for profile in ("full", "quick"):
         pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
         assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"

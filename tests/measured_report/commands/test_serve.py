@@ -9,6 +9,7 @@ from http.client import HTTPConnection
 from conftest import TEMPLATE
 
 from measured_report.commands.serve import Server, stamp
+from measured_report.editions.project import INPUTS
 
 
 def test_what_changes_is_built_again(toy):
@@ -18,7 +19,8 @@ def test_what_changes_is_built_again(toy):
         toy.build()
         built.append(toy.page)
 
-    threading.Thread(target=server.follow, args=(toy.project.inputs, build), daemon=True).start()
+    folders = [toy.project.root / name for name in INPUTS]
+    threading.Thread(target=server.follow, args=(folders, build), daemon=True).start()
     while not built:  # the test has no limit of its own: it must not be a question of time
         time.sleep(0.05)
     toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("Stiff", "Stiffer"))
@@ -38,7 +40,7 @@ def test_a_folder_that_vanishes_while_it_is_looked_at_ends_nothing(toy, monkeypa
         return scan(place)
 
     monkeypatch.setattr(os, "scandir", vanish)
-    assert stamp(toy.project.inputs) and not (toy.project.root / "templates/sections").exists()
+    assert stamp(toy.project.root / name for name in INPUTS) and not (toy.project.root / "templates/sections").exists()
 
 
 def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):

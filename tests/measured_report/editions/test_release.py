@@ -107,7 +107,7 @@ def test_edited_code_is_stale(toy, checkout):
     release = release_of(str(checkout))
     edited = toy.of(str(release))
     edited.project.results.mkdir(parents=True)
-    write_manifest(edited.project.results, Manifest(release.asked))
+    write_manifest(edited.project.results, Manifest(release.asked, "", ()))
     write_record(edited.record_path, edited.record(identity=replace(edited.record().identity, packages=now(edited))))
     assert edited.state().kind == "fresh"
     # Whoever wrote the manifest may have written the repository's settings as well.

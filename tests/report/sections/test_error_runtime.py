@@ -3,7 +3,8 @@
 from dataclasses import replace
 
 from measured_report.files.root import ROOT
-from measured_report.records.record import load_record, units_of
+from measured_report.records.columns import units_of
+from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.sections.error_runtime.runs import ERROR, TIME, front
 

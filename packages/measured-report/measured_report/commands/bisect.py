@@ -14,7 +14,6 @@ OPTIONS = {**shared("claim", "value", "a", "b", "device"), "profile": {**SHARED[
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Find the first edition between A and B that the answer changes in, and which package did it."""
     device = measuring_device(arguments.device, "quick") or "cpu"
     query, ends = query_of(arguments), (arguments.a, arguments.b)
     if query.section not in sections() or query.section == query.text:

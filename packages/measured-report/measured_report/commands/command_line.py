@@ -22,13 +22,10 @@ from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, s
 from measured_report.records.code import cached_sources
 from measured_report.records.record import load_record
 
-OWN = "report.commands"
-"""The package of a report's own commands, which need not be there."""
+OWN = "report.commands"  # the package of a report's own commands, which need not be there
 
 
 class Parser(argparse.ArgumentParser):
-    """Say in one line what can't be read."""
-
     def error(self, message: str):
         raise UsageError(f"{' '.join(message.split()):.300}; see {self.prog} --help")
 
@@ -77,11 +74,11 @@ def _run(name: str, *given: str) -> int:
     own = own_release()
     arguments.release = release_of(arguments.edition or own, arguments.pins)
     project = Project(str(arguments.release), arguments.profile, own_release=own)
-    damaged = recover(project.results.parent, load_record)
-    for line in damaged:
+    damages = recover(project.results.parent, load_record)
+    for line in damages:
         _say(line)
     with cached_sources(project.root):
-        return module.run(project, arguments) or int(bool(damaged))
+        return module.run(project, arguments) or int(bool(damages))
 
 
 def commands() -> dict[str, str]:
@@ -96,15 +93,13 @@ def commands() -> dict[str, str]:
 
 
 def help_of(module: ModuleType) -> str:
-    """Return the first line of a command's docstring."""
     return (module.__doc__ or "").partition("\n")[0].rstrip(".")
 
 
 def options_of(module: ModuleType) -> Mapping[str, Mapping[str, Any]]:
     """Return a command's options by the variables of make that set them."""
-    options = getattr(module, "OPTIONS", {}).items()
-    named = ((config().flag if name == "edition" else name, option) for name, option in options)
-    return {name.upper().replace("-", "_"): option for name, option in named}
+    options = getattr(module, "OPTIONS", {})
+    return {config().option or "EDITION" if name == "edition" else name.upper(): options[name] for name in options}
 
 
 def _flag(variable: str) -> str:
@@ -117,9 +112,9 @@ def _typed(module: ModuleType) -> Iterator[str]:
     typed = {name: os.environ.pop(f"TYPED_{name}", "") for name in os.environ.pop("TYPED", "").split()}
     options = options_of(module)
     if os.environ.get("MAKELEVEL") == "1" and typed.keys() - options:
-        known = {name for each in map(import_module, commands().values()) for name in options_of(each)}
-        for name in sorted(typed.keys() - known):
-            raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), known)}; see make help")
+        variables = {name for command in map(import_module, commands().values()) for name in options_of(command)}
+        for name in sorted(typed.keys() - variables):
+            raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), variables)}; see make help")
     for name, value in typed.items():
         if name in options and value:
             is_switch, option = "action" in options[name], _flag(name)

@@ -22,14 +22,13 @@ def run(project: Project, arguments: Arguments) -> int:
     names = [str(arguments.a), str(arguments.b)]
     key = (inputs_digest(project), names, arguments.format)
     cache = Cache(project.root)
-    found = cache.get("diff", key)
-    if not found:
+    if not (answer := cache.get("diff", key)):
         # Each by itself: what compares releases says nothing of one of them.
         with unchanged_files():
             before, after = (derive_edition(project.of(name), DerivedCache(project.root)) for name in names)
         comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
         text = diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
-        found = text, int(comparison.is_alarm)
-        cache.put("diff", key, found)
-    print(found[0])
-    return found[1]
+        answer = text, int(comparison.is_alarm)
+        cache.put("diff", key, answer)
+    print(answer[0])
+    return answer[1]

@@ -9,14 +9,14 @@ from measured_report.files.config import config
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print all commands with the variables that each takes, and what each variable is."""
-    said: dict[str, str] = {}
-    for name, module in ((name, import_module(place)) for name, place in commands().items()):
-        told = options_of(module).items()
-        options = {each: option for each, option in told if each != "DEVICE" or config().needs_gpu}
+    texts: dict[str, str] = {}
+    for name, path in commands().items():
+        options = {**options_of(module := import_module(path))}
+        if not config().needs_gpu:
+            options.pop("DEVICE", None)
         print(f"make {name:9} {help_of(module)}" + (f" [{' '.join(options)}]" if options else ""))
-        said |= {variable: option["help"] for variable, option in options.items()}
+        texts |= {variable: option["help"] for variable, option in options.items()}
     print()
-    for name, text in {**said, "PYTHON": "a Python that has everything already, on a host without network"}.items():
+    for name, text in {**texts, "PYTHON": "a Python that has everything already, on a host without network"}.items():
         print(f"{f'{name}=':10} {text}")
     return 0

@@ -11,11 +11,10 @@ OPTIONS = shared("claim", "value", "profile")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print a claim or a value; without one, the numbers that say most and the claims that flip."""
     releases = {release: edition.chapters for release, edition in editions_of(project).items()}
     if not (arguments.claim or arguments.value):
-        told = [history(releases, Query(value)) for value in config().changes.headlines.values()]
-        print("\n\n".join([*told, flip_history(releases, project.release)]))
+        texts = [history(releases, Query(value)) for value in config().changes.headlines.values()]
+        print("\n\n".join([*texts, flip_history(releases, project.release)]))
         return 0
     query = query_of(arguments)
     if not any(query.answer(each) is not None or query.text in query.names(each) for each in releases.values()):

@@ -25,7 +25,6 @@ GENERATOR = "measured-report"
 
 
 def main() -> int:
-    """Write a report; return the exit status, with one line for whatever can be mended."""
     parser = argparse.ArgumentParser(prog=GENERATOR, description=__doc__, allow_abbrev=False)
     parser.add_argument("command", choices=("new",))
     parser.add_argument("folder", metavar="DIR", type=Path, help="a folder that is empty or not there")

@@ -11,7 +11,6 @@ from measured_report.files.errors import ReportError
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print what is new, a line each, as outputs of a step; nothing where nothing is new."""
     package = config().edition
     sides = (replace(project, profile=profile) for profile in PROFILES)
     known = [side.of(release) for side in sides for release in side.releases]

@@ -12,20 +12,17 @@ from measured_report.files.errors import UsageError
 from measured_report.measuring.machine import DEVICES
 from measured_report.records.identity import sections
 
-Arguments = Namespace
-"""What a command is given: its options by their names, and the ``release`` that is asked for."""
+Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
 SCHEDULER = re.compile(r"(tcp|tls)://[^\s/]+:[0-9]{1,5}")
 
 
 def read_cluster(asked: str) -> str:
-    """Read who measures: ``local``, or the address of a Dask scheduler."""
     if asked != "local" and not SCHEDULER.fullmatch(asked):
         raise UsageError(f"CLUSTER={asked:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
     return asked
 
 
 def read_address(address: str) -> str:
-    """Read where the site will lie, and end it in a slash."""
     if address and not address.startswith(("https://", "http://")):
         raise UsageError(f"ADDRESS={address} is no address of a site; use one as https://example.org/report/")
     return f"{address.rstrip('/')}/" if address else ""
@@ -67,7 +64,6 @@ def refuse_unmeasured(project: Project, asked: str) -> None:
 
 
 def refuse_itself(before: str, after: str) -> None:
-    """Refuse to compare an edition with itself, which differs in nothing."""
     if before == after:
         name, option = config().name_of(after), config().option
         raise UsageError(f"{name} would be compared with itself; {option}= names another edition, as make newest does")

@@ -1,12 +1,129 @@
 """Check site/ and put it at TARGET, or on the branch gh-pages of git's origin."""
 
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
-from measured_report.site.publish import publish
+from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.records.replicas import SUMS
+from measured_report.site.check import check_site
 
 OPTIONS = {"target": {"default": "", "help": "where to publish: dir:PATH or git:REMOTE"}}
+DEFAULT, BRANCH = "git:origin", "gh-pages"
+SUBJECT = "The report, as make publish made it"
+MARK = ".published"  # a file of every copy that is published: only what has it is replaced
+ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
+QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
 def run(project: Project, arguments: Arguments) -> int:
     print(f"published at {publish(project.site, arguments.target)}")
     return 0
+
+
+def publish(site: Path, target: str) -> str:
+    """Put a checked copy of ``site`` at ``dir:PATH`` or ``git:REMOTE#BRANCH``, whole, and return where it lies."""
+    scheme, _, place = (target or DEFAULT).partition(":")
+    option = f"TARGET={without_password(target)}"
+    if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
+        raise UsageError(f"{option!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE")
+    try:
+        (site.parent / ASIDE).mkdir(exist_ok=True)
+        with staging_folder(site.parent / ASIDE / "copy") as folder:  # what a killed one has left goes now
+            copy = _checked_copy(site, folder / "site")
+            return without_password(TARGETS[scheme](copy, place, site))
+    except UsageError as error:
+        raise UsageError(without_password(str(error))) from None
+    except OSError as error:
+        raise UsageError(f"{option}: {error.strerror or ' '.join(str(error).split())}") from None
+
+
+def without_password(text: str) -> str:
+    """Return a text without what opens the addresses in it."""
+    return re.sub(r"(?<=//)[^/\s]*@", "", text)
+
+
+def _checked_copy(site: Path, copy: Path) -> Path:
+    """Copy the site; ReportError where anything is wrong with it. Anyone may read the copy, whatever the umask is."""
+    if not (site / "index.html").is_file():
+        raise UsageError(f"{site.name}/ holds no report; make report builds it")
+    with locked(site.parent, alone=False):  # not while it is being put in place
+        digests = digests_below(site)
+        if not digests.pop(SUMS, "") or (site / SUMS).read_text(encoding="utf-8", errors="replace") != sums(digests):
+            raise ReportError(f"not published: {site.name}/ is not as it was built; make report builds it again")
+        shutil.copytree(site, copy)
+    if QUICK.encode() in (copy / "index.html").read_bytes():
+        raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
+    if problems := check_site(copy):
+        raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
+    (copy / MARK).write_text("what make publish made; it removes what else is here\n", encoding="utf-8")
+    for path in (copy, *copy.rglob("*")):
+        path.chmod(0o755 if path.is_dir() else 0o644)
+    return copy
+
+
+def _to_folder(copy: Path, place: str, site: Path) -> str:
+    # Path.expanduser would raise for a user that does not exist.
+    path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
+    if not path.name or not path.parent.is_dir():
+        raise UsageError(f"TARGET=dir:{place}: there is no folder to put it into")
+    is_free = not path.exists() or (path.is_dir() and not any(path.iterdir()))
+    if path.is_symlink() or not (is_free or (path / MARK).is_file()):
+        raise UsageError(f"{path} holds something that was not published here; it was left alone")
+    with staging_folder(path) as fresh:
+        shutil.copytree(copy, fresh)
+        replace(path, fresh)
+    return str(path)
+
+
+def _to_branch(copy: Path, place: str, site: Path) -> str:
+    """Publish to a branch of a remote, as its one commit, made in a repository of its own and pushed by address."""
+    remote, _, branch = place.partition("#")
+    branch = branch or BRANCH
+    ref, git, aside = f"refs/heads/{branch}", ["git", "-C", str(site.parent)], copy.with_name("git")
+    if Path(_run([*git, "rev-parse", "--show-toplevel"])) != site.parent.resolve():
+        raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
+    if _run(["git", "check-ref-format", "--branch", branch]) != branch or branch.startswith(("@", "refs/")):
+        raise UsageError(f"{branch} is no name for a branch")
+    is_named = remote in _run([*git, "remote"]).splitlines()
+    address = _run([*git, "remote", "get-url", "--push", remote]) if is_named else remote
+    _run(["git", "init", "--quiet", "--bare", str(aside)])
+    objects = site.parent / _run([*git, "rev-parse", "--git-path", "objects"])
+    (aside / "objects/info/alternates").write_text(f"{objects}\n", encoding="utf-8")
+    kept_aside = {"GIT_OBJECT_DIRECTORY": f"{aside}/objects"}
+    tips = (line.split("\t") for line in _run([*git, "ls-remote", address, ref]).splitlines())
+    if before := next((tip for tip, name in tips if name == ref), ""):
+        fetching = ["fetch", "--quiet", "--no-tags", "--no-write-fetch-head", "--no-auto-maintenance", address, ref]
+        _run([*git, *fetching], **kept_aside)
+        if " blob " not in _run([*git, "ls-tree", before, MARK], **kept_aside):
+            raise UsageError(f"the branch {branch} of {remote} holds something else; it was left alone")
+    importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
+    author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
+    _run([*importing, str(copy)], GIT_DIR=str(aside), **author)
+    commit = _run(["git", "-C", str(aside), "rev-parse", ref])
+    _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}"], **kept_aside)
+    return f"{remote}, branch {branch}"
+
+
+def _run(command: Sequence[str], **settings: str) -> str:
+    name = "ghp-import" if "ghp_import" in command else command[0]
+    quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
+    env = {**os.environ, **quiet, **settings}
+    try:
+        done = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=env, check=False)
+    except FileNotFoundError:
+        raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None
+    if done.returncode:
+        lines = [*filter(None, map(str.strip, done.stderr.splitlines())), f"exit status {done.returncode}"]
+        raise UsageError(f"not published: {name}: {lines[0]}")
+    return done.stdout.strip()
+
+
+TARGETS = {"dir": _to_folder, "git": _to_branch}

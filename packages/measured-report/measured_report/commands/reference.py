@@ -23,8 +23,7 @@ TOLD = {
     "parts/words": "",
     "pages/passages": "",
     "parts/citations": "",
-}
-"""What is told of each module besides what it says itself."""
+}  # what is told of each module besides what it says itself
 
 
 def run(project: Project, arguments: Arguments) -> int:

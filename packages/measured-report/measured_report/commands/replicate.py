@@ -28,11 +28,11 @@ def run(project: Project, arguments: Arguments) -> int:
         return 0
     device = device_of(project, arguments)
     fresh = [state.section for state in states_of(project) if state.kind == "fresh"]
-    asked = [section for section in fresh if device or not needs_gpu(section, project.root)]
-    if not asked:
+    measurable = [section for section in fresh if device or not needs_gpu(section, project.root)]
+    if not measurable:
         raise UsageError(NO_CUDA)
     again = replace(project.of(project.release), aside=ASIDE)
-    if lacking := [section for section in asked if not again.record_path(section).exists()]:
+    if lacking := [section for section in measurable if not again.record_path(section).exists()]:
         again = measure(again, arguments.release, lacking, device or "cpu", arguments.cluster)
     _keep(project, {record.section: record for record in records_of(again)}, "what was measured")
     shutil.rmtree(again.results)

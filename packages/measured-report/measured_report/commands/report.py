@@ -16,14 +16,13 @@ OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Measure what is not fresh, where that may be done unasked, and build the site."""
     device = device_of(project, arguments)
     if not device:
         refuse_unmeasured(project, arguments.release.asked)
-    stale = [state.section for state in states_of(project) if state.kind != "fresh"]
+    stale_sections = [state.section for state in states_of(project) if state.kind != "fresh"]
     is_done = True
-    if stale and device:
-        project, is_done = measure_what_can(project, arguments.release, stale, device, arguments.cluster)
+    if stale_sections and device:
+        project, is_done = measure_what_can(project, arguments.release, stale_sections, device, arguments.cluster)
     damaged, lacking = build_site(project, arguments.address)
     if lacking and not device:
         print(f"{NO_CUDA}, in up to hours")

@@ -13,7 +13,7 @@ from itertools import chain
 from pathlib import Path
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
-from measured_report.editions.project import Project
+from measured_report.editions.project import INPUTS, Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 
@@ -27,7 +27,8 @@ def run(project: Project, arguments: Arguments) -> int:
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
     options = [f"--{config().flag}", arguments.release.asked, "--profile", project.profile]
     command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
-    server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
+    folders = [project.root / name for name in INPUTS]
+    server.follow(folders, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0
 
 

@@ -13,7 +13,6 @@ OPTIONS = shared("edition", "profile")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print the sections of all editions, and of one what changed; of the report's own commands what they make."""
     refuse_unmeasured(project, arguments.release.asked)
     own = (import_module(place) for place in commands().values() if place.startswith(OWN))
     made = [module.state(project) for module in own if hasattr(module, "state")]

@@ -3,7 +3,7 @@
 import subprocess
 
 from measured_report.commands.options import Arguments, shared
-from measured_report.editions.environment import add_cluster, add_group, python_of
+from measured_report.editions.environment import add_group, python_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import expected_packages
 
@@ -14,6 +14,6 @@ OPTIONS = {**shared("edition"), "fast": FAST}
 def run(project: Project, arguments: Arguments) -> int:
     python = python_of(arguments.release, expected_packages(project), project.root)
     add_group("dev", project.root, python)
-    add_cluster(python, project.root)
+    add_group("cluster", project.root, python, "extra")
     command = [str(python), "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
     return subprocess.run(command, cwd=project.root, check=False).returncode

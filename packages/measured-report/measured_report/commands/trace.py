@@ -31,19 +31,19 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     records = {each.results.source: each for edition in editions.values() for each in edition.chapters.values()}
     values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
     found = _found(project, chapters, records, values, name)
-    lines = [f"{name}: {_said(found)}"]
+    lines = [f"{name}: {_text(found)}"]
     if isinstance(found, Value):
         lines.append(f"  is          {found.formula}")
         for value in (values[pointer] for pointer in found.sources if pointer in values):
-            lines.append(f"  made of     {'.'.join(value.source.split('/')[2:])}, {_said(value)}: {value.formula}")
-    lines += [f"  printed at  {place}" for place in dict.fromkeys(_printed(project, found.source)) or ["no page"]]
+            lines.append(f"  made of     {'.'.join(value.source.split('/')[2:])}, {_text(value)}: {value.formula}")
+    lines += [f"  printed at  {anchor}" for anchor in dict.fromkeys(_printed(project, found.source)) or ["no page"]]
     for section, chapter in chapters.items():
         claims = (claim for claim in chapter.section.claims if found.source in claim.outcome.reads)
         lines += [f"  decides     {section}.{claim.name}: {claim.outcome.said}" for claim in claims]
     cells = [Pointer(pointer) for pointer in sorted(found.reads) if VALUES_FILE not in pointer]
-    for file, of_file in groupby(cells, key=lambda cell: cell.file):
+    for file, cells_of_file in groupby(cells, key=lambda cell: cell.file):
         chapter = records.get(file) or records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
-        lines += ["", f"from {file}", *_of_record(project, chapter, list(of_file))]
+        lines += ["", f"from {file}", *_of_record(project, chapter, list(cells_of_file))]
     return "\n".join(lines)
 
 
@@ -61,20 +61,19 @@ def _found(
     project: Project, chapters: Chapters, records: Mapping[str, Chapter], values: Mapping[str, Value], name: str
 ) -> Quantity:
     query, package = Query(name), config().edition
-    found = query.quantity(chapters)
     pointer = name if name.startswith(f"{package}-") else f"{package}-{project.release}/{name}"
-    for each in (found, values.get(pointer), _cell(records, Pointer(pointer))):
-        if isinstance(each, Quantity) and each.source:
-            return each
+    for quantity in (query.quantity(chapters), values.get(pointer), _cell(records, Pointer(pointer))):
+        if isinstance(quantity, Quantity) and quantity.source:
+            return quantity
     fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
     raise UsageError(f"{fault}; all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN")
 
 
-def _cell(records: Mapping[str, Chapter], place: Pointer) -> Quantity | None:
-    if not place.cell or place.file not in records:
+def _cell(records: Mapping[str, Chapter], pointer: Pointer) -> Quantity | None:
+    if not pointer.cell or pointer.file not in records:
         return None
-    found = (row[place.cell[1]] for row in records[place.file].results.rows if place.cell[1] in row)
-    return next((each for each in found if isinstance(each, Quantity) and each.source == place.text), None)
+    cells = (row[pointer.cell[1]] for row in records[pointer.file].results.rows if pointer.cell[1] in row)
+    return next((cell for cell in cells if isinstance(cell, Quantity) and cell.source == pointer.text), None)
 
 
 def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> Iterator[str]:
@@ -82,9 +81,9 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
     for index, column, cell in sorted((*each.cell, each) for each in cells if each.cell):
         row = record.rows[index]
         changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
-        said = f"{config().baseline}, but for {changed}" if changed else config().baseline
-        found = _cell({chapter.results.source: chapter}, cell)
-        yield f"  row {index}, case {row['case']} ({said}): {column} = {_said(found) if found else row[column]}"
+        case = f"{row['case']} ({config().baseline}{f', but for {changed}' if changed else ''})"
+        number = _cell({chapter.results.source: chapter}, cell)
+        yield f"  row {index}, case {case}: {column} = {_text(number) if number else row[column]}"
     release, commit = record.origin.release, record.measured["commit"]
     measured = f"{record.machine_text}, {record.time_text}, {config().edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
@@ -93,8 +92,8 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
     yield f"  again by    {project.of(release).rerun(record.section, record.machine['device'])}"
 
 
-def _said(found: Quantity) -> str:
-    if found.value is None:
-        return f"not there, for {found.reason}"
-    noise = "not known" if found.noise is None else f"{found.noise:.2g} {unit_label(found.unit)}".rstrip()
-    return f"{found} ({found.value!r}), noise {noise}"
+def _text(number: Quantity) -> str:
+    if number.value is None:
+        return f"not there, for {number.reason}"
+    noise = "not known" if number.noise is None else f"{number.noise:.2g} {unit_label(number.unit)}".rstrip()
+    return f"{number} ({number.value!r}), noise {noise}"

@@ -30,8 +30,7 @@ from measured_report.records.identity import sections as all_sections
 from measured_report.records.replicas import FOLDER, packed
 from measured_report.values.evidence import is_absolute
 
-TIMED = "timed"
-"""The folder below ``results`` of what two editions were timed for; what lies there is measured anew each time."""
+TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
 SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compare with, in place of the one before"}
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
@@ -68,15 +67,14 @@ def _apart():
 
 
 def _with_deciding(project: Project, release: Release, device: str | None, *, renews: bool) -> Project:
-    side = project.of(str(release))
-    absent = lacking(side)
-    stale = {state.section for state in states_of(side) if state.kind != "fresh"} if device and renews else ()
-    if not (names := [section for section in deciding(side) if section in stale or section in absent]):
-        return side
+    edition = project.of(str(release))
+    stale = {state.section for state in states_of(edition) if state.kind != "fresh"} if device and renews else ()
+    if not (names := [section for section in deciding(edition) if section in {*stale, *lacking(edition)}]):
+        return edition
     if not device:
         raise UsageError(f"{NO_CUDA}, and with PROFILE=quick in minutes")
-    print(f"{config().edition} {side.release}: measuring {', '.join(names)}", flush=True)
-    return measure_what_can(kept_by(side, machine_name(device), names), release, names, device)[0]
+    print(f"{config().edition} {edition.release}: measuring {', '.join(names)}", flush=True)
+    return measure_what_can(kept_by(edition, machine_name(device), names), release, names, device)[0]
 
 
 def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device: str | None) -> list[Edition]:
@@ -96,11 +94,10 @@ def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device:
             if not is_done:
                 return []
             if not again:
+                records = [record for record in records_of(timed[place]) if record.section in sections]
                 with atomic_file(timed[place].results / FOLDER / "first.tgz") as part:
-                    part.write_bytes(
-                        packed(record for record in records_of(timed[place]) if record.section in sections)
-                    )
-    return [derive_edition(side) for side in timed]
+                    part.write_bytes(packed(records))
+    return list(map(derive_edition, timed))
 
 
 def deciding(project: Project) -> Sequence[str]:
@@ -125,19 +122,17 @@ def verdict(found: Comparison, say: Say, before: Edition, after: Edition) -> lis
     """Return at most a dozen lines, worst first."""
     a, b = found.releases
     names = deciding(after.project)
-    sides = ([side.chapters[name] for name in side.chapters if name in names] for side in (before, after))
-    old, new = ([chapter.results.record for chapter in side] for side in sides)
+    pair = [[chapter for name, chapter in side.chapters.items() if name in names] for side in (before, after)]
+    old, new = ([chapter.results.record for chapter in chapters] for chapters in pair)
     changed = package_changes(old[0].identity.packages, new[0].identity.packages) if old and new else []
     others = ", ".join(change for change in changed if not change.startswith(f"{config().edition} "))
     machines = " and ".join(sorted({record.machine_text for record in new}))
     measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in found.flips]
-    asked = Query(config().changes.cause, is_claim=True)
-    cause = asked.claim(after.chapters)
-    why = (
-        say(asked.section, cause) if cause and cause.outcome == HOLDS else "the sections that were measured do not say"
-    )
+    query, why = Query(config().changes.cause, is_claim=True), "the sections that were measured do not say"
+    if (cause := query.claim(after.chapters)) and cause.outcome == HOLDS:
+        why = say(query.section, cause)
     asks_why = flips or any(not move.is_setting for move in found.alarms)
     return [
         f"{config().edition_name} {b} against {a}{f' ({others})' if others else ''}: {summary(found)}",
@@ -157,10 +152,10 @@ def _advice(found: Comparison, before: Project, after: Project) -> str:
         return "look at what can't be trusted first; nothing else can be said"
     profile = "" if after.profile == "full" else f" PROFILE={after.profile}"
     lists = f"make diff A={before.release} B={after.release} FORMAT=json{profile} lists it"
-    told = [f"VALUE={move.name}" for move in found.alarms if not move.is_gone]  # else there is no middle
-    if asked := [*(f"CLAIM={flip.claim}" for flip in found.flips), *told]:
-        ends = " ".join(shlex.quote(f"{name}={side.asked}") for name, side in (("A", before), ("B", after)))
-        return f"make bisect {asked[0]} {ends} finds which change did it; {lists}"
+    values = [f"VALUE={move.name}" for move in found.alarms if not move.is_gone]  # else there is no middle
+    if queries := [*(f"CLAIM={flip.claim}" for flip in found.flips), *values]:
+        ends = shlex.join([f"A={before.asked}", f"B={after.asked}"])
+        return f"make bisect {queries[0]} {ends} finds which change did it; {lists}"
     if found.moves:
         return f"see whether what changed was meant to: {lists}"
     return "nothing; make report measures the rest"

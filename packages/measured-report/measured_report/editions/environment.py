@@ -25,28 +25,17 @@ FILTER = "UV_EXCLUDE_NEWER"  # uv's variable for another day than the one on whi
 READY = ".ready"  # in an environment that is whole: the digest of what it was made from
 
 
-def add_group(group: str, root: Path, python: Path = Path(sys.executable)) -> None:
-    """Install a group of pyproject.toml beside what an edition, or ``.venv``, has; another Python is left as it is."""
-    if python.parents[1] == root / ".venv":
-        _add(group, root, "--group")
-    elif python.parents[1] != Path(sys.prefix):
-        _run(["pip", "install", "--python", str(python), "--group", f"{root / 'pyproject.toml'}:{group}"], group)
-
-
-def add_cluster(python: Path, root: Path) -> None:
-    """Install what a cluster takes into the environment of ``python``; one that is not the project's is left alone."""
-    takes = read_toml(root / "pyproject.toml")["project"].get("optional-dependencies", {}).get("cluster", ())
-    if not takes or python.parents[2] != root:
+def add_group(name: str, root: Path, python: Path = Path(sys.executable), kind: str = "group") -> None:
+    """Install a group, or an ``extra`` that there is, of pyproject.toml; a Python not of the project is left alone."""
+    file = root / "pyproject.toml"
+    extra = read_toml(file)["project"].get("optional-dependencies", {}).get(name, ()) if kind == "extra" else ()
+    if python.parents[2] != root or (kind == "extra" and not extra):
         return
     if python.parents[1].name == ".venv":
-        _add("cluster", root, "--extra")
+        with locked(root):
+            _run(["sync", "--frozen", "--inexact", f"--{kind}", name, "--project", str(root)], name)
     else:
-        _run(["pip", "install", "--python", str(python), *takes], "cluster")
-
-
-def _add(name: str, root: Path, kind: str) -> None:
-    with locked(root):
-        _run(["sync", "--frozen", "--inexact", kind, name, "--project", str(root)], name)
+        _run(["pip", "install", "--python", str(python), *(extra or ["--group", f"{file}:{name}"])], name)
 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path:
@@ -73,20 +62,20 @@ def _lend(folder: Path) -> None:
     lent = folder / "lent"
     lent.mkdir(exist_ok=True)
     for name in MEASURING:
-        if found := find_spec(name):
-            link, there = lent / name, Path(str(found.origin)).parent
-            if not link.exists() or link.resolve() != there.resolve():
+        if spec := find_spec(name):
+            link, source = lent / name, Path(str(spec.origin)).parent
+            if not link.exists() or link.resolve() != source.resolve():
                 link.unlink(missing_ok=True)
-                link.symlink_to(there)
+                link.symlink_to(source)
     for packages in folder.glob("lib/python*/site-packages"):
         path, text = packages / "measured-report.pth", f"{lent}\n"
         if not path.exists() or path.read_text(encoding="utf-8") != text:  # another process may just begin to read it
             path.write_text(text, encoding="utf-8")
 
 
-def python_with(name: str, requirements: Sequence[str], root: Path | None = None) -> Path:
+def python_with(name: str, requirements: Sequence[str]) -> Path:
     """Return the Python of ``.venv-<name>``, which has these requirements alone; it is made when it is not there."""
-    folder = (root or report().root) / f".venv-{name}"
+    folder = report().root / f".venv-{name}"
     _make(folder, name, requirements)
     return folder / "bin" / "python"
 
@@ -129,14 +118,14 @@ def _asked_for(release: Release, rest: Sequence[str]) -> list[str]:
 def _make(folder: Path, name: str, asked: Sequence[str], pins: Sequence[str] = (), edits: str = "") -> None:
     """Make an environment of what is asked for, unless it is there; ``pins`` count whatever other packages ask for."""
     digest, ready = hashlib.sha256("\n".join([edits, *asked, *pins]).encode()).hexdigest(), folder / READY
-    python, overrides = folder / "bin" / "python", folder / "overrides.txt"
+    install, overrides = ["pip", "install", "--python", f"{folder}/bin/python"], folder / "overrides.txt"
     with locked(folder.parent):
         if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
             return
         try:
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
             overrides.write_text("\n".join(pins), encoding="utf-8")
-            _run(["pip", "install", "--python", str(python), "--overrides", str(overrides), *asked], name)
+            _run([*install, "--overrides", str(overrides), *asked], name)
             ready.write_text(digest, encoding="utf-8")
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
@@ -153,5 +142,5 @@ def _run(arguments: Sequence[str], name: str) -> None:
         print(f"{name}: uv {' '.join(arguments[:2])} …", flush=True)
     done = subprocess.run([uv, *arguments], stdout=-1, stderr=-2, text=True, errors="replace", check=False)
     if done.returncode:
-        said = [*filter(None, (line.strip(" ×╰─▶\t") for line in done.stdout.splitlines()))]
-        raise UsageError(f"{name} cannot be installed: {said[-1] if said else 'no reason was given'}")
+        lines = [*filter(None, (line.strip(" ×╰─▶\t") for line in done.stdout.splitlines()))]
+        raise UsageError(f"{name} cannot be installed: {lines[-1] if lines else 'no reason was given'}")

@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from measured_report.editions.release import Release, read_label
 from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
-from measured_report.files.config import FILE, Report, config, parse_toml, report, report_in
+from measured_report.files.config import FILE, Report, config, report, report_in, tomllib
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import name_problem
 
@@ -26,8 +26,8 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     """Keep what is known of an edition besides its records."""
 
     asked: str  # as the command that measured it named its package: a release, a path or an address
-    date: str = ""
-    sections: tuple[str, ...] = ()
+    date: str
+    sections: tuple[str, ...]
 
 
 def read_manifest(results: Path) -> Manifest | None:
@@ -37,11 +37,10 @@ def read_manifest(results: Path) -> Manifest | None:
         return None
     content = read_own_file(path, BYTE_LIMIT)
     try:
-        found = parse_toml(content.decode("utf-8"))
-        if any(name_problem(str(text)) for text in (*found.values(), *found.get("sections", ()))):
+        fields = tomllib.loads(content.decode("utf-8"))
+        if any(name_problem(str(text)) for text in (*fields.values(), *fields.get("sections", ()))):
             raise ValueError("it has a text with what can't be printed")
-        told = {"asked": found.pop(config().edition), "date": found.pop("date"), "sections": found.pop("sections")}
-        return msgspec.convert({**told, **found}, Manifest)
+        return msgspec.convert({"asked": fields.pop(config().edition), **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
@@ -71,17 +70,11 @@ class Project:
     def report(self) -> Report:
         """Return the report that it is of: the current one where its folder has, or links, no other ``report.toml``."""
         file = (self.root / FILE).resolve()
-        is_other = file.is_file() and file != (report().root / FILE).resolve()
-        return report_in(file.parent) if is_other else report()
+        return report_in(file.parent) if file.is_file() else report()
 
     @property
     def site(self) -> Path:
         return self.root / "site"
-
-    @property
-    def inputs(self) -> list[Path]:
-        """List the folders that the site is made from."""
-        return [self.root / name for name in INPUTS]
 
     @property
     def results(self) -> Path:
@@ -96,9 +89,9 @@ class Project:
 
     @property
     def named(self) -> Release:
-        named = read_label(self.release)
-        assert named, f"{self.release} is no label"
-        return named
+        release = read_label(self.release)
+        assert release, f"{self.release} is no label"
+        return release
 
     @property
     def manifest(self) -> Manifest | None:
@@ -111,9 +104,9 @@ class Project:
     @property
     def releases(self) -> list[str]:
         """List the editions that have results, and this one, by version and date."""
-        there = {path.parent.name for path in self.results.parent.glob(config().edition_folder("*/*.json"))}
-        found = filter(read_label, map(config().edition_in, there))
-        return sorted({self.release, *found}, key=lambda release: self.of(release).order)
+        folders = {path.parent.name for path in self.results.parent.glob(config().edition_folder("*/*.json"))}
+        labels = filter(read_label, map(config().edition_in, folders))
+        return sorted({self.release, *labels}, key=lambda release: self.of(release).order)
 
     @property
     def order(self) -> tuple:
@@ -124,7 +117,6 @@ class Project:
         return named.order, date, named.source, named.pins, named.machine
 
     def of(self, release: str) -> "Project":
-        """Return the report of another edition."""
         return replace(self, release=release, own_release=self.own_release or self.release)
 
     def record_path(self, section: str) -> Path:

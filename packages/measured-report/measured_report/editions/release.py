@@ -43,7 +43,6 @@ class Release:
     checkout: Path | None = None  # the folder that is installed as it lies there, so that what is edited counts
 
     def __str__(self) -> str:
-        """Write its label."""
         pins = (f"+{config().short_names.get(package, package)}-{version}" for package, version in self.pins)
         return self.package_version + "".join(pins) + (f"@{self.machine}" if self.machine else "")
 
@@ -58,7 +57,6 @@ class Release:
         return Version(self.version)
 
     def is_installed_with(self, versions: Mapping[str, str]) -> bool:
-        """Tell whether these versions of packages are the ones that it names."""
         return versions[config().edition] == self.package_version and dict(self.pins).items() <= versions.items()
 
 
@@ -89,8 +87,8 @@ def full_version(version: str) -> str:
 @cached_in_report  # a repository or an index is asked once
 def release_of(asked: str, pins: str = "", option: str = "") -> Release:
     """Find what is asked for, with ``pins`` as WITH= says them; UsageError, one line, when it means nothing."""
-    found = _found(asked, option or config().option)
-    return replace(found, pins=tuple(sorted({**dict(found.pins), **dict(_read_pins(pins))}.items())))
+    release = _found(asked, option or config().option)
+    return replace(release, pins=tuple(sorted({**dict(release.pins), **dict(_read_pins(pins))}.items())))
 
 
 def _found(asked: str, option: str) -> Release:
@@ -99,21 +97,20 @@ def _found(asked: str, option: str) -> Release:
         return label
     if not asked:
         raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.2.3 does")
-    path, _, reference = asked.rpartition("@")
-    here = Path(asked).expanduser().resolve()
-    wheel = WHEEL.fullmatch(here.name)
-    if wheel and here.is_file() and wheel["package"].replace("_", "-").lower() == package:
-        address, version = f"{requirement} @ {here.as_uri()}", full_version(wheel["version"])
-        return Release(version, wheel_source(here), requirement=address, asked=str(here))
-    if asked.startswith("git+") and ADDRESS.fullmatch(path[4:]) and REFERENCE.fullmatch(reference):
-        return _commit(path[4:], reference, asked, option)
-    if (here / "pyproject.toml").is_file():
-        source = checkout_source(here)
-        version = _own_version((here / "pyproject.toml").read_text(encoding="utf-8"), asked, option)
-        date = git(here, "show", "-s", "--format=%cs", "HEAD")
-        return Release(version, ".".join(source.split(".")[:2]), (), "", str(here), str(here), date, here)
-    repository = Path(path).expanduser().resolve()
-    if path and repository.is_dir() and REFERENCE.fullmatch(reference):
+    address, _, reference = asked.rpartition("@")
+    path, repository = (Path(text).expanduser().resolve() for text in (asked, address))
+    wheel = WHEEL.fullmatch(path.name)
+    if wheel and path.is_file() and wheel["package"].replace("_", "-").lower() == package:
+        version = full_version(wheel["version"])
+        return Release(version, wheel_source(path), requirement=f"{requirement} @ {path.as_uri()}", asked=str(path))
+    if asked.startswith("git+") and ADDRESS.fullmatch(address[4:]) and REFERENCE.fullmatch(reference):
+        return _commit(address[4:], reference, asked, option)
+    if (path / "pyproject.toml").is_file():
+        source = ".".join(checkout_source(path).split(".")[:2])
+        version = _own_version((path / "pyproject.toml").read_text(encoding="utf-8"), asked, option)
+        date = git(path, "show", "-s", "--format=%cs", "HEAD")
+        return Release(version, source, (), "", str(path), str(path), date, path)
+    if address and repository.is_dir() and REFERENCE.fullmatch(reference):
         return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
     kinds = "release number, checkout, wheel or git+https://…@ref"
     raise UsageError(f"{option}={asked} is no {kinds}; {option}=1.2.3 is one")
@@ -122,15 +119,15 @@ def _found(asked: str, option: str) -> Release:
 def _commit(address: str, reference: str, asked: str, option: str) -> Release:
     """Find a commit of a repository, of which no more is fetched than it takes to say its version and date."""
     with tempfile.TemporaryDirectory() as folder:
-        there = Path(folder)
+        fetched = Path(folder)
         local = address.removeprefix("file://") if address.startswith("file://") else ""
         commit = git(Path(local), "rev-parse", f"{reference}^{{commit}}") if local else ""
-        git(there, "init", "--quiet", "--bare")
-        git(there, "fetch", "--quiet", "--depth", "1", "--", address, commit or reference)
-        commit, date = git(there, "show", "-s", "--format=%H %cs", "FETCH_HEAD").partition(" ")[::2]
+        git(fetched, "init", "--quiet", "--bare")
+        git(fetched, "fetch", "--quiet", "--depth", "1", "--", address, commit or reference)
+        commit, date = git(fetched, "show", "-s", "--format=%H %cs", "FETCH_HEAD").partition(" ")[::2]
         if not commit:
             raise UsageError(f"{option}={asked} cannot be fetched; git fetch {address} {reference} says why")
-        version = _own_version(git(there, "show", f"{commit}:pyproject.toml"), asked, option)
+        version = _own_version(git(fetched, "show", f"{commit}:pyproject.toml"), asked, option)
     requirement = f"{config().requirement_of(config().edition)} @ git+{address}@{commit}"
     return Release(version, f"g{commit[:SHORT_COMMIT]}", requirement=requirement, asked=asked, date=date)
 
@@ -160,7 +157,6 @@ def release_date(release: Release) -> str:
 
 
 def releases_between(older: Release, newer: Release) -> list[Release]:
-    """Return the releases of the index between two, oldest first."""
     return [each for each in releases_of(config().edition) if older.order < each.order < newer.order]
 
 

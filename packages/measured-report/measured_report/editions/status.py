@@ -54,10 +54,8 @@ def states_of(project: Project) -> list[State]:
 
 def _read_state(project: Project, section: str) -> State:
     path = project.record_path(section)
-    if not os.path.lexists(path):
-        return State(section, "missing")
     try:
-        return State(section, "fresh", load_record(path))
+        return State(section, "fresh", load_record(path)) if os.path.lexists(path) else State(section, "missing")
     except RecordError as error:
         return State(section, "damaged", notes=(str(error),))
 
@@ -91,12 +89,11 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def status_matrix(project: Project) -> str:
-    """Write the state of every section, in a column for each release."""
     with unchanged_files():
         states = {release: states_of(project.of(release)) for release in project.releases}
-    columns = {release: {state.section: state.summary for state in found} for release, found in states.items()}
-    lines = [(name, *(column[name] for column in columns.values())) for name in sections(project.root)]
-    return aligned([("section", *(f"{config().edition} {release}" for release in columns)), *lines])
+    rows = zip(*([state.summary for state in found] for found in states.values()), strict=True)
+    lines = [(name, *row) for name, row in zip(sections(project.root), rows, strict=True)]
+    return aligned([("section", *(f"{config().edition} {release}" for release in states)), *lines])
 
 
 def changes_text(states: Sequence[State]) -> str:

@@ -1,20 +1,19 @@
 """Files: read only as what they should be, and written whole; folders are held by one process at a time."""
 
 import fcntl
-import hashlib
 import os
 import shutil
 import stat
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from measured_report.files.errors import UNPRINTABLE, ReportError
 
-WHOLE, NEW, ASIDE = ".whole", ".new", ".damaged"
-"""Ends of folders that wait to be put in place, are still being written, and are refused."""
+WHOLE, NEW, ASIDE = ".whole", "-new", ".damaged"  # ends of folders that wait for their place, are written, are refused
 
 
 class RecordError(ReportError):
@@ -28,18 +27,18 @@ def short_path(path: Path) -> str:
 
 def read_own_file(path: Path, byte_limit: int) -> bytes:
     """Read the regular file at ``path``; RecordError for a link, a pipe or a device, and for too much."""
-    place = short_path(path)
+    name = short_path(path)
     try:
-        about = path.lstat()
-        if not stat.S_ISREG(about.st_mode):
-            raise RecordError(f"{place} is no regular file")
-        if about.st_size > byte_limit:
-            raise RecordError(f"{place} has more than {byte_limit >> 20} MiB")
+        info = path.lstat()
+        if not stat.S_ISREG(info.st_mode):
+            raise RecordError(f"{name} is no regular file")
+        if info.st_size > byte_limit:
+            raise RecordError(f"{name} has more than {byte_limit >> 20} MiB")
         return path.read_bytes()
     except FileNotFoundError:
-        raise RecordError(f"there is no {place}") from None
+        raise RecordError(f"there is no {name}") from None
     except OSError as error:
-        raise RecordError(f"{place} can't be read: {error.strerror}") from None
+        raise RecordError(f"{name} can't be read: {error.strerror}") from None
 
 
 @contextmanager
@@ -64,24 +63,19 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
 def put_record(record: Path, files: Mapping[str, bytes]) -> None:
     """Put a record and its traces, contents by name, at ``record``, all or none: after a kill ``recover`` goes on."""
     record.parent.mkdir(parents=True, exist_ok=True)
-    with locked(record.parent.parent):
-        new, whole = (record.with_name(f".{record.stem}{end}") for end in (NEW, WHOLE))
-        for left in (new, whole):  # of a process that was killed: this takes the place of both
-            shutil.rmtree(left, ignore_errors=True)
-        try:
-            for name, content in files.items():
-                with atomic_file(new / name) as part:
-                    part.write_bytes(content)
-        except BaseException:
-            shutil.rmtree(new, ignore_errors=True)
-            raise
+    whole = record.with_name(f".{record.stem}{WHOLE}")
+    with locked(record.parent.parent), staging_folder(record.with_suffix("")) as new:
+        shutil.rmtree(whole, ignore_errors=True)  # of a process that was killed
+        for name, content in files.items():
+            with atomic_file(new / name) as part:
+                part.write_bytes(content)
         os.rename(new, whole)
         _put_in_place(whole, list(files))
 
 
 def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
     """Finish what killed processes were putting in place; set aside, and say, what ``load`` finds no whole record."""
-    said = []
+    messages = []
     for left in results.glob(f"*/.*{NEW}"):
         with locked(results):
             shutil.rmtree(left, ignore_errors=True)
@@ -97,10 +91,10 @@ def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
                 aside = whole.with_suffix(ASIDE)
                 shutil.rmtree(aside, ignore_errors=True)
                 os.rename(whole, aside)
-                said.append(f"damaged: {error}; it was not put in place, and is at {short_path(aside)}")
+                messages.append(f"damaged: {error}; it was not put in place, and is at {short_path(aside)}")
             else:
                 _put_in_place(whole, names)
-    return said
+    return messages
 
 
 def _put_in_place(whole: Path, names: Sequence[str]) -> None:
@@ -108,8 +102,9 @@ def _put_in_place(whole: Path, names: Sequence[str]) -> None:
     for name in names:
         with atomic_file(whole.with_name(name)) as part:
             shutil.copyfile(whole / name, part)
-    os.rename(whole, whole.with_suffix(NEW))
-    shutil.rmtree(whole.with_suffix(NEW))
+    used = whole.with_name(whole.stem + NEW)
+    os.rename(whole, used)
+    shutil.rmtree(used)
 
 
 @contextmanager
@@ -131,7 +126,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
 def staging_folder(folder: Path) -> Iterator[Path]:
     """Name a staging folder for what is to take the place of ``folder``; what is left there is removed."""
     with locked(folder.parent):
-        fresh = folder.with_name(f".{folder.name}-new")
+        fresh = folder.with_name(f".{folder.name}{NEW}")
         shutil.rmtree(fresh, ignore_errors=True)
         try:
             yield fresh
@@ -146,11 +141,11 @@ def sums(digests: Mapping[str, str]) -> str:
 
 def digests_below(folder: Path) -> dict[str, str]:
     """Digest the files below a folder, by their names there; a link, and what else is no file, has none."""
-    found = {}
+    digests = {}
     for path in (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir()):
-        content = path.read_bytes() if stat.S_ISREG(path.lstat().st_mode) else None
-        found[path.relative_to(folder).as_posix()] = "" if content is None else hashlib.sha256(content).hexdigest()
-    return found
+        is_file = stat.S_ISREG(path.lstat().st_mode)
+        digests[path.relative_to(folder).as_posix()] = sha256(path.read_bytes()).hexdigest() if is_file else ""
+    return digests
 
 
 def replace(folder: Path, fresh: Path) -> None:

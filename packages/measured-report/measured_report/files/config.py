@@ -13,9 +13,12 @@ import msgspec
 from measured_report.files import root
 from measured_report.files.errors import ReportError, suggestion
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 FILE = "report.toml"
-ROOMS = ("experiments", "report")
-"""Packages that every report has of its own, by the same names."""
+ROOMS = ("experiments", "report")  # packages that every report has of its own, by the same names
 T = TypeVar("T")
 
 
@@ -70,15 +73,13 @@ class Page:
     label: str = ""  # what links to it say; empty: its name
     texts: tuple[str, ...] = ()  # its templates of prose, the first with its title; none: `pages/NAME.md.j2`
 
+    def __post_init__(self):
+        object.__setattr__(self, "label", self.label or self.name.replace("_", " ").capitalize())
+        object.__setattr__(self, "texts", self.texts or (f"pages/{self.name}.md.j2",))
+
     @property
     def file(self) -> str:
         return f"{self.name}.html"
-
-    @property
-    def whole(self) -> "Page":
-        """Return it with what ``report.toml`` does not say of it."""
-        label = self.label or self.name.replace("_", " ").capitalize()
-        return replace(self, label=label, texts=self.texts or (f"pages/{self.name}.md.j2",))
 
 
 @dataclass(frozen=True)
@@ -95,8 +96,7 @@ class Config:
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """Rows with one of these values are deterministic: noise 0, except times."""
-    units: Mapping[str, str] = field(default_factory=dict)
-    """Units by the end of a column's name, besides those that ``records/columns.py`` knows."""
+    units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
     cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
     columns: Sequence[Declared] = ()  # what is to be known of columns besides their units
     baseline: str = "the baseline"  # what people call the case that all others are changed from
@@ -135,15 +135,12 @@ class Config:
         return self.option.lower().replace("_", "-") or "edition"
 
     def name_of(self, release: str) -> str:
-        """Write what people call an edition."""
         return f"{self.edition_name} {release}".strip()
 
     def edition_folder(self, release: str) -> str:
-        """Name the folder that has the results of an edition."""
         return f"{self.edition}-{release}"
 
     def edition_in(self, folder: str) -> str:
-        """Return the label of the edition whose results are in a folder of that name."""
         return folder.removeprefix(f"{self.edition}-")
 
     def requirement_of(self, package: str) -> str:
@@ -153,16 +150,7 @@ class Config:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Read a TOML file; ValueError or OSError where it is none."""
-    return parse_toml(path.read_text(encoding="utf-8-sig"))
-
-
-def parse_toml(text: str) -> dict[str, Any]:
-    """Read a text of TOML; ValueError where it is none."""
-    if sys.version_info >= (3, 11):
-        import tomllib
-    else:
-        import tomli as tomllib
-    return tomllib.loads(text)
+    return tomllib.loads(path.read_text(encoding="utf-8-sig"))
 
 
 @dataclass(eq=False)
@@ -178,21 +166,21 @@ class Report:
         """Read ``report.toml``; ReportError, one line, where it is not whole."""
         path = self.root / FILE
         try:
-            found = read_toml(path) if path.is_file() else {}
-            tables: list[tuple] = [("", found, Config), ("changes.", found.get("changes", {}), Changes)]
-            tables += [("columns.", each, Declared) for each in found.get("columns", ())]
-            for place, table, kind in [*tables, *(("pages.", each, Page) for each in found.get("pages", ()))]:
-                names = {each.name for each in fields(kind)}
+            settings = read_toml(path) if path.is_file() else {}
+            tables: list[tuple] = [("", settings, Config), ("changes.", settings.get("changes", {}), Changes)]
+            for place, kind in (("columns", Declared), ("pages", Page)):
+                tables += [(f"{place}.", table, kind) for table in settings.get(place, ())]
+            for place, table, kind in tables:
+                names = {field.name for field in fields(kind)}
                 for name in table if isinstance(table, dict) else ():
                     if name not in names:
                         raise ValueError(f"there is no setting {place}{name}{suggestion(name, names)}")
-            told = msgspec.convert(found, Config)
+            found = msgspec.convert(settings, Config)
         except (OSError, ValueError, TypeError) as error:  # which msgspec's are
             raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
-        told = replace(told, pages=[page.whole for page in told.pages])
-        if not (package := told.edition):
-            return told
-        return replace(told, packages=[package, *told.packages], edition_name=told.edition_name or package)
+        if not (package := found.edition):
+            return found
+        return replace(found, packages=[package, *found.packages], edition_name=found.edition_name or package)
 
     def __enter__(self) -> "Report":
         self._follow(report())

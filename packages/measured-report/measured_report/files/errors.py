@@ -11,8 +11,7 @@ from types import TracebackType
 UNPRINTABLE = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff\ue000-\uf8ff"
     "\ufdd0-\ufdef\ufeff\ufff9-\ufffb\ufffe\uffff\U000e0000-\U000e007f\U000f0000-\U0010ffff]"
-)
-"""Characters that no text needs: control, turned round, unseen, halves, without a meaning of their own, not in XML."""
+)  # characters that no text needs: control, turned round, unseen, halves, without a meaning of their own, not in XML
 
 
 class ReportError(Exception):

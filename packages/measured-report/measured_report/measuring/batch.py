@@ -46,8 +46,6 @@ Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
 
 @dataclass(frozen=True)
 class Result:
-    """Keep a value that a batch has returned, and what measured it."""
-
     value: Any  # travels as bytes, which are read where an error costs this batch alone
     machine: Mapping[str, Any]
     started: str
@@ -75,7 +73,7 @@ def measure_batch(batch: Batch, device: str) -> Result:
             value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
         ended = started + timedelta(seconds=seconds)  # whatever the clock does meanwhile
-        times = [each.isoformat(timespec="seconds") for each in (started, ended)]
+        times = [time.isoformat(timespec="seconds") for time in (started, ended)]
         return Result(pickle.dumps(value), here, times[0], times[1], round(seconds, 1))
     except BaseException as error:  # sys.exit too: a fault of a section must not end the process
         raise BatchError(reason_of(error)) from None
@@ -102,7 +100,7 @@ def is_out_of_memory(error: BaseException) -> bool:
 
 def now() -> datetime:
     """Return the time; ReportError where the clock does not go, as no record may have what it says."""
-    found = datetime.now(timezone.utc)
-    if found.year not in range(2000, 2100):
-        raise ReportError(f"the clock of this machine says {found:%Y-%m-%d}")
-    return found
+    time = datetime.now(timezone.utc)
+    if time.year not in range(2000, 2100):
+        raise ReportError(f"the clock of this machine says {time:%Y-%m-%d}")
+    return time

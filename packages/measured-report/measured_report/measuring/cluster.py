@@ -25,8 +25,7 @@ from measured_report.measuring.section import GONE
 from measured_report.records.code import digest_of
 from measured_report.records.identity import files_digest, package_versions
 
-SHARED, EXCLUSIVE = "shared", "exclusive"
-"""Resources, one of each a worker that measures what shares its GPU, and one a host that measures times."""
+SHARED, EXCLUSIVE = "shared", "exclusive"  # resources: one a worker that shares its GPU, one a host that measures times
 SETTINGS = {
     "distributed.scheduler.allowed-failures": 2,  # a batch is tried three times
     "distributed.scheduler.no-workers-timeout": "120s",

@@ -41,11 +41,9 @@ def machine(kind: str) -> dict[str, str | None]:
 
 
 def cpu_name() -> str:
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
-    except (OSError, StopIteration):
-        return platform.processor() or platform.machine()
+    path = Path("/proc/cpuinfo")
+    named = re.search(r"^model name\s*:(.*)", path.read_text(encoding="utf-8") if path.exists() else "", re.MULTILINE)
+    return named[1].strip() if named else platform.processor() or platform.machine()
 
 
 def commit() -> str | None:
@@ -77,7 +75,6 @@ def gpus() -> list[Gpu]:
 
 
 def share_count(gpu: Gpu, gpu_count: int = 1) -> int:
-    """Return how many processes share one of so many GPUs."""
     has_daemon = (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists()
     most = min(MPS_SHARE_COUNT if has_daemon else SHARE_COUNT, (os.cpu_count() or 1) // gpu_count)
     return max(1, min(most, gpu.memory_mib // SHARE_MIB))
@@ -107,7 +104,6 @@ def machine_name(device: str) -> str:
 
 
 def machine_of(record: Record) -> str:
-    """Name the machine that measured a record for a label."""
     return "cpu" if record.machine.get("device") == "cpu" else slug(record.processor)
 
 

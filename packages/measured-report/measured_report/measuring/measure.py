@@ -3,7 +3,6 @@
 import json
 import os
 import subprocess
-import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -11,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from measured_report.editions.environment import add_cluster, python_of
+from measured_report.editions.environment import add_group, python_of
 from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
 from measured_report.editions.release import Release, release_date
 from measured_report.editions.status import expected_packages, records_of
@@ -30,15 +29,14 @@ def measure(
     project: Project, release: Release, sections: Sequence[str], device: str, cluster: str | None = None
 ) -> Project:
     """Measure the sections; return the report that has them, which is apart from that of another machine."""
-    machine, options = "cpu", ["--profile", project.profile, "--aside", project.aside]
+    machine, options = machine_name(device), ["--profile", project.profile, "--aside", project.aside]
     if cluster:
-        add_cluster(python_of(release, expected_packages(project), project.root), project.root)
+        python = python_of(release, expected_packages(project), project.root)
+        add_group("cluster", project.root, python, "extra")
         options += ["--cluster", cluster]
     if device == "cuda":
-        if cluster in (None, "local"):
-            machine = machine_name(device)
-        else:
-            add_cluster(Path(sys.executable), project.root)
+        if cluster not in (None, "local"):
+            add_group("cluster", project.root, kind="extra")
             from measured_report.measuring.cluster import gpu_of
 
             machine = gpu_of(cluster)

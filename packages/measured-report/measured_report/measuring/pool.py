@@ -24,21 +24,17 @@ class HostPool:
     def __init__(self, limit: int, settings: Mapping[str, str]):
         self.limit = limit
         self._begin = partial(_begin, settings)
-        self._pool = self._opened()
+        self.pool = self._opened()
 
     def submit(self, function: Callable, *arguments: Any) -> Future:
         try:
-            return self._pool.submit(function, *arguments)
+            return self.pool.submit(function, *arguments)
         except BrokenProcessPool:
-            self._pool = self._opened()
-            return self._pool.submit(function, *arguments)
+            self.pool = self._opened()
+            return self.pool.submit(function, *arguments)
 
     def check(self) -> None:
         """Do nothing: a process of this host that is killed is noticed."""
-
-    def close(self) -> None:
-        """Drop what waits, and end the thread that leads the processes, which must not meet the end of the program."""
-        self._pool.shutdown(cancel_futures=True)
 
     def _opened(self) -> Executor:
         return ProcessPoolExecutor(self.limit, get_context("fork"), begin, (self._begin,))
@@ -53,8 +49,8 @@ def host_pools(count: int) -> Iterator[tuple[HostPool, HostPool]]:
     finally:
         for process in active_children():
             process.kill()
-        shared.close()
-        exclusive.close()
+        for opened in (shared, exclusive):  # the thread that leads the processes must not meet the end of the program
+            opened.pool.shutdown(cancel_futures=True)
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:

@@ -32,18 +32,6 @@ from measured_report.records.identity import EDITED, package_versions, sections
 
 def main() -> int:
     tqdm.monitor_interval = 0  # a thread of its own, which no process may be forked beside
-    arguments, status = parse_arguments(), UNFIT
-    try:
-        asked = sections_asked(arguments)
-        with pools(arguments, asked) as (shared, exclusive):
-            status = 1
-            return int(Loop(asked, shared, exclusive).run())
-    except ReportError as error:
-        print(error, file=sys.stderr)
-        return status
-
-
-def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run", description=__doc__.split(":")[0])
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), default="cuda" if gpus() else "cpu")
@@ -52,7 +40,15 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--aside", metavar="FOLDER", default="", help="where below results/ they are kept apart")
     parser.add_argument("--cluster", metavar="CLUSTER", help="who measures: local, tcp://HOST:PORT or tls://HOST:PORT")
     parser.add_argument("--processor", metavar="NAME", help="the only GPU that the cluster may measure on")
-    return parser.parse_args()
+    arguments, status = parser.parse_args(), UNFIT
+    try:
+        asked = sections_asked(arguments)
+        with pools(arguments, asked) as (shared, exclusive):
+            status = 1
+            return int(Loop(asked, shared, exclusive).run())
+    except ReportError as error:
+        print(error, file=sys.stderr)
+        return status
 
 
 def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:

@@ -28,8 +28,6 @@ GONE = "the scheduler is gone; what is finished is kept"
 
 @dataclass
 class Section:
-    """Lead a section to its record."""
-
     project: Project
     name: str
     device: str
@@ -73,7 +71,8 @@ class Section:
 
     def fail(self, reason: str) -> None:
         if not self.is_over:
-            self.is_over, self.has_failed, self.waiting = True, True, []
+            self.is_over = self.has_failed = True
+            self.waiting = []
             tqdm.write(f"{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
 
     def _write(self, measurement: Measurement) -> None:
@@ -87,8 +86,8 @@ class Section:
             raise ReportError("it returned no rows, or one without a case")
         if len({tuple(map(part.machine.get, KIND)) for part in parts}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
-        told = {name: {part.machine[name] for part in parts} - {None} for name in parts[0].machine}
-        machine = {name: ", ".join(sorted(said)) or None for name, said in told.items()}
+        names = {name: {part.machine[name] for part in parts} - {None} for name in parts[0].machine}
+        machine = {name: ", ".join(sorted(values)) or None for name, values in names.items()}
         started, ended = min(part.started for part in parts), max(part.ended for part in parts)
         seconds = round(sum(part.seconds for part in parts), 1)
         measured: dict[str, Any] = {"date": ended, "started": started, "ended": ended, "commit": commit()}

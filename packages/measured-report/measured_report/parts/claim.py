@@ -4,7 +4,7 @@ import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import accumulate, groupby
 from typing import Any
 
@@ -72,8 +72,7 @@ class Claim:
     """Quantities, which must all be there for it to tell, and texts and flags; "" for one that it does without."""
     wording: Wording | None = None
     confirmed: str = ""  # says how many measurements agree, where there are several
-    effect: Outcome = HOLDS
-    """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
+    effect: Outcome = HOLDS  # whether there is what its `because` explains; where that fails it is not explained
 
     def __post_init__(self):
         assert isinstance(self.outcome, Outcome), f"the claim {self.name} takes what a test returns, as at_most(…)"
@@ -143,8 +142,8 @@ def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "")
     """Test whether ``a`` is greater than ``b``; less is the opposite, and within the noise it can't tell."""
     if noise is None:
         quantities = [number for number in (a, b) if isinstance(number, Quantity)]
-        there = [number for number in quantities if number.value is not None]
-        apart = noise_of(_difference, there, samples_of(_difference, there)) if there else None
+        known = [number for number in quantities if number.value is not None]
+        apart = noise_of(_difference, known, samples_of(_difference, known)) if known else None
         noise = Quantity(apart, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
     return decreases([a, b], noise=noise, why=why)
 
@@ -205,9 +204,8 @@ def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", comp
     """Return what ``judge`` says of them where all may be compared; a plain number was chosen for ``why``."""
     unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
     assert why or all(isinstance(number, Quantity) for number in numbers), "a bound that is a number needs its why"
-    quantities = [
-        number if isinstance(number, Quantity) else Bound(number, unit, "", noise=0.0, why=why) for number in numbers
-    ]
+    chosen = partial(Bound, unit=unit, source="", noise=0.0, why=why)
+    quantities = [number if isinstance(number, Quantity) else chosen(number) for number in numbers]
     if compares:
         _refuse_units(*quantities)
     reason = mixed(*(quantity.origins for quantity in quantities))
@@ -216,10 +214,9 @@ def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", comp
 
 
 def _refuse_units(*quantities: Quantity) -> None:
-    there = [quantity for quantity in quantities if quantity.value is not None]
-    first = next(iter(there), None)
-    if other := next((each for each in there if first and each.unit != first.unit), None):
-        raise ReportError(f"a test compares {first} with {other}: derive them in one unit")
+    known = [quantity for quantity in quantities if quantity.value is not None]
+    if other := next((quantity for quantity in known if quantity.unit != known[0].unit), None):
+        raise ReportError(f"a test compares {known[0]} with {other}: derive them in one unit")
 
 
 def _absent(*quantities: Quantity) -> Outcome | None:

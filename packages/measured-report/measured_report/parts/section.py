@@ -55,10 +55,7 @@ class _Column(NamedTuple):
     has_numbers: bool
     unit: str
     places: int  # the most digits behind a point
-
-    @property
-    def label(self) -> str:
-        return unit_label(self.unit or "1")
+    label: str  # its unit as the head of the table says it
 
     def cell(self, value: Any) -> tuple["_Column", Any, str]:
         """Return the column, the text of a cell, and what fills it for its point to stand below the others."""
@@ -81,8 +78,8 @@ def _column(name: str, cells: "pd.Series") -> _Column:
     units = {cell.unit for cell in numbers}
     if apart := unlike(sorted(units)):
         raise ResultsError(f"the column {name} of a table has {' and '.join(apart)}: give it one unit")
-    places = max(map(_place_count, numbers), default=0)
-    return _Column(name, bool(numbers), units.pop() if len(units) == 1 else "", places)
+    unit, places = units.pop() if len(units) == 1 else "", max(map(_place_count, numbers), default=0)
+    return _Column(name, bool(numbers), unit, places, unit_label(unit or "1"))
 
 
 def _place_count(number: Quantity) -> int:
@@ -103,7 +100,6 @@ class Figure:
 
     @property
     def is_there(self) -> bool:
-        """Tell whether anything of what it draws exists."""
         return any(source.value is not None for source in self.sources)
 
     def kept(self, pictures: Pictures | None) -> "Figure":
@@ -153,9 +149,8 @@ class Figure:
             return macros().left_out("A figure is left out here", reasons[0])
         files: dict[str, None] = {}
         for file in (source.partition("#")[0] for source in there):
-            files[file] = None
-            if file.endswith(".json") and not file.endswith(VALUES_FILE):  # rows of a record are there as CSV as well
-                files[file.removesuffix("json") + "csv"] = None
+            is_record = file.endswith(".json") and not file.endswith(VALUES_FILE)  # its rows are there as CSV as well
+            files |= dict.fromkeys([file, *([file.removesuffix("json") + "csv"] if is_record else [])])
         names = [file.rpartition("/")[2] for file in files]
         # The same file of several releases is told apart by its folder.
         links = [(file, name if names.count(name) == 1 else file) for file, name in zip(files, names, strict=True)]

@@ -42,15 +42,13 @@ TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTAL
 TYPED = re.compile(
     r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?"
     r"(?:[nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?|[mk][AV]|min|times|[%°×x])(?!\w)"
-)
-"""A number with the unit of one that is measured."""
+)  # a number with the unit of one that is measured
 FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)  # in TeX; none in code
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
     "more than|less than": (".most", ".least"),  # which of them depends on what the sentence denies
-}
-"""Words that bound the number behind them, and how it is rounded there."""
+}  # words that bound the number behind them, and how it is rounded there
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))  # which Jinja has for itself
 
 

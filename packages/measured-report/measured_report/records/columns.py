@@ -61,15 +61,15 @@ def units() -> Mapping[str, str]:
 
 @cached_in_report
 def column_of(name: str) -> Column:
-    found = [each for each in config().columns if name in each.names or re.fullmatch(each.pattern, name)]
+    declared = [table for table in config().columns if name in table.names or re.fullmatch(table.pattern, name)]
     words = PERCENTILE.sub("", name).split("_")
     ends = ("_".join(words[start:]) for start in range(len(words)))
     unit = next((units()[end] for end in ends if end in units()), PLAIN)
     largest = LARGEST.get(unit, 1e18)
-    signed = next((each.signed for each in found if each.signed is not None), unit not in NEVER_NEGATIVE)
-    kinds = {each.kind for each in found if each.kind} | ({"parameter"} if name in parameters() else set())
-    told = [each.name for each in fields(Told)]
-    said = {what: getattr(each, what) for each in reversed(found) for what in told if getattr(each, what)}
+    signed = next((table.signed for table in declared if table.signed is not None), unit not in NEVER_NEGATIVE)
+    kinds = {table.kind for table in declared if table.kind} | ({"parameter"} if name in parameters() else set())
+    names = [field.name for field in fields(Told)]
+    said = {field: value for table in reversed(declared) for field in names if (value := getattr(table, field))}
     least = -largest if signed else 0.0
     return Column(name=name, unit=unit, least=least, largest=largest, kinds=frozenset(kinds), **said)
 
@@ -82,7 +82,6 @@ def parameters() -> Mapping[str, Any]:
 
 
 def is_unit(text: str) -> bool:
-    """Tell whether a text is a unit: one of a column's, or made of symbols."""
     return text in units().values() or all(map(SYMBOL.fullmatch, re.split("[/·]", text)))
 
 
@@ -108,10 +107,31 @@ def number_of(column: str, row: Mapping[str, Any]) -> Any:
 
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     """Return the units of the columns that hold numbers, missing ones included."""
-    there, numeric = columns_of(rows), {name for row in rows for name, cell in row.items() if is_number(cell)}
-    names = [name for name in there if name in numeric]
-    names += [name.removesuffix(REASON) for name in there if name.endswith(REASON)]
+    columns, numeric = columns_of(rows), {name for row in rows for name, cell in row.items() if is_number(cell)}
+    names = [name for name in columns if name in numeric]
+    names += [name.removesuffix(REASON) for name in columns if name.endswith(REASON)]
     return {name: column_of(name).unit for name in names}
+
+
+def refuse_mixed(rows: Sequence[Mapping[str, Any]], given: Mapping[str, str]) -> None:
+    """Raise ValueError unless the units given are those of the columns' names, and a column holds one kind of thing."""
+    units = units_of(rows)
+    for name in sorted({*units, *given}):
+        if given.get(name) != units.get(name):
+            raise ValueError(f"the unit of {name} is given as {given.get(name)}, and its name says {units.get(name)}")
+    for name in columns_of(rows):
+        holding = [row for row in rows if name in row]
+        others = {type(row[name]) for row in holding} - {int, float, type(None)}
+        if others and (name in units or column_of(name).unit != PLAIN):
+            raise ValueError(f"{name} is not all numbers")
+        if len(others) > 1:
+            raise ValueError(f"{name} is text in one row and yes or no in another")
+        if name in units and not all(row.get(name + REASON) for row in holding if row[name] is None):
+            raise ValueError(f"{name} is null without a {name}{REASON}")
+        numbers = [row[name] for row in holding if row[name] is not None] if name in units else []
+        for number in (min(numbers), max(numbers)) if numbers else ():
+            if problem := number_problem(name, number):
+                raise ValueError(f"{name} {problem}")
 
 
 def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -125,10 +145,10 @@ def is_number(value: Any) -> TypeGuard[int | float]:
 
 def plain(cell: Any) -> Any:
     """Return a cell as Python has it where it is NumPy's; TypeError for what no record may hold."""
-    found = cell.item() if getattr(cell, "ndim", None) == 0 else cell
-    if found is None or isinstance(found, bool | int | float | str):
-        return found
-    raise TypeError(f"{found!r:.80} is no number, text, yes or no")
+    value = cell.item() if getattr(cell, "ndim", None) == 0 else cell
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    raise TypeError(f"{value!r:.80} is no number, text, yes or no")
 
 
 def number_problem(name: str, value: int | float) -> str:
@@ -146,7 +166,6 @@ def name_problem(text: str) -> str:
 
 @cache
 def text_problem(text: str) -> str:
-    """Say what is wrong with a text; empty when nothing is."""
     if len(text) > TEXT_LIMIT:
         return f"is a text of more than {TEXT_LIMIT} characters"
     found = UNPRINTABLE.search(text)

@@ -91,7 +91,6 @@ def package_versions() -> dict[str, str]:
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
-    """Say which packages are of another version than before, each with both."""
     versions = {name: (before.get(name), after.get(name)) for name in config().packages}
     return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 
@@ -121,7 +120,6 @@ def checkout_source(folder: Path) -> str:
 
 
 def code_in(folder: Path) -> str:
-    """Digest the package's code in a checkout."""
     module = config().edition.replace("-", "_")
     paths = [path for place in (folder, folder / "src") for path in (place / module).rglob("*.py")]
     return files_digest(paths, folder)[:SHORT_COMMIT]

@@ -16,16 +16,7 @@ from msgspec import Meta, Struct
 from measured_report.files.atomic import RecordError, put_record, read_own_file, short_path
 from measured_report.files.config import config
 from measured_report.files.errors import UNPRINTABLE
-from measured_report.records.columns import (
-    PLAIN,
-    REASON,
-    column_of,
-    columns_of,
-    is_number,
-    number_problem,
-    text_problem,
-    units_of,
-)
+from measured_report.records.columns import is_number, refuse_mixed, text_problem
 from measured_report.records.identity import MISSING, Digest, Identity
 
 SCHEMA = 1
@@ -58,8 +49,6 @@ class Origin:
 
 @dataclass(frozen=True)
 class Seal:
-    """Binds a trace to its record."""
-
     digest: Digest
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
@@ -115,7 +104,6 @@ class Record:
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
-        """Return what must be the same for two times to be compared."""
         return tuple(map(self.machine.get, ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")))
 
     @cached_property
@@ -141,7 +129,6 @@ class Record:
 
 
 def trace_path(record: Path, case: str) -> Path:
-    """Name the place of the trace of ``case``, beside the record at ``record``."""
     if not CASE.fullmatch(str(case)):
         raise RecordError(f"a trace needs a case name that can be part of a file name, not {case!r}")
     return record.with_name(f"{record.stem}.{case}.csv.gz")
@@ -208,49 +195,25 @@ def read_record(content: bytes, path: Path) -> Record:
             datetime.fromisoformat(time)
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")
-        _check_columns(record)
+        refuse_mixed(record.rows, record.units)
     except (ValueError, OverflowError, RecursionError, msgspec.ValidationError) as error:
         # In one line, without characters that could do anything to whoever reads it.
-        said = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
-        raise RecordError(f"{short_path(path)} is no whole record: {said:.300}") from None
+        message = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
+        raise RecordError(f"{short_path(path)} is no whole record: {message:.300}") from None
     return record
 
 
 def _plain(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     """Make an object of JSON, in which each key stands once: of two, a reader would see either."""
-    found = dict(pairs)
-    if len(found) < len(pairs):
+    fields = dict(pairs)
+    if len(fields) < len(pairs):
         keys = [key for key, _ in pairs]
         raise ValueError(f"{max(keys, key=keys.count)!r:.80} is there twice")
     for key, value in pairs:
         if isinstance(value, str) and (problem := text_problem(value)):
             raise ValueError(f"{key!r:.80} {problem}")
-    return found
+    return fields
 
 
 def _refuse(constant: str) -> None:
     raise ValueError(f"{constant} is no number")
-
-
-def _check_columns(record: Record) -> None:
-    """Raise ValueError unless units are those of the columns' names, and a column holds one kind of thing."""
-    units = units_of(record.rows)
-    for name in sorted({*units, *record.units}):
-        if (given := record.units.get(name)) != units.get(name):
-            raise ValueError(f"the unit of {name} is given as {given}, and its name says {units.get(name)}")
-    for name in columns_of(record.rows):
-        there = [row for row in record.rows if name in row]
-        kinds = {type(row[name]) for row in there}
-        others = kinds - {int, float, type(None)}
-        if (name in units or column_of(name).unit != PLAIN) and others:
-            raise ValueError(f"{name} is not all numbers")
-        if len(others) > 1:
-            raise ValueError(f"{name} is text in one row and yes or no in another")
-        if name not in units:
-            continue
-        if type(None) in kinds and not all(row.get(name + REASON) for row in there if row[name] is None):
-            raise ValueError(f"{name} is null without a {name}{REASON}")
-        numbers = [row[name] for row in there if row[name] is not None]
-        for number in (min(numbers), max(numbers)) if numbers else ():
-            if problem := number_problem(name, number):
-                raise ValueError(f"{name} {problem}")

@@ -19,8 +19,7 @@ class Definition:
     """Holds one statement that defines a name."""
 
     tree: str  # digest of its syntax tree, with a gap in the place of each name that is not its own
-    names: tuple[str, ...]
-    """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.height_mm``."""
+    names: tuple[str, ...]  # what stands in the gaps: names, and attributes that are asked of them: `metrics.height_mm`
     imports: Mapping[str, str]
     assets: tuple[str, ...]
     decorators: tuple[str, ...]
@@ -41,8 +40,6 @@ Definitions = Mapping[str, tuple[Definition, ...]]
 
 
 class Reader:
-    """Reads the syntax tree of one module of a package."""
-
     def __init__(self, tree: ast.Module, package: tuple[str, ...]):
         self._tree, self._package = tree, package
         aside = (_imports_alone, _is_text, _is_aside)
@@ -201,10 +198,9 @@ class Canonical:
         self._own = frozenset(_bound(node))
         nodes = list(ast.walk(node))
         self._locals_count = any(map(_reads_locals, nodes))
-        asked = ("__name__", "__qualname__")  # what a definition is called, which then counts
-        self._names_count = any(
-            _chain(each) for each in nodes if isinstance(each, ast.Attribute) and each.attr in asked
-        )
+        # What a definition is called counts where it is asked for.
+        attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
+        self._names_count = any(node.attr in ("__name__", "__qualname__") and _chain(node) for node in attributes)
         return self.plain(node, Scope())
 
     def plain(self, node: Any, scope: Scope) -> Any:

@@ -5,10 +5,10 @@ import gzip
 import io
 import re
 import zlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from hashlib import sha256
-from itertools import pairwise
+from operator import gt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -28,19 +28,16 @@ NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
 def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, bytes]:
     """Pack a trace as it is kept beside ``record``, with its seal, without pandas, which is not there."""
-    text, place = io.StringIO(), short_path(trace_path(record, case))
-    columns = {str(name): list(map(plain, cells)) for name, cells in table.items()}
-    for name, cells in columns.items():
-        lost = [cell is None or (is_number(cell) and bool(number_problem(name, cell))) for cell in cells]
-        cells[:] = [None if gone else cell for cell, gone in zip(cells, lost, strict=True)]
-        numbers, texts = list(filter(is_number, cells)), [cell for cell in cells if isinstance(cell, str)]
-        if problem := _problem(name, numbers, dict.fromkeys(texts)):
-            raise RecordError(f"{place} is no whole trace: {name!r:.80} {problem}")
+    text, columns = io.StringIO(), {str(name): list(map(plain, cells)) for name, cells in table.items()}
     try:
+        for name, cells in columns.items():
+            cells[:] = [None if is_number(cell) and number_problem(name, cell) else cell for cell in cells]
+            texts = dict.fromkeys(cell for cell in cells if isinstance(cell, str))
+            _check_column(name, list(filter(is_number, cells)), texts)
         lines = list(zip(*columns.values(), strict=True))
         _check_cells(iter([[*columns], *([str(cell) for cell in line] for line in lines)]))
     except ValueError as error:
-        raise RecordError(f"{place} is no whole trace: {error}") from None
+        raise RecordError(f"{short_path(trace_path(record, case))} is no whole trace: {error}") from None
     write = csv.writer(text, lineterminator="\n").writerow
     for line in ([*columns], *lines):
         write([f"{cell:{DIGITS}}" if isinstance(cell, float) else cell for cell in line])
@@ -66,8 +63,7 @@ def load_trace(path: Path) -> "pd.DataFrame":
             cells = frame[column].dropna()
             is_numeric = cells.dtype.kind in "iuf"
             numbers, texts = cells.tolist() if is_numeric else [], [] if is_numeric else cells.unique()
-            if problem := _problem(column, numbers, [text for text in texts if isinstance(text, str)]):
-                raise ValueError(f"{column!r:.80} {problem}")
+            _check_column(column, numbers, [text for text in texts if isinstance(text, str)])
     except (ValueError, csv.Error, zlib.error) as error:
         raise RecordError(f"{short_path(path)} is no whole trace: {' '.join(str(error).split()):.300}") from None
     return frame
@@ -90,18 +86,19 @@ def _check_cells(lines: Iterator[list[str]]) -> None:
         raise ValueError("it has no rows")
 
 
-def _problem(column: str, numbers: Sequence[float], texts: Iterable[str]) -> str:
+def _check_column(column: str, numbers: Sequence[float], texts: Collection[str]) -> None:
     if not HEAD.fullmatch(column):
-        return "is no column name"
-    if column == "time_s" and any(later < earlier for earlier, later in pairwise(numbers)):
-        return "runs backwards"
-    ends = (min(numbers), max(numbers)) if numbers else ()
-    for text in texts:
-        if numbers or column_of(column).unit != PLAIN:
-            return "is not all numbers"
-        if problem := text_problem(text):
-            return problem
-        with suppress(ValueError):
-            float(text)
-            return "has both numbers and text"
-    return next(filter(None, (number_problem(column, end) for end in ends)), "")
+        raise ValueError(f"{column!r:.80} is no column name")
+    problems = ["runs backwards"] if column == "time_s" and any(map(gt, numbers, numbers[1:])) else []
+    problems += ["is not all numbers"] if texts and (numbers or column_of(column).unit != PLAIN) else []
+    problems += [problem for text in texts if (problem := text_problem(text) or _number_problem(text))]
+    problems += [number_problem(column, end(numbers)) for end in (min, max) if numbers]
+    if problem := next(filter(None, problems), ""):
+        raise ValueError(f"{column!r:.80} {problem}")
+
+
+def _number_problem(text: str) -> str:
+    with suppress(ValueError):
+        float(text)
+        return "has both numbers and text"
+    return ""

@@ -1,1 +1,1 @@
-"""The site: written, checked, published and served."""
+"""The site: written and checked."""

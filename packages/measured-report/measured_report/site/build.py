@@ -63,7 +63,6 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
 
 
 def inputs_digest(project: Project, address: str = "") -> str:
-    """Digest all that the pages are made from."""
     # The last two are often the same, but for the results.
     roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]

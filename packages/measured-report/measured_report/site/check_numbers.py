@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
 from html.parser import HTMLParser
@@ -34,87 +35,66 @@ PICTURES = {"svg", "img", "video", "canvas"}
 
 
 @dataclass
-class Drawn:
-    """Holds a text of a drawing, or what it says to whoever can't see it, with pointers to its numbers."""
-
-    text: str
-    sources: list[str]
-    is_tick: bool = False  # set at an axis, where numbers are places and not measurements
+class Element:
+    tag: str
+    attributes: dict[str, str]
+    around: list[str]  # tags of the elements that it is in; `tick` for one at an axis, where numbers are places
+    text: str = ""  # its own; of a cell all in it but numbers and code
 
 
 class PageReader(HTMLParser):
+    """Reads a page or a drawing as a list of elements, and of what they lead to, fetch and run."""
+
     def __init__(self, html: str):
         super().__init__()
-        self.ids: list[str] = []
-        self.links: list[str] = []
-        self.fetched: list[str] = []
-        self.scripts: list[str] = []
-        self.inline: list[str] = []
-        self.numbers: list[dict[str, str]] = []
-        self.drawn: list[Drawn] = []
-        self.cells: list[str] = []
-        self.claims: list[dict[str, str]] = []
-        self.styles = ""
-        self._open: list[str] = []
-        self._ticks: list[bool] = []
+        self.elements: list[Element] = []
+        self._open: list[Element] = []
         self.feed(html)
+        attributes = [(element.tag, *pair) for element in self.elements for pair in element.attributes.items()]
+        self.ids = [value for _, name, value in attributes if name == "id"]
+        self.links = [value for tag, name, value in attributes if (tag, name) == ("a", "href")]
+        self.fetched = [value for tag, name, value in attributes if name in FETCHING or (name == "href" and tag != "a")]
+        styles = [value for _, name, value in attributes if name == "style"]
+        self.styles = "".join([*styles, *(element.text for element in self.of("style"))])
+        self.scripts = [element.tag for element in self.elements if _is_active(element)]
+        self.inline = [element.text for element in self.of("script") if not element.attributes]
+        self.claims = [element.attributes for element in self.elements if "data-claim" in element.attributes]
+
+    def of(self, tag: str) -> list[Element]:
+        return [element for element in self.elements if element.tag == tag]
 
     def handle_starttag(self, tag, attrs):
-        attributes = {name: value or "" for name, value in attrs}
-        self._open.append(tag)
-        is_inline = tag == "script" and not attributes  # judged by what it holds
-        self.inline += [""] if is_inline else []
-        # A file's bytes are checked where they lie, so that it need only be one of the site.
-        address = attributes.get("src", "")
-        is_file = tag == "script" and address.endswith(".js") and attributes.keys() <= {"src", "defer"}
-        is_active = tag in ACTIVE and not is_inline and not is_file
-        leads_on = tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower()
-        if is_active or leads_on or any(name.startswith("on") or name == "srcdoc" for name in attributes):
-            self.scripts.append(tag)
-        if "id" in attributes:
-            self.ids.append(attributes["id"])
-        if "href" in attributes:
-            (self.links if tag == "a" else self.fetched).append(attributes["href"])
-        self.fetched += [value for name, value in attributes.items() if name in FETCHING]
-        self.styles += attributes.get("style", "")
-        if tag == "td":
-            self.cells.append("")
-        if tag == "g":
-            self._ticks.append(attributes.get("class") == "tick")
-        sources = attributes.get("data-src", "").split()
-        if tag == "text":
-            self.drawn.append(Drawn("", sources, is_tick=any(self._ticks)))
-        said = attributes.get("aria-label") or attributes.get("alt")
-        if tag in PICTURES and said:
-            self.drawn.append(Drawn(said, sources))
-        if tag == "data":
-            self.numbers.append({**attributes, "text": "", "in": "code" if "code" in self._open else ""})
-        if "data-claim" in attributes:
-            self.claims.append(attributes)
+        around = ["tick" if element.attributes.get("class") == "tick" else element.tag for element in self._open]
+        self._open.append(Element(tag, {name: value or "" for name, value in attrs}, around))
+        self.elements.append(self._open[-1])
 
     def handle_data(self, data):
-        tag = self._open[-1] if self._open else ""
-        if tag == "data":
-            self.numbers[-1]["text"] += data
-        if tag == "text":
-            self.drawn[-1].text += data
-        if "td" in self._open and not {"data", "code"} & set(self._open):
-            self.cells[-1] += data
-        if tag == "style":
-            self.styles += data
-        if tag == "script" and self.inline:
-            self.inline[-1] += data
-        elif tag == "script" and data.strip():
-            self.scripts.append(tag)
+        tags = {element.tag for element in self._open}
+        for element in self._open:
+            if element is self._open[-1] or (element.tag == "td" and not tags & {"data", "code"}):
+                element.text += data
 
     def handle_endtag(self, tag):
-        if tag == "g" and self._ticks:
-            self._ticks.pop()
-        while self._open and self._open.pop() != tag:
+        while self._open and self._open.pop().tag != tag:
             pass
 
 
+def _is_active(element: Element) -> bool:
+    """Tell whether an element may run what is neither judged by what it holds nor a file of the site."""
+    attributes = element.attributes
+    if any(name.startswith("on") or name == "srcdoc" for name in attributes):
+        return True
+    if element.tag == "meta":
+        return "refresh" in attributes.get("http-equiv", "").lower()
+    if element.tag != "script":
+        return element.tag in ACTIVE
+    # A file's bytes are checked where they lie, so that it need only be one of the site.
+    is_file = attributes.get("src", "").endswith(".js") and attributes.keys() <= {"src", "defer"}
+    return bool(attributes) and not (is_file and not element.text.strip())
+
+
 WRITES = {"": format_number, MOST: format_most, LEAST: format_least}  # by how a page says that a number is written
+UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
 RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 
 
@@ -173,55 +153,56 @@ class Data:
 def check_numbers(page: PageReader, data: Data) -> list[str]:
     """Say what is wrong with the numbers of a page, a line each."""
     problems = [*_check_written(page, data), *_check_drawn(page, data)]
-    for cell in (cell for cell in page.cells if re.search(r"\d", cell)):
-        if number := re.search(r"\d\S*", _unnamed(cell, data)):
-            problems.append(f"the number {number[0]} leads nowhere in the cell: {cell.strip()}")
+    for cell in page.of("td"):
+        if number := _unnamed(cell.text, data):
+            problems.append(f"the number {number} leads nowhere in the cell: {cell.text.strip()}")
     return problems
 
 
-def _check_written(page: PageReader, data: Data) -> list[str]:
-    problems = []
-    for number in page.numbers:
-        source = number.get("data-src", "")
+def _check_written(page: PageReader, data: Data) -> Iterator[str]:
+    for element in page.of("data"):
+        source, shown = element.attributes.get("data-src", ""), element.text
         try:
-            kept, noise = data.number(source)
-            is_code, how = number["in"] == "code", number.get("data-as", "")
-            text = format_code(kept) if is_code else WRITES[how](kept, noise=noise)
-        except (OSError, ValueError, LookupError, TypeError):
-            problems.append(f"{number.get('data-src')} resolves to nothing")
+            value, noise = data.number(source)
+            write = WRITES[element.attributes.get("data-as", "")]
+            text = format_code(value) if "code" in element.around else write(value, noise=noise)
+        except UNRESOLVED:
+            yield f"{source} resolves to nothing"
             continue
-        shown = json.loads(number["value"]) if number.get("value") else None
-        if shown != kept or number["text"] != text:
-            problems.append(f"{source} is {kept}, but {number['text']} ({shown}) is shown")
-        elif kept and noise and (said := read_number(text)) is not None and abs(float(said) - kept) > noise:
-            problems.append(f"{source} is {kept} within {noise}, and rounded to {text}")
-    return problems
+        stated = json.loads(element.attributes.get("value") or "null")
+        if stated != value or shown != text:
+            yield f"{source} is {value}, but {shown} ({stated}) is shown"
+        elif value and noise and (rounded := read_number(text)) is not None and abs(float(rounded) - value) > noise:
+            yield f"{source} is {value} within {noise}, and rounded to {text}"
 
 
-def _check_drawn(page: PageReader, data: Data) -> list[str]:
-    problems = []
-    for drawn in page.drawn:
-        rest = drawn.text
-        for source in drawn.sources:
+def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
+    """Check the texts of drawings, and what pictures say to whoever can't see them."""
+    for element in page.elements:
+        label = element.attributes.get("aria-label") or element.attributes.get("alt")
+        if element.tag != "text" and not (element.tag in PICTURES and label):
+            continue
+        rest = text = element.text if element.tag == "text" else str(label)
+        for source in element.attributes.get("data-src", "").split():
             try:
                 value, noise = data.number(source)
-                texts = [write(value, noise=noise) for write in WRITES.values()]
-                texts += [] if value is None or value < 0 else [format_short(value)]
-            except (OSError, ValueError, LookupError, TypeError):
-                problems.append(f"{source} resolves to nothing")
+                written = [write(value, noise=noise) for write in WRITES.values()]
+                written += [] if value is None or value < 0 else [format_short(value)]
+            except UNRESOLVED:
+                yield f"{source} resolves to nothing"
                 continue
-            found = [whole(text) for text in texts if whole(text).search(rest)]
-            if not found:
-                problems.append(f"{source} is {value}, which is not said by: {drawn.text}")
+            if pattern := next((pattern for pattern in map(whole, written) if pattern.search(rest)), None):
+                rest = pattern.sub("", rest, count=1)
             else:
-                rest = found[0].sub("", rest, count=1)
-        if not drawn.is_tick and re.search(r"\d", rest) and (number := re.search(r"\d\S*", _unnamed(rest, data))):
-            problems.append(f"the number {number[0]} leads nowhere in: {drawn.text}")
-    return problems
+                yield f"{source} is {value}, which is not said by: {text}"
+        if not (element.tag == "text" and "tick" in element.around) and (number := _unnamed(rest, data)):
+            yield f"the number {number} leads nowhere in: {text}"
 
 
 def _unnamed(text: str, data: Data) -> str:
-    return data.names.sub("", data.typed.sub("", text))
+    """Return the first number in a text that is no part of a name or a formula; empty where there is none."""
+    number = re.search(r"\d\S*", data.names.sub("", data.typed.sub("", text)) if re.search(r"\d", text) else "")
+    return number[0] if number else ""
 
 
 def _resolve(data: Any, pointer: str) -> Any:

@@ -91,7 +91,6 @@ class Link:
         return self.base + (page if page in self.edition.pages else config().front).file
 
     def section(self, name: str) -> str:
-        """Return the address of a section; empty where it has none of that name."""
         chapter = self.edition.chapters.get(name)
         return f"{self.base}{chapter.page.file}#{name}" if chapter else ""
 
@@ -245,7 +244,6 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
 
 
 def links_of(editions: Mapping[str, WordedEdition], places: Mapping[str, str], shown: str) -> list[Link]:
-    """Return what leads from the pages of one release to those of all, which lie at ``places`` below the site."""
     up = "../" if places[shown] else ""
     bases = {release: f"{up}{place}" for release, place in places.items()} | {shown: ""}
     return [Link(edition, bases[release], release == shown) for release, edition in editions.items()]

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 from conftest import ROWS, git
 
+from measured_report.commands import publish as publishing
+from measured_report.commands.publish import SUMS, publish, sums
 from measured_report.files.atomic import digests_below
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.site import publish as publishing
 from measured_report.site.check import check_site
-from measured_report.site.publish import SUMS, publish, sums
 
 pytestmark = pytest.mark.usefixtures("built")
 
