@@ -18,7 +18,9 @@ from matplotlib.axis import Axis
 from matplotlib.backends.backend_mixed import MixedModeRenderer
 from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Drawing
+from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.text import Text
+from matplotlib.textpath import TextToPath
 
 from measured_report.parts.macros import Picture
 from measured_report.values.format import format_number, format_power, format_short, whole
@@ -202,14 +204,29 @@ def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
     return found
 
 
+class _Vectors(RendererSVG):
+    """Measure a text and a font once for all figures: every step of a layout asks for them anew."""
+
+    get_text_width_height_descent = staticmethod(cache(TextToPath().get_text_width_height_descent))
+
+    @staticmethod
+    @cache
+    def _get_font_height_metrics(font: FontProperties) -> Sequence[float | None]:
+        table = get_font(findfont(font)).get_sfnt_table
+        if not (known := table("OS/2")):
+            return None, None, None  # Matplotlib then finds them
+        scale = font.get_size_in_points() / table("head")["unitsPerEm"]
+        return scale * known["sTypoAscender"], -scale * known["sTypoDescender"], scale * known["sTypoLineGap"]
+
+
 def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     buffer = io.StringIO()
-    # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
-    FigureCanvasSVG(drawing)
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
     inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
-    vectors = RendererSVG(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
+    vectors = _Vectors(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
+    # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
+    setattr(FigureCanvasSVG(drawing), "get_renderer", lambda: renderer)  # noqa: B010, else a layout has one of its own
     drawing.draw(renderer)
     renderer.finalize()
     svg = _linked(UNWANTED.sub("", buffer.getvalue()), drawing)
