@@ -190,6 +190,11 @@ def roots_of(root: Path) -> tuple[str, ...]:
     return tuple(dict.fromkeys(map(str, [root, *sorted((root / "packages").glob("*")), HERE])))
 
 
+@cache
+def _reader(text: bytes, name: str) -> Reader:
+    return Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1])
+
+
 def _read(what: str, path: Path, name: str) -> Any:
     """Read ``source`` or ``definitions`` of a module; ReportError, with its ``name``, where it can't be read."""
     try:
@@ -197,8 +202,7 @@ def _read(what: str, path: Path, name: str) -> Any:
         key = hashlib.sha256(f"{what}\0{name}\0".encode() + text).hexdigest()
         known = _known[root.ROOT]
         if key not in known:
-            reader = Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1])
-            known[key] = getattr(reader, what)()
+            known[key] = getattr(_reader(text, name), what)()
         return known[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None
