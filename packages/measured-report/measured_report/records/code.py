@@ -71,6 +71,7 @@ def cached_sources(folder: Path) -> Iterator[None]:
             kept.put(SOURCES, made_by, dict(list(known.items())[-1000:]))
 
 
+_reader = cache(lambda text, name: Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1]))
 HERE = str(Path(__file__).resolve().parents[2])
 
 
@@ -188,11 +189,6 @@ class Graph:
 def roots_of(root: Path) -> tuple[str, ...]:
     """Name the folders that a project's modules are below: its own, its packages', and those of this program."""
     return tuple(dict.fromkeys(map(str, [root, *sorted((root / "packages").glob("*")), HERE])))
-
-
-@cache
-def _reader(text: bytes, name: str) -> Reader:
-    return Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1])
 
 
 def _read(what: str, path: Path, name: str) -> Any:
