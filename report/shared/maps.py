@@ -71,8 +71,7 @@ def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd
     shown = np.ma.masked_where(lost | failed | slip.isna().to_numpy(), slip.to_numpy(dtype=float))
     axes.set_facecolor(EMPTY)
     axes.grid(visible=False)
-    norm = LogNorm(*SLIP_RANGE_MM)
-    place = frequency, amplitude, shown
+    place, norm = (frequency, amplitude, shown), LogNorm(*SLIP_RANGE_MM)
     colours = axes.pcolormesh(*place, zorder=0.5, norm=norm, cmap="viridis", shading="nearest", rasterized=True)
     x, y = np.broadcast_arrays(frequency[np.newaxis, :], amplitude[:, np.newaxis])
     axes.set(xscale="log", yscale="log")

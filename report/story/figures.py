@@ -24,9 +24,8 @@ def draw_suspects(
         colour = {FIX: STIFF}.get(name, SHIPPED if name in others else SERIES[5])
         mark_points(axes, [(cell.value, place) for cell in there], marker="o", markersize=6, color=colour, alpha=0.75)
         for cell in there if name in others else []:
-            axes.annotate(
-                write(cell), (cell.number, place), xytext=(0, 6), textcoords="offset points", ha="center", fontsize=8.5
-            )
+            above = {"xytext": (0, 6), "textcoords": "offset points", "ha": "center"}
+            axes.annotate(write(cell), (cell.number, place), fontsize=8.5, **above)
     if shipped.value is not None and bound.value is not None:
         margin = 0.01 * bound.value * shipped.value
         axes.axvspan(shipped.value - margin, shipped.value + margin, color=FAINT, alpha=0.45, linewidth=0, zorder=0)
@@ -87,9 +86,8 @@ def _draw_arc(axes: Axes) -> None:
     _arrow(axes, pad, pad - 1.5 * outward, SERIES[1])
     axes.annotate("joint", joint + (0.25, -0.1), fontsize=9, va="top")
     axes.annotate("velocity J·q̇:\nin the contact row", pad + 1.55 * along + (0.1, 0.1), color=SERIES[0], fontsize=9)
-    axes.annotate(
-        "acceleration J̇·q̇:\nleft out", pad - 1.3 * outward + (-0.25, 0.1), color=SERIES[1], fontsize=9, ha="right"
-    )
+    beside = pad - 1.3 * outward + (-0.25, 0.1)
+    axes.annotate("acceleration J̇·q̇:\nleft out", beside, color=SERIES[1], fontsize=9, ha="right")
     axes.annotate("pad", pad + (0.1, 0.3), fontsize=9)
     axes.set(xlim=(-1.6, 4.9), ylim=(-0.8, 3.5))
 

@@ -34,8 +34,7 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
         _draw_map(one, rows, marked)
         marked.pop("stiff", None)  # whose kd the first map alone has
         one.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
-        low, high = one.get_xlim()
-        ke = np.geomspace(low, high, 200)
+        ke = np.geomspace(*one.get_xlim(), 200)
         one.plot(ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, linestyle="-", marker="", scaley=False)
     axes[-1, 0].set_xlabel("pad ke")
     there = {row["class"] for _, rows, _, _ in panels for row in rows}
@@ -65,8 +64,8 @@ def _draw_map(axes: Axes, rows: Sequence[Row], marked: Mapping[str, float]) -> N
     for number, colour in enumerate([*COLOURS, *(colour for _, colour in CREEPS)]):
         corners = [[(x, y), (x, y + 1), (x + 1, y + 1), (x + 1, y)] for y, x in np.argwhere(grid == number)]
         outlines = [Path([(edges_x[x], edges_y[y]) for x, y in cell], closed=False) for cell in corners]
-        if outlines:  # the cells of a colour are one shape
-            axes.add_patch(PathPatch(Path.make_compound_path(*outlines), color=colour, linewidth=0.2, zorder=0.5))
+        if outlines:  # the cells of a colour are one shape, within limits that are set: it need not be measured
+            axes.add_artist(PathPatch(Path.make_compound_path(*outlines), color=colour, linewidth=0.2, zorder=0.5))
     for name, mark in zip(CLASSES, MARKS, strict=True):
         found = [place for place, row in cells.items() if row["class"] == name]
         if mark and found:

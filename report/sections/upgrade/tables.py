@@ -3,17 +3,13 @@
 from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
 from measured_report.changes.query import Query, points
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.figures import INK, new_figure, tick_125
 from measured_report.parts.section import Figure, Table
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import Quantity
-from report.shared import drawing as colours
-from report.shared.drawing import mark_points
 from report.shared.tables import table_of
 
 SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
@@ -47,12 +43,11 @@ TRIED = {
 }
 SETTING_SECTIONS = ("upgrade", "defaults")
 DRAWN = {
-    SLIP: ("shipped pads", colours.SHIPPED, "-"),
-    MUJOCO_CONTACTS: ("MuJoCo's contacts", colours.SHIPPED, "--"),
-    Query("upgrade.hold.slip_mm"): ("arm held still", INK, "-"),
-    Query("upgrade.stiff-pads.slip_mm"): ("stiff pads", colours.STIFF, "-"),
+    SLIP: "shipped pads",
+    MUJOCO_CONTACTS: "MuJoCo's contacts",
+    Query("upgrade.hold.slip_mm"): "arm held still",
+    Query("upgrade.stiff-pads.slip_mm"): "stiff pads",
 }
-"""What is drawn: its name, colour and dashes."""
 
 
 def side_by_side(heading: str, releases: Releases, asked: Mapping[str, Query]) -> Table:
@@ -85,12 +80,16 @@ def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
     return Figure(lambda: _draw_slips(releases), sources, {"slips": slips, "steps": steps})
 
 
-def _draw_slips(releases: Releases) -> Drawing:
+def _draw_slips(releases: Releases):
+    # Matplotlib takes long to import, and whoever only compares draws nothing.
+    from measured_report.parts.figures import INK, new_figure, tick_125
+    from report.shared import drawing as shared
+
     drawing, axes = new_figure(7.2, 3.4)
-    for headline, (name, colour, dashes) in DRAWN.items():
-        cells = enumerate(headline.cell(chapters, release) for release, chapters in releases.items())
-        points = [(place, found.value) for place, found in cells]
-        mark_points(axes, points, color=colour, linestyle=dashes, marker="o", label=name)
+    looks = ((shared.SHIPPED, "-"), (shared.SHIPPED, "--"), (INK, "-"), (shared.STIFF, "-"))
+    for (headline, label), (colour, dashes) in zip(DRAWN.items(), looks, strict=True):
+        points = [(place, headline.cell(each, name).value) for place, (name, each) in enumerate(releases.items())]
+        shared.mark_points(axes, points, color=colour, linestyle=dashes, marker="o", label=label)
     axes.set_yscale("log")
     tick_125(axes.yaxis)
     axes.set_xticks(range(len(releases)), [name.replace("+", "\n+") for name in releases])

@@ -5,9 +5,9 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 import matplotlib
 from cycler import cycler
@@ -18,7 +18,9 @@ from matplotlib.axis import Axis
 from matplotlib.backends.backend_mixed import MixedModeRenderer
 from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Drawing
+from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.text import Text
+from matplotlib.textpath import TextToPath
 
 from measured_report.parts.macros import Picture
 from measured_report.values.format import format_number, format_power, format_short, whole
@@ -124,13 +126,12 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
     if rows * columns == 1 or not is_narrow():
         drawing = _Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
-    squeeze = subplots.get("squeeze", True)
     drawing = _Drawing(figsize=(width, height * columns))
     axes = drawing.subplots(**{**subplots, "nrows": rows * columns, "ncols": 1, "squeeze": False})
     for panel in axes[:, 0]:
         panel.tick_params(labelbottom=True)
     grid = axes.reshape(rows, columns)
-    return drawing, grid.squeeze()[()] if squeeze else grid
+    return drawing, grid.squeeze()[()] if subplots.get("squeeze", True) else grid
 
 
 def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
@@ -202,14 +203,29 @@ def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
     return found
 
 
+class _Vectors(RendererSVG):
+    """Measure a text and a font once for all figures: every step of a layout asks for them anew."""
+
+    get_text_width_height_descent = staticmethod(cache(TextToPath().get_text_width_height_descent))
+
+    @staticmethod
+    @cache
+    def _get_font_height_metrics(font: FontProperties) -> Sequence[float | None]:
+        table = get_font(findfont(font)).get_sfnt_table
+        if not (known := table("OS/2")):
+            return None, None, None  # Matplotlib then finds them
+        scale = font.get_size_in_points() / table("head")["unitsPerEm"]
+        return scale * known["sTypoAscender"], -scale * known["sTypoDescender"], scale * known["sTypoLineGap"]
+
+
 def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     buffer = io.StringIO()
-    # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
-    FigureCanvasSVG(drawing)
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
     inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
-    vectors = RendererSVG(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
+    vectors = _Vectors(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
+    # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
+    setattr(FigureCanvasSVG(drawing), "get_renderer", lambda: renderer)  # noqa: B010, else a layout has one of its own
     drawing.draw(renderer)
     renderer.finalize()
     svg = _linked(UNWANTED.sub("", buffer.getvalue()), drawing)
@@ -277,33 +293,26 @@ def _linked(svg: str, drawing: Drawing) -> str:
     return PIECE.sub(link, svg)
 
 
-class _Scale(NamedTuple):
-    """Say what an axis tells of a place on it: a name of its ticks, or else a number with what it is called."""
-
-    names: Mapping[float, str]
-    label: str
-    unit: str
-
-    def said(self, value: float) -> str:
-        if self.names:
-            return self.names[min(self.names, key=lambda place: abs(place - value))]
-        return f"{self.label} {value:.4g} {self.unit}".strip()
-
-
-def _scales(axes: Axes) -> list[_Scale]:
-    """Return its two; what has no label of its own is called as those beside it."""
+def _scales(axes: Axes) -> Sequence[Callable[[float], str]]:
+    """Return what tells a place on each axis: a name of its ticks, or else a number with what it, or another, is of."""
     found = []
     for axis in (axes.xaxis, axes.yaxis):
         labels = (tick.get_text() for tick in axis.get_majorticklabels())
         names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
         known = (getattr(each, f"{axis.axis_name}axis").get_label_text() for each in (axes, *axes.figure.axes))
         above = getattr(axes.figure, f"get_sup{axis.axis_name}label")()
-        label, _, unit = next(filter(None, known), above).removesuffix("]").partition("[")
-        found.append(_Scale(names if all(any(map(str.isalpha, name)) for name in names.values()) else {}, label, unit))
+        called = next(filter(None, known), above).removesuffix("]").partition("[")
+        is_named = all(any(map(str.isalpha, name)) for name in names.values())
+        found.append(partial(_place, names if is_named else {}, *called[::2]))
     return found
 
 
-def _said(axes: Axes, scales: Sequence[_Scale], mark: re.Match) -> Markup:
+def _place(names: Mapping[float, str], label: str, unit: str, value: float) -> str:
+    nearest = min(names, key=lambda place: abs(place - value), default=None)
+    return f"{label} {value:.4g} {unit}".strip() if nearest is None else names[nearest]
+
+
+def _said(axes: Axes, scales: Sequence[Callable[[float], str]], mark: re.Match) -> Markup:
     place = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
     values = axes.transData.inverted().transform(place)
-    return escape(" ".join(", ".join(map(_Scale.said, scales, values)).split()))
+    return escape(" ".join(", ".join(say(value) for say, value in zip(scales, values, strict=True)).split()))

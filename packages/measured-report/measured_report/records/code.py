@@ -71,6 +71,7 @@ def cached_sources(folder: Path) -> Iterator[None]:
             kept.put(SOURCES, made_by, dict(list(known.items())[-1000:]))
 
 
+_reader = cache(lambda text, name: Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1]))
 HERE = str(Path(__file__).resolve().parents[2])
 
 
@@ -197,8 +198,7 @@ def _read(what: str, path: Path, name: str) -> Any:
         key = hashlib.sha256(f"{what}\0{name}\0".encode() + text).hexdigest()
         known = _known[root.ROOT]
         if key not in known:
-            reader = Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1])
-            known[key] = getattr(reader, what)()
+            known[key] = getattr(_reader(text, name), what)()
         return known[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None

@@ -16,7 +16,7 @@ from measured_report.files.errors import ReportError
 from measured_report.findings.cache import DerivedCache, installed
 from measured_report.pages.editions import worded_editions
 from measured_report.pages.prose import LAYOUT, Templates
-from measured_report.records.code import cached_sources, unchanged_files
+from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.records.replicas import SUMS
@@ -46,7 +46,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
         if kept := cache.get(BUILT, (digest, there)):
             return kept
-        with cached_sources(project.root), unchanged_files():
+        with unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = worded_editions(project, templates, derived)
             refuse_unknown_names(editions, editions.get(project.own_release or project.release))
