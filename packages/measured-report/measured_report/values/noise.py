@@ -30,9 +30,9 @@ ROUNDED_SHARE = 1e-6
 def t_quantile(share: float, freedom: float) -> float:
     """Return Student's t that ``share`` of all lie within, by halving."""
     z = NORMAL.inv_cdf((1 + share) / 2)
-    low, high = 0.0, MOST_T
-    while high - low > 1e-9 * high:
-        middle = math.sqrt(low * high) if low > 1 else (low + high) / 2
+    low, high = z, MOST_T  # it is never less than that of the normal distribution
+    while high - low > 1e-7 * high:
+        middle = math.sqrt(low * high)
         low, high = (middle, high) if deviations_of(middle, freedom) < z else (low, middle)
     return high
 
