@@ -164,8 +164,9 @@ def test_what_lies_is_sunk_from_a_fifth_of_half_its_thickness_on(depth_mm, share
 @pytest.mark.parametrize("integrator", ["Euler", "RK4"])
 def test_a_wall_stops_what_flies_where_it_is_as_thick_as_a_damped_spring_yields(integrator):
     """A critically damped spring yields by v / (e ω), ω = 1 / (dmax timeconst), and half a step passes before."""
-    wall = '<geom name="wall" type="box" size="0.01 1 1" pos="1 0 1"/>'
-    target = of(more=wall, rest='<keyframe><key qvel="20 0 0 0 0 0"/></keyframe>', option=f'integrator="{integrator}"')
+    wall = '<geom name="wall" type="box" size="0.01 1 1" pos="-1 0 1"/>'
+    key = '<keyframe><key qpos="-2 0 1 1 0 0 0" qvel="20 0 0 0 0 0"/></keyframe>'
+    target = of(more=wall, rest=key, option=f'integrator="{integrator}"')
     runs = runs_of(target.model, target)
     [found] = [each for each in stepped(scene_of(target), target, runs) if each.rule == "tunnel"]
     deep = 20.0 * (0.001 + 0.95 * 0.02 / math.e)

@@ -2,17 +2,22 @@
 
 from argparse import Namespace
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from conftest import MODULE, ROWS, Toy, compared, derived
+from scipy import stats
 
+from measured_report.changes.alarm import rate_of
 from measured_report.changes.compare import flips_between
+from measured_report.changes.moves import Move, Pair, judged
 from measured_report.commands import diff, page
 from measured_report.editions.release import release_of
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.records.record import load_record
 from measured_report.site.check import check_site
+from measured_report.values.noise import Estimate
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 
@@ -114,6 +119,36 @@ def test_what_may_be_chance_has_not_moved(toy, newer, before, after, moved):
     toy.measure([SOFT, {**STIFF, **before}])
     newer.measure([SOFT, {**STIFF, **before, **after}])
     assert len(compared(toy.project, newer.project).moves) == moved
+
+
+AGAIN, ONCE = Estimate(1.0, 0.01, 4.0, 4.0, is_again=True), Estimate(2.0, 100.0, 7.0, least=0.5)
+KNOWN = [(AGAIN, ONCE, 0.0125, 5.882353, 2e-6), (ONCE, AGAIN, 0.0125, 5.882353, 2e-6)]
+KNOWN += [(AGAIN, replace(AGAIN, value=2.0), 0.005, 8.0, 2e-6), (AGAIN, None, 0.0125, 5.882353, 3e-6)]
+KNOWN += [(ONCE, None, 200.0, 14.0, 0.5)]
+
+
+@pytest.mark.parametrize(("before", "after", "square", "freedom", "least"), KNOWN)
+def test_what_was_measured_again_tells_of_what_was_measured_once(before, after, square, freedom, least):
+    """By Welch: a mean of four and one, of a variance of 0.01, have (1/400 + 1/100)² / (1/400² + 1/100²) · 4."""
+    ends = tuple(each.value if each else 3.0 for each in (before, after))
+    [move] = judged([Pair({}, "load", (before, after), ends)])
+    assert (move.error**2, move.freedom, move.least) == pytest.approx((square, freedom, least))
+    assert move.chance == pytest.approx(
+        2 * stats.t.sf((abs(ends[1] - ends[0]) - least) / square**0.5, freedom), rel=0.01
+    )
+    [seldom] = judged([Pair({}, "load", (before, after), ends, edge_share=0.99)])
+    assert seldom.chance == 0.99
+
+
+def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
+    """2.5758 deviations are 99 % of a normal distribution: of a fall by 1, 0.05 and 0.25758 are none."""
+    falls, grows = (Move("load", *ends, chance=0.0, error=0.1, least=0.05) for ends in ((2.0, 1.0), (-2.0, -1.0)))
+    assert (falls.share, grows.share, falls.noise) == pytest.approx((-0.5, 0.5, 0.30758), rel=1e-4)
+    assert falls.sure_share == grows.sure_share == pytest.approx(0.5 * (1 - 0.30758), rel=1e-4)
+    assert replace(falls, error=1.0).sure_share == 0.0
+    evidence = {"a": SimpleNamespace(changed=[(40, 0), (40, 1), (0, 0)]), "b": SimpleNamespace(changed=[(20, 3)])}
+    found = rate_of(SimpleNamespace(measurements=SimpleNamespace(evidence=evidence)))
+    assert found == {"comparisons": 3, "told": 2, "numbers": 100, "moves": 4}
 
 
 def test_rows_of_different_releases_or_machines_are_not_compared_by_accident(toy, newer):

@@ -23,6 +23,7 @@ from measured_report.values.noise import (
     variance_of,
     welch,
 )
+from measured_report.values.quantities import Quantity, Value, noise_of
 
 SIZES = st.floats(1e-12, 1e12)
 
@@ -32,7 +33,7 @@ SIZES = st.floats(1e-12, 1e12)
 def test_quantiles_and_chances_are_those_of_student_s_t(freedom, share):
     exact = stats.t.ppf((1 + share) / 2, freedom)
     found = t_quantile(share, freedom)
-    assert found == pytest.approx(exact, rel=0.03 if freedom < 3 else 2e-3)
+    assert found == pytest.approx(exact, rel=0.03 if freedom < 3 else 2e-3 if freedom < 4 else 1e-4)
     assert chance_of(np.array([2 * found]), 2.0, freedom) == pytest.approx([1 - share], rel=1e-5)
 
 
@@ -117,6 +118,27 @@ def test_a_derived_number_has_the_noise_of_its_sources_in_squares():
     assert derived_noise(lambda *found: sum(found) / 4, [1.0] * 4, [0.2] * 4) == pytest.approx(0.1)
     assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
     assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0
+
+
+TENTHS = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5  # of three that are a tenth apart
+
+
+@pytest.mark.parametrize(
+    ("noise", "samples", "expected"),
+    [
+        (0.5, (2.0, 2.0), 0.5),  # two that agree say nothing
+        (0.5, (1.9, 2.0, 2.1, None), TENTHS),
+        (0.2, (1.9, 2.0, 2.1), 0.2),
+        (None, (1.9, 2.0, 2.1), None),
+        (0.0, (), 0.0),
+        (1e-9, (), 0.001),
+    ],
+)
+def test_a_value_has_the_noise_of_its_sources_or_of_three_measurements_if_that_is_less(noise, samples, expected):
+    source = Quantity(2.0, "mm", "a", noise=noise, samples=samples)
+    assert noise_of(lambda number: number, [source], samples) == (expected and pytest.approx(expected, rel=5e-3))
+    assert ("in 3 measurements" in Value(**vars(source)).bare) == bool(len(samples) > 2 and noise)
+    assert "measurements" not in source.bare
 
 
 @given(SIZES, SIZES, st.floats(1e-6, 0.5), st.floats(1e-6, 0.5))

@@ -9,6 +9,7 @@ from newton.solvers import SolverMuJoCo
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.simulation import Simulation
 from newton_lint.law import DEFAULT_SOLREF
+from newton_lint.newton_models import rules as module
 from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.newton_models.report import report_of
 from newton_lint.newton_models.rules import CONVERTED, Shapes
@@ -116,13 +117,27 @@ def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
     assert found(model, name="mujoco", cone="elliptic") == unread
     assert found(model, name="newton", cone="elliptic") == ([] if kf_is_read() else unread)
     assert found(two_boxes({}, {}), name="newton", cone="elliptic") == []
-    model = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
-    [(rule, shapes, _, _, used)] = found(model, name="newton", cone="elliptic", impratio=1.0)
-    if kf_is_read():  # a timeconst of 2 / (kf w) is two substeps
-        weight = 2.0 / float(model.body_mass.numpy()[0])
-        assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * weight)))
-    else:
-        assert (rule, shapes, used) == ("kf", PAIR[:1], None)
+    high = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
+    shapes = [each[1] for each in found(high, name="newton", cone="elliptic")]
+    assert shapes == ([PAIR] if kf_is_read() else [PAIR[:1]])
+
+
+@pytest.mark.parametrize("impratio", [1.0, 4.0])
+def test_kf_is_clamped_where_its_timeconst_is_two_substeps_and_none_takes_the_friction_away(monkeypatch, impratio):
+    """A timeconst of 2 / (kf w ((1 - dmax) / impratio + dmax)), of which w is of both boxes and dmax is 0.95."""
+    monkeypatch.setattr(module, "kf_is_read", lambda: True)
+
+    def of(first: float, second: float, **attributes: tuple) -> list[tuple]:
+        model = two_boxes({"kf": first}, {"kf": second}, **attributes)
+        return found(model, name="newton", cone="elliptic", impratio=impratio)
+
+    weight = 2.0 / float(two_boxes({}, {}).body_mass.numpy()[0])
+    most = 1.0 / (DT * weight * (0.05 / impratio + 0.95))
+    own, mixed = {"geom_priority": (1, 0)}, {"geom_solmix": (1.0, 3.0)}
+    assert of(0.99 * most, 9.0 * most, **own) == of(0.39 * most, 1.19 * most, **mixed) == []
+    assert of(1.01 * most, 9.0 * most, **own) == [("kf", PAIR, "kf", 1.01 * most, most)]
+    assert of(0.4 * most, 1.21 * most, **mixed) == [("kf", PAIR, "kf", 1.0075 * most, most)]
+    assert of(0.0, most, **own) == [("kf", PAIR, "mu", ShapeConfig().mu, None)]
 
 
 MJCF = """
