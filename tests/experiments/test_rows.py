@@ -12,7 +12,7 @@ import warp as wp
 
 from experiments import contacts, error_runtime, hold, leave_out, newton_solvers, poses, stability, stiffness
 from experiments.contacts import missing_term
-from experiments.cure import bodies, controls, tumbles, turntable
+from experiments.cure import bodies, combinations, controls, tumbles, turntable
 from experiments.engines import published, robot, scenes
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED
@@ -261,6 +261,17 @@ def test_controls_creep_along_their_walls_and_turn_as_hard_as_the_shake(monkeypa
     assert list(on_plane.values()) == pytest.approx([100.0, 200.0, -100.0])
 
 
+def test_combinations_are_all_but_those_that_no_engine_has_and_kf_is_taken_out_in_contacts_of_newton(monkeypatch):
+    """2 pads, 3 shakes and 2 positions by 4 terms with Euler, implicit or not, and 2 with RK4, which has no centre."""
+    monkeypatch.setattr(combinations, "kf_is_read", lambda: True)
+    for quick, shakes in ((False, [0.0, 0.03, 0.1]), (True, [0.0, 0.03])):
+        found = {kind: combinations.cases(kind, quick) for kind in combinations.CONTACTS}
+        off = {kind: [case.shake_amplitude_m for case in cases if case.pad_kf == -1.0] for kind, cases in found.items()}
+        assert off == {"newton": shakes, "mujoco": [], "pyramidal": []}
+        counts = [2 * 2 * 4 * 2 + 2, 0, 0] if quick else [12 * (4 * 4 + 2 * 2) + 3, 12 * (3 * 4 + 2), 12 * (3 * 4 + 2)]
+        assert [len(cases) for cases in found.values()] == counts
+
+
 def test_what_tumbles_starts_above_the_ground_and_gains_from_1_percent_on():
     model = tumbles.model_of("box", 0.002)
     qpos, qvel = tumbles.starts_of(model, 200)
@@ -330,6 +341,23 @@ def test_a_box_walks_by_its_radius_or_creeps_by_its_way_along_a_table_that_stand
     for drop_m, stays in ((0.0099, True), (0.0101, False)):
         path[-1, 2] = 0.1 - drop_m
         assert box.columns("slope", path)["stays"] is stays
+
+
+def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
+    """By a solver that takes it 1 mm along the table in each step; contacts are found before each fourth of ten."""
+    found = []
+
+    def step(here, there, *_):
+        places = here.body_q.numpy()
+        places[1, 0] += 1e-3
+        there.body_q.assign(places)
+
+    monkeypatch.setattr(box.solvers, "SolverMuJoCo", lambda *_, **options: SimpleNamespace(step=step))
+    pipeline = SimpleNamespace(contacts=lambda: None, collide=lambda *_: found.append(0))
+    monkeypatch.setattr(box.newton, "CollisionPipeline", lambda *_, **options: pipeline)
+    path = box.run(box.Variant("", "SolverMuJoCo", steps_between_contacts=4), "still", 0.01, 0.3, "cpu")
+    assert path == pytest.approx(np.outer([0.0, 0.01, 0.02, 0.03], [1.0, 0.0, 0.0]) + [0.2, 0.0, 0.1])
+    assert len(found) == 3 * 3
 
 
 def test_gravity_leans_on_the_slope_by_a_tangent_of_035_and_arms_carry_their_weight():
