@@ -2,7 +2,10 @@
 
 import pytest
 
+from measured_report.editions.project import Project
+from measured_report.records.record import load_record
 from measured_report.values.results import Results
+from report.sections import stability
 from report.sections.stability.passing import passes
 
 LOAD = [("creeping", 0.89, True), ("dropped", 0.89, False), ("dropped", 1.0, None), ("dropped", 1.11, True)]
@@ -53,3 +56,15 @@ def test_what_passes(toy, family):
         rows.append({"case": str(index), "failure": None, "family": family, "finite": finite} | row | reasons)
     found = Results(toy.record(rows), toy.record_path).rows
     assert [passes(row) for row in found] == [expected for *_, expected in cells]
+
+
+def test_curves_of_the_maps_are_where_their_conditions_begin(monkeypatch):
+    """2 / kd is 2 dt where kd is 2 √ke, and dt² ke + 2 dt kd is 4."""
+    path, drawn = Project("1.4.0").record_path("stability"), []
+    monkeypatch.setattr(stability, "draw_maps", drawn.extend)
+    results = Results(load_record(path), path)
+    row = next(row for row in results.rows if "pad_kd" in row)
+    stability._maps(results, [], [row], False).draw()
+    clamped, unstable = (curve for _, _, curve, _ in drawn)
+    step_s = unstable(2500.0)
+    assert (clamped(2500.0), 2500.0 * step_s**2 + 2.0 * step_s * row.pad_kd.value) == pytest.approx((0.01, 4.0))
