@@ -8,7 +8,7 @@ import pytest
 from conftest import MODULE, ROWS, Toy, compared, derived
 from scipy import stats
 
-from measured_report.changes.alarm import rate_of
+from measured_report.changes.alarm import rate_of, settings_text
 from measured_report.changes.compare import flips_between
 from measured_report.changes.moves import Move, Pair, judged
 from measured_report.commands import diff, page
@@ -146,6 +146,8 @@ def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_thre
     assert (falls.share, grows.share, falls.noise) == pytest.approx((-0.5, 0.5, 0.30758), rel=1e-4)
     assert falls.sure_share == grows.sure_share == pytest.approx(0.5 * (1 - 0.30758), rel=1e-4)
     assert replace(falls, error=1.0).sure_share == 0.0
+    some = [Move("value", 1.0, after, 0.0, place={"case": f"by {after}", "kind": "option"}) for after in (1.0001, 0.8)]
+    assert [each.exceeds_threshold for each in some] == [False, True] and settings_text(some).startswith("by 0.8 ")
     evidence = {"a": SimpleNamespace(changed=[(40, 0), (40, 1), (0, 0)]), "b": SimpleNamespace(changed=[(20, 3)])}
     found = rate_of(SimpleNamespace(measurements=SimpleNamespace(evidence=evidence)))
     assert found == {"comparisons": 3, "told": 2, "numbers": 100, "moves": 4}

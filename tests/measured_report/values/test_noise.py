@@ -23,7 +23,7 @@ from measured_report.values.noise import (
     variance_of,
     welch,
 )
-from measured_report.values.quantities import Quantity, Value, noise_of
+from measured_report.values.quantities import Quantity, Value, noise_of, samples_of
 
 SIZES = st.floats(1e-12, 1e12)
 
@@ -139,6 +139,9 @@ def test_a_value_has_the_noise_of_its_sources_or_of_three_measurements_if_that_i
     assert noise_of(lambda number: number, [source], samples) == (expected and pytest.approx(expected, rel=5e-3))
     assert ("in 3 measurements" in Value(**vars(source)).bare) == bool(len(samples) > 2 and noise)
     assert "measurements" not in source.bare
+    assert samples_of(min, [source, Quantity(2.0, "mm", "b", noise=0.0)]) == [
+        each and min(each, 2.0) for each in samples
+    ]
 
 
 @given(SIZES, SIZES, st.floats(1e-6, 0.5), st.floats(1e-6, 0.5))
