@@ -121,19 +121,11 @@ def test_a_derived_number_has_the_noise_of_its_sources_in_squares():
 
 
 TENTHS = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5  # of three that are a tenth apart
+KNOWN = [(0.5, (2.0, 2.0), 0.5), (0.5, (1.9, 2.0, 2.1, None), TENTHS)]  # two that agree say nothing
+KNOWN += [(0.2, (1.9, 2.0, 2.1), 0.2), (None, (1.9, 2.0, 2.1), None), (0.0, (), 0.0), (1e-9, (), 0.001)]
 
 
-@pytest.mark.parametrize(
-    ("noise", "samples", "expected"),
-    [
-        (0.5, (2.0, 2.0), 0.5),  # two that agree say nothing
-        (0.5, (1.9, 2.0, 2.1, None), TENTHS),
-        (0.2, (1.9, 2.0, 2.1), 0.2),
-        (None, (1.9, 2.0, 2.1), None),
-        (0.0, (), 0.0),
-        (1e-9, (), 0.001),
-    ],
-)
+@pytest.mark.parametrize(("noise", "samples", "expected"), KNOWN)
 def test_a_value_has_the_noise_of_its_sources_or_of_three_measurements_if_that_is_less(noise, samples, expected):
     source = Quantity(2.0, "mm", "a", noise=noise, samples=samples)
     assert noise_of(lambda number: number, [source], samples) == (expected and pytest.approx(expected, rel=5e-3))
