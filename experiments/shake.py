@@ -16,6 +16,7 @@ import numpy as np
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
+from experiments.simulation.host import compile_first
 from experiments.simulation.measurement import summarize
 from experiments.simulation.simulation import Simulation
 
@@ -72,6 +73,8 @@ class Example:
         self.viewer = viewer
         self.case = case
         device = wp.get_device("cpu") if self.case.backend == "mujoco" else wp.get_device()
+        if device.is_cuda:
+            compile_first(device)
         self.simulation = Simulation([case] * world_count, device)
         self.model = self.simulation.model
         self.state_0 = self.simulation.state

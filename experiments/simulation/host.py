@@ -1,7 +1,9 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
 import time
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from importlib.metadata import version
 
 import warp as wp
@@ -9,6 +11,7 @@ from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only  # noqa: F401
+from experiments.simulation.kernels import Launch, compile_beside
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
@@ -18,7 +21,7 @@ from measured_report.records.identity import package_versions
 
 OLDEST = (1, 4, 0)
 """The oldest release that can run the scene."""
-__all__ = ["Conditions", "be_quiet", "explained", "gpu", "prepare"]
+__all__ = ["Conditions", "be_quiet", "explained", "gpu", "note_work", "prepare"]
 
 
 def warp_device(kind: str | None) -> wp.Device:
@@ -57,7 +60,11 @@ def compile_first(device: wp.Device) -> str:
     """
     start = time.perf_counter()
     try:
-        Simulation([replace(AS_SHIPPED, frame_count=1)], device).step()
+        cases = [replace(AS_SHIPPED, frame_count=1)]
+        compile_beside(device, partial(Simulation, cases, device))
+        simulation = Simulation(cases, device)
+        compile_beside(device, simulation.frame)
+        simulation.step()
         wp.synchronize_device(device)
     except (AttributeError, ImportError, TypeError) as missing:
         return " ".join(str(missing).split())[:200]
@@ -72,6 +79,17 @@ def be_quiet() -> None:
     """Let Warp say errors only."""
     if hasattr(wp, "LOG_ERROR"):  # Warp of old releases has none, and they are told what else they lack
         wp.config.log_level = wp.LOG_ERROR
+
+
+def note_work(note: Callable[[str], None]) -> None:
+    """Note name and size of every kernel that is launched, or captured to be launched, from now on."""
+    for name in ("launch", "launch_tiled"):
+        setattr(wp, name, partial(_noted, note, getattr(wp, name)))
+
+
+def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, dim: object, *given, **options) -> object:
+    note(f"{kernel.key} {dim}")
+    return launch(kernel, dim, *given, **options)
 
 
 def explained(error: Exception) -> str:
