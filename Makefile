@@ -21,6 +21,7 @@ bisect:
 history:
 diff:
 replicate:
+carry:
 
 .PHONY: lint
 lint: $(READY)

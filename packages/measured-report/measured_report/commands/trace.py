@@ -87,6 +87,7 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
     release, commit = record.origin.release, record.measured["commit"]
     measured = f"{record.machine_text}, {record.time_text}, {config().edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
+    yield from (f"  carried     {each}" for each in record.carried)
     if chapter.state.notes:
         yield f"  stale:      {chapter.state.words}"
     yield f"  again by    {project.of(release).rerun(record.section, record.machine['device'])}"

@@ -1,4 +1,8 @@
-"""A host: what a report that measures on the CPU does with it; ``report.toml`` names a module with these names."""
+"""A host: what a report that measures on the CPU does with it; ``report.toml`` names a module with these names.
+
+It may have ``note_work(note)`` too, after which ``note`` is called with each piece of work that a device is given, in
+words: what is timed is the same where these are, which ``make carry`` asks on a GPU.
+"""
 
 from importlib import import_module
 from types import ModuleType

@@ -148,7 +148,7 @@ class Graph:
         """Find what is done when a file is imported: a decorator of this project may note what it is put on."""
         yield file, EFFECTS
         for name, found in self.defined(file).items():
-            decorators = (self._meaning(file, each, word) for each in found for word in each.decorators)
+            decorators = (self.meaning(file, each, word) for each in found for word in each.decorators)
             if any(isinstance(meaning, list) for meaning in decorators):
                 yield file, name
 
@@ -161,9 +161,9 @@ class Graph:
 
     def meanings(self, node: Node) -> list[list[Node] | str]:
         """Find what the names mean that stand in what defines a name, in order."""
-        return [self._meaning(node[0], each, name) for each in self.definitions(node) for name in each.names]
+        return [self.meaning(node[0], each, name) for each in self.definitions(node) for name in each.names]
 
-    def _meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
+    def meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
         first, _, rest = name.partition(".")
         if first in self.defined(file) and first not in definition.imports:
             return [(file, first)]

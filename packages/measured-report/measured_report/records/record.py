@@ -53,6 +53,22 @@ class Seal:
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
+@dataclass(frozen=True)
+class Carried:
+    """Tell of a change of code over which a record was carried, as quick runs of both gave the same."""
+
+    code: Digest  # of the identity that it had before
+    before: Line  # commits that were run
+    after: Line
+    date: Time
+    row_count: Annotated[int, Meta(ge=1)]
+    cell_count: Annotated[int, Meta(ge=1)]
+
+    def __str__(self) -> str:
+        runs = f"quick runs of both gave the same {self.row_count} rows, {self.cell_count} cells"
+        return f"from the code of {self.before[:7]} to that of {self.after[:7]} on {self.date[:10]}: {runs}"
+
+
 class _Machine(Struct):
     device: Literal["cuda", "cpu"]
     gpu: Line | None
@@ -85,6 +101,12 @@ class Record:
     units: Mapping[Name, Line]
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
     traces: Mapping[Case, Seal] = field(default_factory=dict)
+    carried: tuple[Carried, ...] = ()  # oldest first
+
+    @property
+    def codes(self) -> frozenset[str]:
+        """Return digests of the codes that are known to measure the same."""
+        return frozenset({self.identity.code, *(each.code for each in self.carried)})
 
     @property
     def processor(self) -> str:
@@ -157,6 +179,7 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
 def record_text(record: Record) -> str:
     data = {"schema": SCHEMA, **asdict(replace(record, rows=[]))}  # which would copy every cell
     del data["rows"]
+    data |= {} if data.pop("carried") == () else {"carried": [asdict(each) for each in record.carried]}
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
     lines = []
     for row in record.rows:
@@ -184,6 +207,7 @@ def read_record(content: bytes, path: Path) -> Record:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
         record = msgspec.convert(data, Record)
         parts = [(data, Record), (data["identity"], Identity), *((seal, Seal) for seal in data["traces"].values())]
+        parts += [(each, Carried) for each in data.get("carried", ())]
         known = [(part, {each.name for each in fields(kind)}) for part, kind in parts]
         for part, names in [*known, (data["identity"]["packages"], {*config().packages})]:
             if others := part.keys() - names:

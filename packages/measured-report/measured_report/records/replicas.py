@@ -65,7 +65,8 @@ def unlike(tracked: Record, other: Record) -> str:
     """Say what keeps a record from being a replica of the tracked one; empty where nothing does."""
     if tracked.identity.packages != other.identity.packages:
         return "other packages"
-    if len({(each.code, each.config, each.profile) for each in (tracked.identity, other.identity)}) > 1:
+    sides = [(each.config, each.profile) for each in (tracked.identity, other.identity)]
+    if sides[0] != sides[1] or tracked.codes.isdisjoint(other.codes):
         return "other code"
     is_whole = other.number_count >= WHOLE * tracked.number_count
     return "" if is_whole else "not all of it could be measured there"

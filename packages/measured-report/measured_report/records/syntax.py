@@ -42,11 +42,11 @@ Definitions = Mapping[str, tuple[Definition, ...]]
 class Reader:
     def __init__(self, tree: ast.Module, package: tuple[str, ...]):
         self._tree, self._package = tree, package
-        aside = (_imports_alone, _is_text, _is_aside)
+        aside = (_imports_alone, is_text, _is_aside)
         self._statements = [node for node in tree.body if not any(is_so(node) for is_so in aside)]
         there = (node for node in tree.body if not isinstance(node, DEFINING))
         self._imports = {name: what for top in there for node in ast.walk(top) for name, what, _ in self._named(node)}
-        self._names = {*self._imports, *(name for node in self._statements for name in _bound(node))}
+        self._names = {*self._imports, *(name for node in self._statements for name in bound_names(node))}
 
     def source(self) -> Source:
         nodes = list(ast.walk(self._tree))
@@ -62,7 +62,7 @@ class Reader:
         """Find the definitions, which most modules are never asked for, and which take longer than all else."""
         definitions: dict[str, list[Definition]] = {}
         for node in self._statements:
-            names = list(dict.fromkeys(_bound(node))) or [EFFECTS]
+            names = list(dict.fromkeys(bound_names(node))) or [EFFECTS]
             for place, name in enumerate(names):
                 definitions.setdefault(name, []).append(self._definition(node, place))
         return {name: tuple(found) for name, found in definitions.items()}
@@ -72,7 +72,7 @@ class Reader:
         inner = {name: what for each in nodes for name, what, _ in self._named(each)}
         tree = Canonical(self._names | inner.keys(), {**self._imports, **inner})
         text = tree.statement(node)
-        decorators = (_chain(getattr(each, "func", each)) for each in getattr(node, "decorator_list", ()))
+        decorators = (chain_of(getattr(each, "func", each)) for each in getattr(node, "decorator_list", ()))
         return Definition(
             tree=digest_of([text, place]),
             names=tuple(tree.gaps),
@@ -121,7 +121,7 @@ def _here(node: ast.AST) -> Iterator[ast.AST]:
             yield from _here(child)
 
 
-def _bound(node: ast.AST) -> Iterator[str]:
+def bound_names(node: ast.AST) -> Iterator[str]:
     for each in _here(node):
         if isinstance(each, DEFINING):
             yield each.name
@@ -138,7 +138,7 @@ def _imports_alone(node: ast.AST) -> bool:
     return isinstance(node, (*IMPORTS, ast.Pass))
 
 
-def _is_text(node: Any) -> bool:
+def is_text(node: Any) -> bool:
     # Any string that stands alone does nothing, wherever it stands: field docstrings are left out as well.
     return isinstance(node, ast.Expr) and _is_string(node.value)
 
@@ -150,7 +150,7 @@ def _is_aside(node: ast.AST) -> bool:
     return isinstance(node, ast.Assign) and ast.unparse(node.targets[0]).startswith("sys.path")
 
 
-def _chain(node: ast.AST) -> str:
+def chain_of(node: ast.AST) -> str:
     """Write a name with the attributes that are asked of it, as ``metrics.height_mm``; nothing for what is none."""
     attributes: list[str] = []
     while isinstance(node, ast.Attribute):
@@ -195,17 +195,17 @@ class Canonical:
 
     def statement(self, node: ast.stmt) -> Any:
         """Make tuples of a statement at the top of its module; the names that it defines do not count."""
-        self._own = frozenset(_bound(node))
+        self._own = frozenset(bound_names(node))
         nodes = list(ast.walk(node))
         self._locals_count = any(map(_reads_locals, nodes))
         # What a definition is called counts where it is asked for.
         attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
-        self._names_count = any(node.attr in ("__name__", "__qualname__") and _chain(node) for node in attributes)
+        self._names_count = any(node.attr in ("__name__", "__qualname__") and chain_of(node) for node in attributes)
         return self.plain(node, Scope())
 
     def plain(self, node: Any, scope: Scope) -> Any:
         if isinstance(node, list):
-            kept = (each for each in node if not (_is_text(each) or isinstance(each, DECLARING)))
+            kept = (each for each in node if not (is_text(each) or isinstance(each, DECLARING)))
             return tuple(made for made in (self.plain(each, scope) for each in kept) if made != NOTHING)
         if not isinstance(node, ast.AST):
             return repr(node)
@@ -228,7 +228,7 @@ class Canonical:
         return self._gap(name) if name in self._names else ("Name", name)
 
     def visit_Attribute(self, node: ast.Attribute, scope: Scope) -> Any:
-        asked = _chain(node)
+        asked = chain_of(node)
         first = asked.partition(".")[0]
         if first not in self._names or first in scope.local or first in scope.attributes:
             return self._fields(node, scope)
@@ -253,7 +253,7 @@ class Canonical:
     visit_ExceptHandler = visit_MatchAs = visit_MatchStar = visit_MatchMapping = _binding
 
     def visit_ClassDef(self, node: ast.ClassDef, scope: Scope) -> Any:
-        inner = Scope(scope.local, frozenset(name for each in node.body for name in _bound(each)))
+        inner = Scope(scope.local, frozenset(name for each in node.body for name in bound_names(each)))
         return self._fields(node, scope, name=self._stands_for(node.name, scope), body=self.plain(node.body, inner))
 
     def _function(self, node: Any, scope: Scope) -> Any:
@@ -261,7 +261,7 @@ class Canonical:
         declared = [each for part in body for each in _here(part) if isinstance(each, ast.Global | ast.Nonlocal)]
         others = {name for each in declared for name in each.names}
         parameters = (each.arg for each in ast.iter_child_nodes(node.args) if isinstance(each, ast.arg))
-        bound = [*parameters, *(name for part in body for name in _bound(part) if name not in others)]
+        bound = [*parameters, *(name for part in body for name in bound_names(part) if name not in others)]
         globals_ = {name for each in declared if isinstance(each, ast.Global) for name in each.names}
         instead = {"body": self.plain(node.body, self._within(scope, bound, globals_))}
         if not isinstance(node, ast.Lambda):
@@ -333,7 +333,7 @@ class Canonical:
 
     def _called(self, function: ast.expr, scope: Scope) -> str:
         """Name what is called as it is known elsewhere; empty where that is not so."""
-        first, dot, rest = _chain(function).partition(".")
+        first, dot, rest = chain_of(function).partition(".")
         if first in scope.local or first in scope.attributes:
             return dot + rest
         if first in self._imports:

@@ -1,0 +1,283 @@
+"""Carry: a record outlives a change of code where quick runs of the old and of the new code give the same numbers.
+
+Simulations repeat to the last bit on a CPU. What no run executed is not proven: see ``records/proof.py``.
+"""
+
+import json
+import os
+import subprocess
+import tempfile
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from measured_report.changes.moves import few
+from measured_report.editions.environment import python_of
+from measured_report.editions.project import Project
+from measured_report.editions.release import Release
+from measured_report.editions.status import expected_packages, states_of
+from measured_report.files.atomic import RecordError
+from measured_report.files.errors import UsageError
+from measured_report.measuring import reach
+from measured_report.measuring.batch import now
+from measured_report.measuring.measure import MODULE
+from measured_report.records.code import Graph, roots_of
+from measured_report.records.columns import REASON, column_of, columns_of, is_number
+from measured_report.records.identity import git, identity_of
+from measured_report.records.proof import TIMED, UNEXECUTED, Code, Place
+from measured_report.records.record import Carried, Record, load_record, write_record
+from measured_report.values.evidence import key_of
+from measured_report.values.noise import chance_of, discoveries, welch
+
+ASIDE = "carry"  # the folder below `results` of the quick runs of the new code
+REPEAT_COUNT = 3  # chosen: runs of each code on a GPU, where these execute what a CPU does not
+GONE = ()  # stands for a cell that is not there
+COMMIT_LIMIT = 200  # so many commits back an old code is looked for
+
+
+@dataclass(frozen=True)
+class Run:
+    """Hold a code of a section, and what quick runs of it gave and executed."""
+
+    code: Code
+    records: Sequence[Record]  # of one run, or of several that do not repeat to the last bit
+    executed: Mapping[str, set[Place]]
+    timed: Mapping[str, set[Place]]  # what of it was executed while times were measured
+    work: Mapping[str, str]  # digests of what a device was given to do meanwhile, by batch
+
+
+Codes = tuple[Code, Code]  # the old and the new one, as the next
+Runs = tuple[Run, Run]
+
+
+def carried(project: Project, release: Release, names: Sequence[str], device: str) -> Iterator[tuple[str, str]]:
+    """Carry the records of sections that are stale by code alone; yield each with why not, or else empty."""
+    states = {state.section: state for state in states_of(project) if state.section in names}
+    records = {}
+    for name, state in states.items():
+        if state.record and state.kind == "stale" and all(note.startswith("code") for note in state.notes):
+            records[name] = state.record
+        elif state.kind != "fresh":
+            yield name, f"it is {state.summary}, which is not its code alone"
+    with worktree(project.root) as tree:
+        commits = commits_of(tree, records)
+        for name in (name for name in records if name not in commits):
+            yield name, f"none of the newest {COMMIT_LIMIT} commits has the code that measured it"
+        for commit in dict.fromkeys(commits.values()):
+            git(tree, "checkout", "--quiet", "--detach", commit)
+            of_commit = {name: records[name] for name in commits if commits[name] == commit}
+            pairs = {name: _codes(name, tree, project.root) for name in of_commit}
+            runs = _run_both(project, release, tree, pairs, "cpu")
+            reasons = {name: _reasons(runs[name], record) for name, record in of_commit.items()}
+            open_ = {name: pairs[name] for name in pairs if any(map(_is_open, reasons[name]))}
+            if device == "cuda" and open_:
+                is_new = any(reason.startswith(UNEXECUTED) for name in open_ for reason in reasons[name])
+                beside = _run_both(project, release, tree, open_, "cuda", REPEAT_COUNT if is_new else 1)
+                reasons |= {name: _reasons(runs[name], of_commit[name], beside[name]) for name in open_}
+            for name, record in of_commit.items():
+                if not reasons[name]:
+                    _write(project, record, runs[name], commit)
+                yield name, few(reasons[name], 2)
+
+
+def _is_open(reason: str) -> bool:
+    """Tell whether runs on a GPU may settle it."""
+    return reason.startswith((UNEXECUTED, TIMED))
+
+
+def _codes(name: str, *roots: Path) -> Codes:
+    old, new = (Code(name, root) for root in roots)
+    old.compare(new)
+    new.compare(old)
+    return old, new
+
+
+@contextmanager
+def worktree(root: Path) -> Iterator[Path]:
+    """Check the newest commit out beside the repository for a while; return the folder that the project has in it."""
+    with tempfile.TemporaryDirectory() as folder:
+        tree = Path(folder).resolve() / "tree"
+        git(root, "worktree", "add", "--quiet", "--detach", str(tree))
+        if not tree.is_dir():
+            raise UsageError(f"{root} is in no git repository, which has the code that was measured")
+        try:
+            yield tree / git(root, "rev-parse", "--show-prefix")
+        finally:
+            git(root, "worktree", "remove", "--force", str(tree))
+
+
+def commits_of(tree: Path, records: Mapping[str, Record]) -> dict[str, str]:
+    """Find the newest commit with the code of each record; checks them out in turn."""
+    files = {f":(top,glob)**/{file}" for record in records.values() for file in record.identity.files}
+    newest = git(tree, "rev-parse", "HEAD")
+    commits = git(tree, "log", "--format=%H", f"--max-count={COMMIT_LIMIT}", "--", *sorted(files)).split()
+    found: dict[str, str] = {}
+    for commit in [newest, *commits] if records else ():
+        git(tree, "checkout", "--quiet", "--detach", commit)
+        graph = Graph(roots_of(tree))
+        for name in (name for name in records if name not in found):
+            if graph.told(f"experiments.{name}.measure")[0] == records[name].identity.code:
+                found[name] = commit
+        if len(found) == len(records):
+            break
+    return found
+
+
+def _run_both(
+    project: Project, release: Release, tree: Path, pairs: Mapping[str, Codes], device: str, repeat_count: int = 1
+) -> dict[str, Runs]:
+    """Run sections of both codes quick: beside one another on a CPU, in turn on a GPU."""
+    python = python_of(release, expected_packages(project), project.root)
+    sides = [replace(project, profile="quick", root=tree), replace(project, profile="quick", aside=ASIDE)]
+    records: list[defaultdict[str, list[Record]]] = [defaultdict(list) for _ in sides]
+    with tempfile.TemporaryDirectory() as name:
+        folders = [Path(name) / str(place) for place in range(len(sides))]
+        commands = [
+            _command(python, side, folder, [codes[place] for codes in pairs.values()], [*pairs, "--device", device])
+            for place, (side, folder) in enumerate(zip(sides, folders, strict=True))
+        ]
+        for _ in range(repeat_count):
+            running = []
+            for command, side in zip(commands, sides, strict=True):
+                for section in pairs:
+                    side.record_path(section).unlink(missing_ok=True)
+                running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, device)))
+                if device == "cuda":
+                    running[-1].wait()
+            for process, side, kept in zip(running, sides, records, strict=True):
+                process.wait()
+                for section in pairs:
+                    with suppress(RecordError):
+                        kept[section].append(load_record(side.record_path(section)))
+        notes = [[json.loads(path.read_bytes()) for path in folder.glob("*.json")] for folder in folders]
+    return {
+        section: (_run_of(section, codes[0], records[0], notes[0]), _run_of(section, codes[1], records[1], notes[1]))
+        for section, codes in pairs.items()
+    }
+
+
+def _run_of(section: str, code: Code, records: Mapping[str, Sequence[Record]], notes: Sequence[Any]) -> Run:
+    """Return what was noted of a section and of importing it."""
+    executed: defaultdict[str, set[Place]] = defaultdict(set)
+    timed: defaultdict[str, set[Place]] = defaultdict(set)
+    for of_file in (note["executed"].get(name, {}) for note in notes for name in ("", section)):
+        for file, places in of_file.items():
+            executed[file].update(tuple(place[:4]) for place in places)
+            timed[file].update(tuple(place[:4]) for place in places if place[4])
+    work = {batch: digest for note in notes for batch, digest in note["work"].get(section, {}).items()}
+    return Run(code, records[section], executed, timed, work)
+
+
+def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], options: Sequence[str]) -> list[str]:
+    """Return the command that runs a side and follows what changed of its codes, as it notes in ``folder``."""
+    spans: dict[str, list[tuple[int, int]]] = {}
+    for file, lines in (pair for code in codes for pair in code.spans.items()):
+        spans.setdefault(file, []).extend(lines)
+    folder.mkdir()
+    asked = folder.with_suffix(".json")
+    asked.write_text(json.dumps(spans), encoding="utf-8")
+    edition = ["--profile", side.profile, "--edition", side.release, "--aside", side.aside]
+    return [str(python), "-P", reach.__file__, str(asked), str(folder), MODULE, *options, *edition]
+
+
+def _settings(root: Path, device: str) -> dict[str, str]:
+    packages = [str(each) for each in sorted((root / "packages").glob("*"))]
+    settings = {"PYTHONPATH": os.pathsep.join([*packages, os.environ.get("PYTHONPATH", "")]), "TQDM_DISABLE": "1"}
+    return {**os.environ, **settings} | ({"CUDA_VISIBLE_DEVICES": ""} if device == "cpu" else {})
+
+
+def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str]:
+    """Say what keeps a record from being carried, by runs on a CPU and ``beside`` these on a GPU."""
+    old, new = runs
+    if not all(each.records for each in (*runs, *(beside or ()))):
+        return ["it could not be measured by both codes"]
+    repeats = beside if beside and len(beside[0].records) > 1 else None
+    for sides in filter(None, (runs, repeats)):
+        if reason := first_difference(sides[0].records, sides[1].records):
+            return [reason]
+    executed = [each.executed for each in (*runs, *(repeats or ()))]
+    reasons = [*new.code.unexecuted(old.code, executed[1::2]), *old.code.unexecuted(new.code, executed[0::2])]
+    reasons += new.code.unread(old.code)
+    if not _gone_columns(old.records[0], new.records[0]):  # with a column goes what it was made of
+        reasons += old.code.unread(new.code, is_old=True)
+    is_same_work = beside and beside[0].work and beside[0].work == beside[1].work
+    if any("cost" in column_of(name).kinds for name in record.units) and not is_same_work:
+        reasons += new.code.timed(new.timed)
+    return reasons
+
+
+def first_difference(before: Sequence[Record], after: Sequence[Record]) -> str:
+    """Name the first cell or trace that runs of two codes have differently, but for times and chance; empty for none.
+
+    Of several runs of each, which do not repeat to the last bit, numbers are compared by Welch's test, and no traces.
+    """
+    old, new = ([_rows(record) for record in records] for records in (before, after))
+    gone, samples = _gone_columns(before[0], after[0]), dict[str, list[list[float]]]()
+    for key in {**new[0], **old[0]}:
+        case = key[0][0]
+        if not all(key in rows for rows in (*old, *new)):
+            return f"{case} is a row of one of both"
+        for column in {*old[0][key], *new[0][key]} - gone:
+            if not column_of(column.removesuffix(REASON)).kinds.isdisjoint(("cost", "chance")):
+                continue
+            sides = [[rows[key].get(column, GONE) for rows in side] for side in (old, new)]
+            if len({(type(cell), cell) for side in sides for cell in side}) > 1:
+                if len(before) == 1 or not all(is_number(cell) for side in sides for cell in side):
+                    return f"{case}.{column}: {sides[0][0]!r} → {sides[1][0]!r}"
+                samples[f"{case}.{column}"] = sides
+    seals = before[0].traces, after[0].traces
+    if len(before) == 1 and seals[0] != seals[1]:
+        return f"the trace of {min(case for case, _ in set(seals[0].items()) ^ set(seals[1].items()))}"
+    return _least_likely(samples) if samples else ""
+
+
+def _least_likely(samples: Mapping[str, list[list[float]]]) -> str:
+    """Name the number of which chance makes such a difference least often; empty where that may be chance."""
+    import numpy as np
+
+    numbers = np.array([*samples.values()])  # by number, code and run
+    count = numbers.shape[2]
+    variances = numbers.var(axis=2, ddof=1) / count
+    error, freedom = welch(variances, np.full(variances.shape, count - 1.0))
+    chances = chance_of(abs(np.diff(numbers.mean(axis=2))[:, 0]), error, freedom)
+    least = min(range(len(chances)), key=chances.__getitem__)
+    name, (old, new) = list(samples.items())[least]
+    return f"{name}: {old} → {new}" if chances[least] <= discoveries(chances) else ""
+
+
+def _gone_columns(before: Record, after: Record) -> set[str]:
+    """Name the columns that no row has any more, and those of their reasons."""
+    names = set(columns_of(before.rows)) - set(columns_of(after.rows))
+    return names | {name + REASON for name in names}
+
+
+def _rows(record: Record) -> dict[tuple, Mapping]:
+    count: Counter[tuple] = Counter()
+    found = {}
+    for row in record.rows:
+        key = key_of(row)
+        found[key, count[key]] = row
+        count[key] += 1
+    return found
+
+
+def _write(project: Project, record: Record, runs: Runs, commit: str) -> None:
+    """Write a record as one of the new code; columns that this has no more are left out."""
+    before, after = (run.records[0] for run in runs)
+    gone = _gone_columns(before, after)
+    rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
+    own = identity_of(record.section, project.profile, project.root, record.identity.packages)
+    told = Carried(
+        code=record.identity.code,
+        before=commit,
+        after=git(project.root, "rev-parse", "HEAD"),
+        date=now().isoformat(timespec="seconds"),
+        row_count=len(after.rows),
+        cell_count=sum(map(len, after.rows)),
+    )
+    units = {name: unit for name, unit in record.units.items() if name not in gone}
+    record = replace(record, identity=own, rows=rows, units=units, carried=(*record.carried, told))
+    write_record(project.record_path(record.section), record)

@@ -1,0 +1,26 @@
+"""Carry records over a change of code that changes no number: old and new code run quick, on a CPU."""
+
+import shutil
+from dataclasses import replace
+
+from measured_report.changes.carry import ASIDE, carried
+from measured_report.commands.options import Arguments, shared
+from measured_report.editions.project import Project
+from measured_report.files.errors import UsageError, suggestion
+from measured_report.records.identity import sections
+
+SECTION = {"default": "", "help": "section to carry; without one all that are stale by their code alone"}
+OPTIONS = {"section": SECTION, **shared("edition", "device")}
+
+
+def run(project: Project, arguments: Arguments) -> int:
+    """Say of each section whether it was carried, and if not what differs; 1 when one was not."""
+    names = sections(project.root)
+    if arguments.section and arguments.section not in names:
+        raise UsageError(f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}")
+    refused, asked = 0, [arguments.section] if arguments.section else names
+    for name, reason in carried(project, arguments.release, asked, arguments.device or "cpu"):
+        refused += bool(reason)
+        print(f"{name}: {f'not carried: {reason}' if reason else 'carried'}", flush=True)
+    shutil.rmtree(replace(project, profile="quick", aside=ASIDE).results, ignore_errors=True)
+    return int(refused > 0)

@@ -1,0 +1,97 @@
+"""Reach: run a module as a program, and note which instructions of some code it executed.
+
+``python -P reach.py ASKED FOLDER MODULE …``: ASKED is a JSON file with the first and last lines of definitions by file.
+Each process writes into FOLDER what it executed of these, by section, ``""`` for importing it, and by file: line, last
+line, column, last column, and whether times were measured meanwhile. Of batches that measure times it writes a digest
+of the work that the host notes. It imports nothing of the program that it follows.
+"""
+
+import atexit
+import json
+import os
+import runpy
+import sys
+from collections import defaultdict
+from hashlib import sha256
+from itertools import count
+from pathlib import Path
+from types import CodeType, FrameType
+from typing import Any
+
+MEASURING, LEADING = "measure_batch", "advance"
+"""Functions that measure a `batch`, of which times are `exclusive`, and that lead a section, `self`, to its record."""
+HOST = "measured_report.measuring.host"
+
+
+class Follower:
+    """Follow the calls of this process and its forks."""
+
+    def __init__(self, asked: dict[str, list[list[int]]], folder: Path):
+        self.asked, self.folder, self.numbers = asked, folder, count()
+        self.section, self.is_timed, self.is_noted = "", False, False
+        # Not by the code itself: that of another file may be equal.
+        self.executed: dict[tuple[int, str, bool], tuple[CodeType, set[int]]] = {}
+        self.work, self.works = sha256(), defaultdict[str, dict[str, str]](dict)
+
+    def called(self, frame: FrameType, event: str, _: Any) -> Any:
+        code = frame.f_code
+        if code.co_name in (MEASURING, LEADING):
+            self.begin(frame.f_locals)
+            frame.f_trace_lines = False
+            return self.ended
+        spans = self.asked.get(code.co_filename)
+        is_module = code.co_name == "<module>"
+        if not spans or not (is_module or any(first <= code.co_firstlineno <= last for first, last in spans)):
+            return None
+        frame.f_trace_opcodes, frame.f_trace_lines = True, False
+        _, places = self.executed.setdefault((id(code), self.section, self.is_timed), (code, set()))
+
+        def executed(frame: FrameType, event: str, _: Any) -> Any:
+            if event == "opcode":
+                places.add(frame.f_lasti)
+            return executed
+
+        return executed
+
+    def begin(self, given: dict[str, Any]) -> None:
+        if "batch" not in given:
+            self.section = str(getattr(given.get("self"), "name", ""))
+            return
+        batch = given["batch"]
+        # One of no section's own module counts for none.
+        self.section, self.is_timed = f"{batch.function.__module__}..".split(".")[1], batch.exclusive
+        self.work = sha256()
+        if self.is_timed and not self.is_noted and hasattr(sys.modules[HOST].host(), "note_work"):
+            sys.modules[HOST].host().note_work(lambda text: self.work.update(f"{text}\n".encode()))
+            self.is_noted = True
+
+    def ended(self, frame: FrameType, event: str, _: Any) -> Any:
+        if event == "return":
+            if self.is_timed and self.is_noted:
+                self.works[self.section][frame.f_locals["batch"].name] = self.work.hexdigest()
+            if frame.f_code.co_name == MEASURING:  # the process may be killed once its batch is done
+                self.write()
+            self.section, self.is_timed = "", False
+        return self.ended
+
+    def write(self) -> None:
+        found: defaultdict[str, defaultdict[str, list]] = defaultdict(lambda: defaultdict(list))
+        for (_, section, is_timed), (code, offsets) in list(self.executed.items()):
+            positions = list(code.co_positions())
+            found[section][code.co_filename] += [[*positions[offset // 2], is_timed] for offset in offsets]
+        path = self.folder / f"{os.getpid()}-{next(self.numbers)}.json"
+        path.write_text(json.dumps({"executed": found, "work": self.works}), encoding="utf-8")
+
+
+def main() -> None:
+    asked, folder, module, *arguments = sys.argv[1:]
+    follower = Follower(json.loads(Path(asked).read_text(encoding="utf-8")), Path(folder))
+    atexit.register(follower.write)
+    sys.path.insert(0, str(Path.cwd()))
+    sys.argv = [module, *arguments]
+    sys.settrace(follower.called)
+    runpy.run_module(module, run_name="__main__", alter_sys=True)
+
+
+if __name__ == "__main__":
+    main()

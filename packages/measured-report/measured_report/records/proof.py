@@ -1,0 +1,207 @@
+"""Proof: what differs between two codes of a section, and what of that two runs of it do not settle.
+
+Where the runs gave the same, what they executed of the definitions that differ makes no difference. The rest has to
+stand in the other code too, in such a place, and to mean the same there. So have numbers, texts and named values, which
+a run may read and not use.
+"""
+
+import ast
+import copy
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import CodeType
+
+from measured_report.records.code import Graph, Node, roots_of
+from measured_report.records.syntax import EFFECTS, bound_names, chain_of, is_text
+
+Place = tuple[int | None, ...]  # line, last line, column and last column, as instructions have them
+BODIES = ("body", "orelse", "finalbody", "handlers", "cases")
+HEADED = (ast.stmt, ast.ExceptHandler, ast.match_case)
+FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+SILENT = (ast.Raise, ast.Assert, ast.JoinedStr)  # their texts are only printed
+UNEXECUTED, TIMED = "no run executes", "what is timed has changed"
+TYPES = ("annotation", "returns")
+NOTE = "\0"  # before what is compared and not said
+
+
+@dataclass(frozen=True)
+class Part:
+    """Hold a piece of a definition, and what decides whether it is executed."""
+
+    definition: Node
+    syntax: ast.AST
+    place: tuple[str, ...] = ()  # what heads the statement around it, its list there, and the statement before
+
+    @cached_property
+    def text(self) -> tuple[str, ...]:
+        return ast.dump(self.syntax), *self.place
+
+    def children(self) -> Iterator["Part"]:
+        head = (ast.dump(_bare(self.syntax)),) if isinstance(self.syntax, HEADED) else self.place[:1]
+        for name, value in ast.iter_fields(self.syntax):
+            before = ""
+            for child in value if isinstance(value, list) else [value]:
+                # An assertion that held has not read its message.
+                if isinstance(child, ast.AST) and name != "msg":
+                    yield Part(self.definition, child, (*head, name, before) if name in BODIES else head)
+                    before = before if is_text(child) else ast.dump(child)
+
+    def all(self) -> Iterator["Part"]:
+        yield self
+        for child in self.children():
+            yield from child.all()
+
+
+class Code:
+    """Reads what a section runs in the tree ``root``, and knows what of that differs from another code."""
+
+    def __init__(self, section: str, root: Path):
+        self.graph = Graph(roots_of(root))
+        self.reached = self.graph.reached(f"experiments.{section}.measure")
+        self.own_digests = {self.graph.digest(node, 0) for node in self.reached}
+        self.common: Set[str] = frozenset()  # of these, what another code has as well
+        self.changed: list[Part] = []
+
+    def compare(self, other: "Code") -> None:
+        """Find the definitions that are not in ``other``, or name what is not there."""
+        digests, self.common = set(other.reached.values()), self.own_digests & other.own_digests
+        nodes = sorted(node for node, digest in self.reached.items() if digest not in digests)
+        trees = {file: ast.parse(Path(file).read_bytes()).body for file, _ in nodes}
+        pairs = ((node, each) for node in nodes for each in trees[node[0]])
+        self.changed = [Part(node, each) for node, each in pairs if node[1] in (list(bound_names(each)) or [EFFECTS])]
+
+    @property
+    def spans(self) -> dict[str, list[tuple[int, int]]]:
+        """Return the first and last lines of what changed, by file."""
+        found: dict[str, list[tuple[int, int]]] = {}
+        for part in self.changed:
+            lines = [each.lineno for each in ast.walk(part.syntax) if hasattr(each, "lineno")]
+            found.setdefault(part.definition[0], []).append((min(lines), part.syntax.end_lineno))  # type: ignore
+        return found
+
+    def unexecuted(self, other: "Code", executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[str]:
+        """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
+        known: dict[tuple[str, ...], list[Part]] = {}
+        for part in (below for each in other.changed for below in each.all()):
+            known.setdefault(part.text, []).append(part)
+        for part in self._unexecuted(executed):
+            if not any(self._meant(part) == other._meant(its) for its in known.get(part.text, ())):
+                yield f"{UNEXECUTED} {self._name(part)}"
+
+    def unread(self, other: "Code", *, is_old: bool = False) -> Iterator[str]:
+        """Say which data are not in ``other`` as well; of old code it is no loss that some stand in fewer places."""
+        own, its = self._data(), other._data()
+        for text in sorted((set(own) - set(its)) if is_old else (own - its).elements()):
+            yield f"a run may read and not use {text.partition(NOTE)[0]:.80}"
+
+    def timed(self, executed: Mapping[str, Set[Place]]) -> Iterator[str]:
+        """Name what is in no other code and was ``executed`` while times were measured."""
+        for part in self.changed:
+            places = executed.get(part.definition[0], set())
+            is_other = self.graph.digest(part.definition, 0) not in self.common
+            if is_other and any(_is_within(place, part.syntax) for place in places):
+                yield f"{TIMED}: {self._name(part)}"
+
+    def _unexecuted(self, executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[Part]:
+        """Yield the largest parts of what changed that no instruction was executed of."""
+        compiled = {file: set(_places(compile(Path(file).read_bytes(), file, "exec"))) for file in self.spans}
+        waiting = list(self.changed)
+        while waiting:
+            part = waiting.pop()
+            file = part.definition[0]
+            places = {place for place in compiled[file] if _is_within(place, part.syntax)}
+            if any(places & run.get(file, set()) for run in executed):
+                waiting += part.children()
+            elif places:
+                yield part
+
+    def _meant(self, part: Part) -> list[str]:
+        return self._named(part, ast.walk(part.syntax))
+
+    def _named(self, part: Part, nodes: Iterable[ast.AST]) -> list[str]:
+        """Say what each name is: a digest of what both codes have, or else what it is called."""
+        asked = {name: each for each in self.graph.definitions(part.definition) for name in each.names}
+        found = []
+        for name in filter(asked.__contains__, map(chain_of, nodes)):
+            meaning = self.graph.meaning(part.definition[0], asked[name], name)
+            nodes_meant = [] if isinstance(meaning, str) else meaning
+            digests = [self.graph.digest(each, 0) for each in nodes_meant]
+            called = [f"{self.graph.name_of(file)} {each}" for file, each in nodes_meant]
+            known = [digest if digest in self.common else name for digest, name in zip(digests, called, strict=True)]
+            found.append(" ".join(known) if nodes_meant else str(meaning))
+        return found
+
+    def _data(self) -> Counter[str]:
+        """Count the numbers and texts in what changed, and statements by the definitions that they name as values."""
+        found: Counter[str] = Counter()
+        for part in self.changed:
+            found.update(_literals(part.syntax))
+            for head in (_bare(each) for each in ast.walk(part.syntax) if isinstance(each, HEADED)):
+                # What is called is executed, and what a type is called does nothing.
+                aside = {id(getattr(each, name, None)) for each in ast.walk(head) for name in ("func", *TYPES)}
+                values = self._named(part, (each for each in ast.walk(head) if id(each) not in aside))
+                if values := [value for value in values if value in self.common]:
+                    found[NOTE.join([ast.unparse(head), *values])] += 1
+        return found
+
+    def _name(self, part: Part) -> str:
+        line = getattr(part.syntax, "lineno", 1)
+        return f"{self.graph.name_of(part.definition[0])}:{line}: {ast.unparse(part.syntax).splitlines()[0]:.80}"
+
+
+def _bare(node: ast.AST) -> ast.AST:
+    """Return a statement without those in it, and without its name."""
+    bare = copy.copy(node)
+    for name in (name for name in ("name", *BODIES) if hasattr(bare, name)):
+        setattr(bare, name, "" if name == "name" else [])
+    return bare
+
+
+def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:
+    """Yield the numbers and texts below a node, and what is made of these alone: displays, constants and fields."""
+    if _is_number(node):
+        yield repr(node.value)  # type: ignore[attr-defined]
+    elif not isinstance(node, SILENT) and not is_text(node):
+        displays = (ast.Dict, ast.List, ast.Tuple, ast.Set, *((ast.Assign, ast.AnnAssign) if is_top else ()))
+        if isinstance(node, displays):
+            with suppress(ValueError):
+                ast.literal_eval(getattr(node, "value", node))
+                yield ast.unparse(node)
+        if isinstance(node, ast.arguments):
+            names = [*node.posonlyargs, *node.args]
+            pairs = [*zip(names[::-1], node.defaults[::-1], strict=False)]
+            pairs += [(each, given) for each, given in zip(node.kwonlyargs, node.kw_defaults, strict=True) if given]
+            yield from (f"{each.arg}={ast.unparse(default)}" for each, default in pairs if _is_number(default))
+        for name, value in ast.iter_fields(node):
+            if name in TYPES or (name == "slice" and isinstance(getattr(value, "value", ""), int)):
+                continue  # which place of a few is no number that was chosen
+            for child in value if isinstance(value, list) else [value]:
+                if isinstance(child, ast.AST):
+                    yield from _literals(child, is_top and not isinstance(node, FUNCTIONS))
+
+
+def _is_number(node: ast.AST | None) -> bool:
+    """Tell whether a node is a number or a text."""
+    value = node.value if isinstance(node, ast.Constant) else None
+    return isinstance(value, str | int | float) and not isinstance(value, bool)
+
+
+def _places(code: CodeType) -> Iterator[Place]:
+    yield from code.co_positions()
+    for each in code.co_consts:
+        if isinstance(each, CodeType):
+            yield from _places(each)
+
+
+def _is_within(place: Place, node: ast.AST) -> bool:
+    if not hasattr(node, "lineno"):  # as the arguments of a function
+        return any(_is_within(place, child) for child in ast.iter_child_nodes(node))
+    first, last, column, last_column = place
+    if None in place:
+        return False
+    start, end = (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)  # type: ignore[attr-defined]
+    return start <= (first, column) and (last, last_column) <= end
