@@ -1,5 +1,6 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
+import os
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -11,14 +12,16 @@ from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only  # noqa: F401
-from experiments.simulation.kernels import Launch, compile_beside
+from experiments.simulation.kernels import Launch, compile_share, is_bare
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import NOT_COMPILED
 from measured_report.measuring.machine import NO_CUDA
+from measured_report.measuring.pool import gather, processes, start
 from measured_report.records.identity import package_versions
 
+PROCESS_COUNT = 8  # chosen: more wait for the largest module
 OLDEST = (1, 4, 0)
 """The oldest release that can run the scene."""
 __all__ = ["Conditions", "be_quiet", "explained", "gpu", "note_work", "prepare"]
@@ -58,21 +61,33 @@ def compile_first(device: wp.Device) -> str:
 
     What else goes wrong here is left to the measurement.
     """
-    start = time.perf_counter()
+    began = time.perf_counter()
     try:
-        cases = [replace(AS_SHIPPED, frame_count=1)]
-        compile_beside(device, partial(Simulation, cases, device))
-        simulation = Simulation(cases, device)
-        compile_beside(device, simulation.frame)
-        simulation.step()
+        if is_bare():
+            _compile_beside(device)
+        Simulation([replace(AS_SHIPPED, frame_count=1)], device).step()
         wp.synchronize_device(device)
     except (AttributeError, ImportError, TypeError) as missing:
         return " ".join(str(missing).split())[:200]
     except Exception as error:
         tqdm.write(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}")
     else:
-        tqdm.write(f"kernels are ready after {time.perf_counter() - start:.0f} s")
+        tqdm.write(f"kernels are ready after {time.perf_counter() - began:.0f} s")
     return ""
+
+
+def _compile_beside(device: wp.Device) -> None:
+    """Compile in processes beside one another what building a simulation launches, and then what its frame does."""
+    count = min(PROCESS_COUNT, os.cpu_count() or 1)
+    with processes(count) as pool:
+        for is_built in (False, True):
+            gather(start(pool, _compile, [(device.alias, is_built, place, count) for place in range(count)]), "kernels")
+
+
+def _compile(alias: str, is_built: bool, place: int, count: int) -> None:
+    device = wp.get_device(alias)
+    build = partial(Simulation, [replace(AS_SHIPPED, frame_count=1)], device)
+    compile_share(device, build().frame if is_built else build, place, count)
 
 
 def be_quiet() -> None:

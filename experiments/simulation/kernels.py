@@ -1,13 +1,14 @@
 """Kernels: compiled beside one another, since Warp compiles a module only when its first kernel is launched."""
 
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
+from pathlib import Path
 from typing import Any
 
 import warp as wp
 
 Launch = Callable[..., Any]
+KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
 
 
 @contextmanager
@@ -32,8 +33,16 @@ def launching(instead: Launch) -> Iterator[None]:
             setattr(wp, name, function)
 
 
-def compile_beside(device: wp.Device, run: Callable[[], object]) -> None:
-    """Compile what ``run`` launches, which is run without launching anything; what it does not reach is left."""
+def is_bare() -> bool:
+    """Tell whether this machine has compiled hardly anything yet: where kernels are kept there is next to nothing."""
+    return len(list(Path(wp.config.kernel_cache_dir).glob("wp_*"))) < KEPT_COUNT
+
+
+def compile_share(device: wp.Device, run: Callable[[], object], place: int, count: int) -> None:
+    """Compile one of ``count`` shares of what ``run`` launches, which is run without launching anything.
+
+    Most of compiling is Python that writes what is compiled, so that shares take processes and no threads.
+    """
     modules: dict[tuple[Any, int], None] = {}
 
     def note(kernel: wp.Kernel, dim: object, *_: object, block_dim: int = 256, **__: object) -> None:
@@ -41,6 +50,5 @@ def compile_beside(device: wp.Device, run: Callable[[], object]) -> None:
 
     with launching(note), suppress(Exception):  # it may read what no kernel has written
         run()
-    with ThreadPoolExecutor() as pool:
-        for module, block_dim in modules:
-            pool.submit(module.load, device, block_dim=block_dim)
+    for module, block_dim in list(modules)[place::count]:
+        module.load(device, block_dim=block_dim)

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from experiments.simulation.kernels import compile_beside
+from experiments.simulation.kernels import compile_share
 
 
 @wp.kernel(module="unique")
@@ -20,7 +20,9 @@ def test_what_would_be_launched_is_compiled_and_not_launched():
         raise IndexError
 
     assert not doubled.module.execs
-    compile_beside(wp.get_device("cpu"), run)
+    compile_share(wp.get_device("cpu"), run, 1, 2)
+    assert not doubled.module.execs, "it is the first, and of the other share"
+    compile_share(wp.get_device("cpu"), run, 0, 2)
     assert doubled.module.execs and values.numpy()[0] == 1.0
     wp.launch(doubled, 1, [values], device="cpu")
     assert values.numpy()[0] == 2.0
