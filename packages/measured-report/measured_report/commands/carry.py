@@ -1,6 +1,7 @@
 """Carry records over a change of code that changes no number: old and new code run quick, on a CPU."""
 
 import shutil
+import sys
 from dataclasses import replace
 
 from measured_report.changes.carry import ASIDE, carried
@@ -15,6 +16,8 @@ OPTIONS = {"section": SECTION, **shared("edition", "device")}
 
 def run(project: Project, arguments: Arguments) -> int:
     """Say of each section whether it was carried, and if not what differs; 1 when one was not."""
+    if sys.version_info < (3, 11):
+        raise UsageError("make carry takes Python 3.11 or newer, which knows where each instruction stands")
     names = sections(project.root)
     if arguments.section and arguments.section not in names:
         raise UsageError(f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}")
