@@ -21,9 +21,11 @@ def run(project: Project, arguments: Arguments) -> int:
     names = sections(project.root)
     if arguments.section and arguments.section not in names:
         raise UsageError(f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}")
-    refused, asked = 0, [arguments.section] if arguments.section else names
+    asked, reasons = [arguments.section] if arguments.section else names, {}
     for name, reason in carried(project, arguments.release, asked, arguments.device or "cpu"):
-        refused += bool(reason)
+        reasons[name] = reason
         print(f"{name}: {f'not carried: {reason}' if reason else 'carried'}", flush=True)
+    if not reasons:
+        print("there is nothing to carry: what is asked for is fresh")
     shutil.rmtree(replace(project, profile="quick", aside=ASIDE).results, ignore_errors=True)
-    return int(refused > 0)
+    return int(any(reasons.values()))
