@@ -23,6 +23,7 @@ from measured_report.files.atomic import RecordError
 from measured_report.files.errors import UsageError
 from measured_report.measuring import reach
 from measured_report.measuring.batch import now
+from measured_report.measuring.machine import commit as commit_here
 from measured_report.measuring.measure import MODULE
 from measured_report.records.code import Graph, roots_of
 from measured_report.records.columns import REASON, column_of, columns_of, is_number
@@ -34,6 +35,7 @@ from measured_report.values.noise import chance_of, discoveries, welch
 
 ASIDE = "carry"  # the folder below `results` of the quick runs of the new code
 REPEAT_COUNT = 3  # chosen: runs of each code on a GPU, where these execute what a CPU does not
+SHORT = 12  # characters of a commit, as those of `commit_here`
 GONE = ()  # stands for a cell that is not there
 COMMIT_LIMIT = 200  # so many commits back an old code is looked for
 
@@ -114,16 +116,16 @@ def commits_of(tree: Path, records: Mapping[str, Record]) -> dict[str, str]:
     files = {f":(top,glob)**/{file}" for record in records.values() for file in record.identity.files}
     newest = git(tree, "rev-parse", "HEAD")
     commits = git(tree, "log", "--format=%H", f"--max-count={COMMIT_LIMIT}", "--", *sorted(files)).split()
-    found: dict[str, str] = {}
+    commits_by_section: dict[str, str] = {}
     for commit in [newest, *commits] if records else ():
         git(tree, "checkout", "--quiet", "--detach", commit)
         graph = Graph(roots_of(tree))
-        for name in (name for name in records if name not in found):
+        for name in (name for name in records if name not in commits_by_section):
             if graph.told(f"experiments.{name}.measure")[0] == records[name].identity.code:
-                found[name] = commit
-        if len(found) == len(records):
+                commits_by_section[name] = commit
+        if len(commits_by_section) == len(records):
             break
-    return found
+    return commits_by_section
 
 
 def _run_both(
@@ -147,11 +149,11 @@ def _run_both(
                 running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, device)))
                 if device == "cuda":
                     running[-1].wait()
-            for process, side, kept in zip(running, sides, records, strict=True):
+            for process, side, records_of_side in zip(running, sides, records, strict=True):
                 process.wait()
                 for section in pairs:
                     with suppress(RecordError):
-                        kept[section].append(load_record(side.record_path(section)))
+                        records_of_side[section].append(load_record(side.record_path(section)))
         notes = [[json.loads(path.read_bytes()) for path in folder.glob("*.json")] for folder in folders]
     return {
         section: (_run_of(section, codes[0], records[0], notes[0]), _run_of(section, codes[1], records[1], notes[1]))
@@ -177,10 +179,10 @@ def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], o
     for file, lines in (pair for code in codes for pair in code.spans.items()):
         spans.setdefault(file, []).extend(lines)
     folder.mkdir()
-    asked = folder.with_suffix(".json")
-    asked.write_text(json.dumps(spans), encoding="utf-8")
+    spans_file = folder.with_suffix(".json")
+    spans_file.write_text(json.dumps(spans), encoding="utf-8")
     edition = ["--profile", side.profile, "--edition", side.release, "--aside", side.aside]
-    return [str(python), "-P", reach.__file__, str(asked), str(folder), MODULE, *options, *edition]
+    return [str(python), "-P", reach.__file__, str(spans_file), str(folder), MODULE, *options, *edition]
 
 
 def _settings(root: Path, device: str) -> dict[str, str]:
@@ -256,12 +258,12 @@ def _gone_columns(before: Record, after: Record) -> set[str]:
 
 def _rows(record: Record) -> dict[tuple, Mapping]:
     count: Counter[tuple] = Counter()
-    found = {}
+    rows = {}
     for row in record.rows:
         key = key_of(row)
-        found[key, count[key]] = row
+        rows[key, count[key]] = row
         count[key] += 1
-    return found
+    return rows
 
 
 def _write(project: Project, record: Record, runs: Runs, commit: str) -> None:
@@ -269,15 +271,15 @@ def _write(project: Project, record: Record, runs: Runs, commit: str) -> None:
     before, after = (run.records[0] for run in runs)
     gone = _gone_columns(before, after)
     rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
-    own = identity_of(record.section, project.profile, project.root, record.identity.packages)
-    told = Carried(
+    identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
+    change = Carried(
         code=record.identity.code,
-        before=commit,
-        after=git(project.root, "rev-parse", "HEAD"),
+        before=commit[:SHORT],
+        after=commit_here() or "",
         date=now().isoformat(timespec="seconds"),
         row_count=len(after.rows),
         cell_count=sum(map(len, after.rows)),
     )
     units = {name: unit for name, unit in record.units.items() if name not in gone}
-    record = replace(record, identity=own, rows=rows, units=units, carried=(*record.carried, told))
+    record = replace(record, identity=identity, rows=rows, units=units, carried=(*record.carried, change))
     write_record(project.record_path(record.section), record)

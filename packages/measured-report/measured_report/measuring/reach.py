@@ -1,6 +1,6 @@
 """Reach: run a module as a program, and note which instructions of some code it executed.
 
-``python -P reach.py ASKED FOLDER MODULE …``: ASKED is a JSON file with the first and last lines of definitions by file.
+``python -P reach.py SPANS FOLDER MODULE …``: SPANS is a JSON file with the first and last lines of definitions by file.
 Each process writes into FOLDER what it executed of these, by section, ``""`` for importing it, and by file: line, last
 line, column, last column, and whether times were measured meanwhile. Of batches that measure times it writes a digest
 of the work that the host notes. It imports nothing of the program that it follows.
@@ -26,8 +26,8 @@ HOST = "measured_report.measuring.host"
 class Follower:
     """Follow the calls of this process and its forks."""
 
-    def __init__(self, asked: dict[str, list[list[int]]], folder: Path):
-        self.asked, self.folder, self.numbers = asked, folder, count()
+    def __init__(self, spans: dict[str, list[list[int]]], folder: Path):
+        self.spans, self.folder, self.numbers = spans, folder, count()
         self.section, self.is_timed, self.is_noted = "", False, False
         # Not by the code itself: that of another file may be equal.
         self.executed: dict[tuple[int, str, bool], tuple[CodeType, set[int]]] = {}
@@ -39,9 +39,9 @@ class Follower:
             self.begin(frame.f_locals)
             frame.f_trace_lines = False
             return self.ended
-        spans = self.asked.get(code.co_filename)
+        lines = self.spans.get(code.co_filename)
         is_module = code.co_name == "<module>"
-        if not spans or not (is_module or any(first <= code.co_firstlineno <= last for first, last in spans)):
+        if not lines or not (is_module or any(first <= code.co_firstlineno <= last for first, last in lines)):
             return None
         frame.f_trace_opcodes, frame.f_trace_lines = True, False
         _, places = self.executed.setdefault((id(code), self.section, self.is_timed), (code, set()))
@@ -75,17 +75,19 @@ class Follower:
         return self.ended
 
     def write(self) -> None:
-        found: defaultdict[str, defaultdict[str, list]] = defaultdict(lambda: defaultdict(list))
+        executed_by_section: defaultdict[str, defaultdict[str, list]] = defaultdict(lambda: defaultdict(list))
         for (_, section, is_timed), (code, offsets) in list(self.executed.items()):
             positions = list(code.co_positions())
-            found[section][code.co_filename] += [[*positions[offset // 2], is_timed] for offset in offsets]
+            executed_by_section[section][code.co_filename] += [
+                [*positions[offset // 2], is_timed] for offset in offsets
+            ]
         path = self.folder / f"{os.getpid()}-{next(self.numbers)}.json"
-        path.write_text(json.dumps({"executed": found, "work": self.works}), encoding="utf-8")
+        path.write_text(json.dumps({"executed": executed_by_section, "work": self.works}), encoding="utf-8")
 
 
 def main() -> None:
-    asked, folder, module, *arguments = sys.argv[1:]
-    follower = Follower(json.loads(Path(asked).read_text(encoding="utf-8")), Path(folder))
+    spans_file, folder, module, *arguments = sys.argv[1:]
+    follower = Follower(json.loads(Path(spans_file).read_text(encoding="utf-8")), Path(folder))
     atexit.register(follower.write)
     sys.path.insert(0, str(Path.cwd()))
     sys.argv = [module, *arguments]

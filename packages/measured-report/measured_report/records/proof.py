@@ -77,19 +77,19 @@ class Code:
     @property
     def spans(self) -> dict[str, list[tuple[int, int]]]:
         """Return the first and last lines of what changed, by file."""
-        found: dict[str, list[tuple[int, int]]] = {}
+        spans: dict[str, list[tuple[int, int]]] = {}
         for part in self.changed:
             lines = [each.lineno for each in ast.walk(part.syntax) if hasattr(each, "lineno")]
-            found.setdefault(part.definition[0], []).append((min(lines), part.syntax.end_lineno))  # type: ignore
-        return found
+            spans.setdefault(part.definition[0], []).append((min(lines), part.syntax.end_lineno))  # type: ignore
+        return spans
 
     def unexecuted(self, other: "Code", executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[str]:
         """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
-        known: dict[tuple[str, ...], list[Part]] = {}
+        parts_by_text: dict[tuple[str, ...], list[Part]] = {}
         for part in (below for each in other.changed for below in each.all()):
-            known.setdefault(part.text, []).append(part)
+            parts_by_text.setdefault(part.text, []).append(part)
         for part in self._unexecuted(executed):
-            if not any(self._meant(part) == other._meant(its) for its in known.get(part.text, ())):
+            if not any(self._meant(part) == other._meant(its) for its in parts_by_text.get(part.text, ())):
                 yield f"{UNEXECUTED} {self._name(part)}"
 
     def unread(self, other: "Code", *, is_old: bool = False) -> Iterator[str]:
@@ -124,29 +124,29 @@ class Code:
 
     def _named(self, part: Part, nodes: Iterable[ast.AST]) -> list[str]:
         """Say what each name is: a digest of what both codes have, or else what it is called."""
-        asked = {name: each for each in self.graph.definitions(part.definition) for name in each.names}
-        found = []
-        for name in filter(asked.__contains__, map(chain_of, nodes)):
-            meaning = self.graph.meaning(part.definition[0], asked[name], name)
+        definitions = {name: each for each in self.graph.definitions(part.definition) for name in each.names}
+        meanings = []
+        for name in filter(definitions.__contains__, map(chain_of, nodes)):
+            meaning = self.graph.meaning(part.definition[0], definitions[name], name)
             nodes_meant = [] if isinstance(meaning, str) else meaning
             digests = [self.graph.digest(each, 0) for each in nodes_meant]
             called = [f"{self.graph.name_of(file)} {each}" for file, each in nodes_meant]
-            known = [digest if digest in self.common else name for digest, name in zip(digests, called, strict=True)]
-            found.append(" ".join(known) if nodes_meant else str(meaning))
-        return found
+            names = [digest if digest in self.common else name for digest, name in zip(digests, called, strict=True)]
+            meanings.append(" ".join(names) if nodes_meant else str(meaning))
+        return meanings
 
     def _data(self) -> Counter[str]:
         """Count the numbers and texts in what changed, and statements by the definitions that they name as values."""
-        found: Counter[str] = Counter()
+        counts: Counter[str] = Counter()
         for part in self.changed:
-            found.update(_literals(part.syntax))
+            counts.update(_literals(part.syntax))
             for head in (_bare(each) for each in ast.walk(part.syntax) if isinstance(each, HEADED)):
                 # What is called is executed, and what a type is called does nothing.
                 aside = {id(getattr(each, name, None)) for each in ast.walk(head) for name in ("func", *TYPES)}
                 values = self._named(part, (each for each in ast.walk(head) if id(each) not in aside))
                 if values := [value for value in values if value in self.common]:
-                    found[NOTE.join([ast.unparse(head), *values])] += 1
-        return found
+                    counts[NOTE.join([ast.unparse(head), *values])] += 1
+        return counts
 
     def _name(self, part: Part) -> str:
         line = getattr(part.syntax, "lineno", 1)

@@ -66,7 +66,7 @@ class Carried:
 
     def __str__(self) -> str:
         runs = f"quick runs of both gave the same {self.row_count} rows, {self.cell_count} cells"
-        return f"from the code of {self.before[:7]} to that of {self.after[:7]} on {self.date[:10]}: {runs}"
+        return f"from the code of {self.before} to that of {self.after} on {self.date[:10]}: {runs}"
 
 
 class _Machine(Struct):
