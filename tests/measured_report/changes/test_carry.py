@@ -144,6 +144,10 @@ CHANGES_A_BIT = {  # what is measured, before and after
         "class Case:\n    def full(self):\n        return 2.0\n\n    def fast(self):\n        return 1.0 + 1.0\n\n\n"
         + BODY.format("Case().fast() if conditions.quick else Case().full()"),
     ),
+    "other_head": (
+        QUICK.format("x = 1.0\n    if tools.near(conditions.quick) < 2:\n        x = 2.0"),
+        QUICK.format("x = 1.0\n    if tools.far(conditions.quick) < 2:\n        x = 2.0"),
+    ),
     "only_another_section": (
         "from experiments.parts.shared import scaled\n\n\n" + BODY.format("x if conditions.quick else scaled(x)"),
         "from experiments.parts.shared import scaled  # of which the section `shared` runs what this one does not\n\n\n"
@@ -216,6 +220,10 @@ CHANGES_NOTHING = {
     "same_unexecuted": (
         QUICK.format("x = 1.0\n    if not conditions.quick:\n        x = tools.far(x)"),
         QUICK.format("y = 1.0\n    x = y\n    if not conditions.quick:\n        x = tools.far(x)"),
+    ),
+    "renamed_where_unexecuted": (
+        "def f(x):\n    return x > 5\n\n\n" + BODY.format("x if conditions.quick else -x if f(x) else x"),
+        "def g(x):\n    return x > 5\n\n\n" + BODY.format("x if conditions.quick else -x if g(x) else x"),
     ),
     "column_gone": (
         BODY.replace("rows(conditions, {})", "Measurement([{'case': 'a', 'value_mm': x, 'other_mm': 2 * x}])"),

@@ -7,10 +7,11 @@ a run may read and not use.
 
 import ast
 import copy
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from types import CodeType
@@ -25,7 +26,7 @@ FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SILENT = (ast.Raise, ast.Assert, ast.JoinedStr)  # their texts are only printed
 UNEXECUTED, TIMED = "no run executes", "what is timed has changed"
 TYPES = ("annotation", "returns")
-NOTE = "\0"  # before what is compared and not said
+NAME = re.compile(r"Name\(id='(\w+)'")
 
 
 @dataclass(frozen=True)
@@ -34,21 +35,25 @@ class Part:
 
     definition: Node
     syntax: ast.AST
+    meanings: Mapping[str, str]  # by name of what both codes have: what it is called does not count
     place: tuple[str, ...] = ()  # what heads the statement around it, its list there, and the statement before
 
     @cached_property
     def text(self) -> tuple[str, ...]:
-        return ast.dump(self.syntax), *self.place
+        return self.dump(self.syntax), *self.place
+
+    def dump(self, syntax: ast.AST) -> str:
+        return NAME.sub(lambda name: self.meanings.get(name[1], name[0]), ast.dump(syntax))
 
     def children(self) -> Iterator["Part"]:
-        head = (ast.dump(_bare(self.syntax)),) if isinstance(self.syntax, HEADED) else self.place[:1]
+        head = (self.dump(_bare(self.syntax)),) if isinstance(self.syntax, HEADED) else self.place[:1]
         for name, value in ast.iter_fields(self.syntax):
             before = ""
             for child in value if isinstance(value, list) else [value]:
                 # An assertion that held has not read its message.
                 if isinstance(child, ast.AST) and name != "msg":
-                    yield Part(self.definition, child, (*head, name, before) if name in BODIES else head)
-                    before = before if is_text(child) else ast.dump(child)
+                    yield replace(self, syntax=child, place=(*head, name, before) if name in BODIES else head)
+                    before = before if is_text(child) else self.dump(child)
 
     def all(self) -> Iterator["Part"]:
         yield self
@@ -72,7 +77,16 @@ class Code:
         nodes = sorted(node for node, digest in self.reached.items() if digest not in digests)
         trees = {file: ast.parse(Path(file).read_bytes()).body for file, _ in nodes}
         pairs = ((node, each) for node in nodes for each in trees[node[0]])
-        self.changed = [Part(node, each) for node, each in pairs if node[1] in (list(bound_names(each)) or [EFFECTS])]
+        pairs = ((node, each) for node, each in pairs if node[1] in (list(bound_names(each)) or [EFFECTS]))
+        self.changed = [Part(node, each, self._shared_meanings(node)) for node, each in pairs]
+
+    def _shared_meanings(self, node: Node) -> dict[str, str]:
+        """Digest by name what stands in a definition and both codes have."""
+        pairs = ((each, name) for each in self.graph.definitions(node) for name in each.names)
+        meanings = {name: self.graph.meaning(node[0], each, name) for each, name in pairs}
+        nodes_by_name = {name: nodes for name, nodes in meanings.items() if isinstance(nodes, list) and "." not in name}
+        digests = {name: {self.graph.digest(each, 0) for each in nodes} for name, nodes in nodes_by_name.items()}
+        return {name: " ".join(sorted(of_name)) for name, of_name in digests.items() if of_name <= self.common}
 
     @property
     def spans(self) -> dict[str, list[tuple[int, int]]]:
@@ -94,9 +108,10 @@ class Code:
 
     def unread(self, other: "Code", *, is_old: bool = False) -> Iterator[str]:
         """Say which data are not in ``other`` as well; of old code it is no loss that some stand in fewer places."""
-        own, its = self._data(), other._data()
+        words = dict(self._data())
+        own, its = (Counter(text for text, _ in code._data()) for code in (self, other))
         for text in sorted((set(own) - set(its)) if is_old else (own - its).elements()):
-            yield f"a run may read and not use {text.partition(NOTE)[0]:.80}"
+            yield f"a run may read and not use {words[text]:.80}"
 
     def timed(self, executed: Mapping[str, Set[Place]]) -> Iterator[str]:
         """Name what is in no other code and was ``executed`` while times were measured."""
@@ -135,18 +150,19 @@ class Code:
             meanings.append(" ".join(names) if nodes_meant else str(meaning))
         return meanings
 
-    def _data(self) -> Counter[str]:
-        """Count the numbers and texts in what changed, and statements by the definitions that they name as values."""
-        counts: Counter[str] = Counter()
+    def _data(self) -> Iterator[tuple[str, str]]:
+        """Yield what counts, and how it is said: numbers, texts, and statements that name definitions as values."""
         for part in self.changed:
-            counts.update(_literals(part.syntax))
-            for head in (_bare(each) for each in ast.walk(part.syntax) if isinstance(each, HEADED)):
+            yield from ((text, text) for text in _literals(part.syntax))
+            headed = (each for each in ast.walk(part.syntax) if isinstance(each, HEADED) and not isinstance(each, SILENT))
+            for head in map(_bare, headed):
                 # What is called is executed, and what a type is called does nothing.
-                aside = {id(getattr(each, name, None)) for each in ast.walk(head) for name in ("func", *TYPES)}
-                values = self._named(part, (each for each in ast.walk(head) if id(each) not in aside))
+                called = [each.func for each in ast.walk(head) if isinstance(each, ast.Call)]
+                types = [getattr(each, name, None) for each in ast.walk(head) for name in TYPES]
+                aside = {*called, *(below for each in types if each for below in ast.walk(each))}
+                values = self._named(part, (each for each in ast.walk(head) if each not in aside))
                 if values := [value for value in values if value in self.common]:
-                    counts[NOTE.join([ast.unparse(head), *values])] += 1
-        return counts
+                    yield "\n".join([part.dump(head), *values]), ast.unparse(head)
 
     def _name(self, part: Part) -> str:
         line = getattr(part.syntax, "lineno", 1)
