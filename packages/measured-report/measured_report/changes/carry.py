@@ -58,7 +58,7 @@ Runs = tuple[Run, Run]
 def carried(project: Project, release: Release, names: Sequence[str], device: str) -> Iterator[tuple[str, str]]:
     """Carry the records of sections that are stale by code alone; yield each with why not, or else empty."""
     states = {state.section: state for state in states_of(project) if state.section in names}
-    records = {}
+    records, after = {}, commit_here() or ""  # before a record that is written makes the tree another
     for name, state in states.items():
         if state.record and state.kind == "stale" and all(note.startswith("code") for note in state.notes):
             records[name] = state.record
@@ -81,7 +81,7 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
                 reasons |= {name: _reasons(runs[name], of_commit[name], beside[name]) for name in open_}
             for name, record in of_commit.items():
                 if not reasons[name]:
-                    _write(project, record, runs[name], commit)
+                    _write(project, record, runs[name], (commit[:SHORT], after))
                 yield name, few(reasons[name], 2)
 
 
@@ -266,7 +266,7 @@ def _rows(record: Record) -> dict[tuple, Mapping]:
     return rows
 
 
-def _write(project: Project, record: Record, runs: Runs, commit: str) -> None:
+def _write(project: Project, record: Record, runs: Runs, commits: tuple[str, str]) -> None:
     """Write a record as one of the new code; columns that this has no more are left out."""
     before, after = (run.records[0] for run in runs)
     gone = _gone_columns(before, after)
@@ -274,8 +274,8 @@ def _write(project: Project, record: Record, runs: Runs, commit: str) -> None:
     identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
     change = Carried(
         code=record.identity.code,
-        before=commit[:SHORT],
-        after=commit_here() or "",
+        before=commits[0],
+        after=commits[1],
         date=now().isoformat(timespec="seconds"),
         row_count=len(after.rows),
         cell_count=sum(map(len, after.rows)),

@@ -154,8 +154,8 @@ class Code:
         """Yield what counts, and how it is said: numbers, texts, and statements that name definitions as values."""
         for part in self.changed:
             yield from ((text, text) for text in _literals(part.syntax))
-            headed = (each for each in ast.walk(part.syntax) if isinstance(each, HEADED) and not isinstance(each, SILENT))
-            for head in map(_bare, headed):
+            headed = (each for each in ast.walk(part.syntax) if isinstance(each, HEADED))
+            for head in (_bare(each) for each in headed if not isinstance(each, SILENT)):
                 # What is called is executed, and what a type is called does nothing.
                 called = [each.func for each in ast.walk(head) if isinstance(each, ast.Call)]
                 types = [getattr(each, name, None) for each in ast.walk(head) for name in TYPES]
