@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from newton_lint.report import scene_of
-from newton_lint.settle import Work, held, settled, started
+from newton_lint.settle import Work, settled, settled_hold, started
 from newton_lint.target import Target
 
 BALLAST = 'tolerance="1e-12" iterations="200"'
@@ -91,7 +91,7 @@ class Case:
     def predicted_mm_s(self) -> float:
         """By ``--hold``, of a table that turns at half a radian a second with ``--turn``."""
         target = self.target
-        return held(scene_of(target), target, Work("held", turn_rad_s=0.5 * (self.kind == "turn"))).mm_s
+        return settled_hold(scene_of(target), target, Work("held", turn_rad_s=0.5 * (self.kind == "turn"))).mm_s
 
     def measured_mm_s(self) -> float:
         """How fast it moves relative to what it stands on, or is held by."""

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from newton_lint.command import main
-from newton_lint.grip import _found, _is_between, gripped
+from newton_lint.grip import _grip_findings, _is_between, gripped
 from newton_lint.law import DISCRETE
 from newton_lint.prescribe import Setting, _rank, along, candidates, measured, prescribed, turn, with_setting, within
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
-from newton_lint.settle import Hold, Work, _told, held, predicted_hold
+from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold
 from newton_lint.stepped import runs_of
 from newton_lint.target import Target
 from tests.newton_lint.cases import Case
@@ -33,7 +33,7 @@ CREEP = 1e3 * 9.81 * SIN / 4.0 * 0.1 * 0.01
 def hold_of(kind: str = "incline", work: Work | None = None, **changes) -> tuple:
     target = Case(kind, tuple({"solimp": FLAT, **changes}.items())).target
     scene = scene_of(target)
-    return scene, target, held(scene, target, work or Work("held"))
+    return scene, target, settled_hold(scene, target, work or Work("held"))
 
 
 @pytest.mark.parametrize(
@@ -63,7 +63,7 @@ def test_a_slope_is_borne_by_four_points(changes, lift, creep):
 def test_a_cone_is_used_by_the_length_of_friction_and_a_pyramid_by_the_sum_of_its_axes(cone, used):
     target = Case("incline", (("cone", cone), ("solimp", FLAT))).target
     target.model.opt.gravity[:] = 2.0, 2.0, -10.0
-    touches = held(scene_of(target), target, Work("held")).touches
+    touches = settled_hold(scene_of(target), target, Work("held")).touches
     normals = sum(touch.normal_n for touch in touches)
     assert sum(touch.used * touch.normal_n for touch in touches) / normals == pytest.approx(used, rel=1e-3)
 
@@ -74,7 +74,7 @@ def test_of_two_frictions_the_lower_gives_way_by_the_square():
     target = Case("incline", (("rest", rest),)).target
     target.model.opt.gravity[:] = 1.0, 1.0, -10.0
     scene = scene_of(target)
-    hold = held(scene, target, Work("held"))
+    hold = settled_hold(scene, target, Work("held"))
     assert [touch.softer for touch in hold.touches] == pytest.approx([2.5] * 4, rel=1e-2)
     # The ellipse's radius there is 0.8 / √2.5, which √2 N a kilogram need 2.8 N to press with.
     for share, slides in ((0.27, True), (0.29, False)):
@@ -93,7 +93,7 @@ def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
     """An axis at 0.4 m leaves 0.6 m of it."""
     text = Case("turn", (("solimp", FLAT),)).text.replace('<body name="table">', '<body name="table" pos="0.4 0 0">')
     target = Target("scene", mujoco.MjModel.from_xml_string(text))
-    hold = held(scene_of(target), target, Work("held", turn_rad_s=0.5))
+    hold = settled_hold(scene_of(target), target, Work("held", turn_rad_s=0.5))
     assert hold.acceleration_mm_s == pytest.approx(8.0 * 0.25 * 0.6, rel=1e-3)
     assert hold.mm_s == pytest.approx((8.0 + 1.0) * 0.25 * 0.6, rel=2e-3)
 
@@ -109,7 +109,7 @@ def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_fir
     below = f"<body>{floor.replace('plane', 'box')}</body>".replace("<geom", '<geom pos="0 0 -1"')
     text = text.replace(floor, "").replace("</worldbody>", f"{below}</worldbody>")
     target = Target("scene", mujoco.MjModel.from_xml_string(text))
-    hold = held(scene_of(target), target, Work("held", lift_m_s2=2.0 * 9.81))
+    hold = settled_hold(scene_of(target), target, Work("held", lift_m_s2=2.0 * 9.81))
     assert hold.touches[0].geoms == (0, 1) and hold.load_n == pytest.approx(3.0 * 0.5 * 9.81 * SIN, rel=1e-3)
 
 
@@ -119,7 +119,7 @@ def test_a_touch_counts_by_its_share_of_the_last_fifth():
     changes = {"slope": 0.0, "shape": "sphere", "solref": "0.02 3"}
     target = Case("incline", tuple(changes.items())).target
     target.model.qpos0[2] = 0.05 + fall
-    hold = held(scene_of(target), target, Work("held"))
+    hold = settled_hold(scene_of(target), target, Work("held"))
     assert hold.point_count == pytest.approx(0.5, abs=0.03)
     [touch] = hold.touches
     assert touch.normal_n * 0.1 == pytest.approx(0.5 * 9.81 * 0.45, rel=0.2)  # a mean over all steps: it is stopped
@@ -132,7 +132,7 @@ def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(abov
     target.model.opt.gravity[:] = 0.0
     data = mujoco.MjData(target.model)
     data.qpos[2], data.qvel[2] = 0.05 + above, speed
-    hold = held(scene_of(target), replace(target, data=data), Work("held"))
+    hold = settled_hold(scene_of(target), replace(target, data=data), Work("held"))
     assert (hold is not None and hold.slides) == is_held
 
 
@@ -193,14 +193,14 @@ def test_what_moves_by_less_than_three_tenths_of_its_creep_does_not_slip(share, 
     scene, _, hold = hold_of(solref="0.09 1")
     hold.data.qvel[:] = 1e-3 * share * 4.5 * CREEP, 0.0, 0.0, 0.0, 0.0, 0.0
     mujoco.mj_forward(scene.model, hold.data)
-    assert bool(list(_found(scene, hold.body, list(hold.touches), hold.data, "the start"))) == said
+    assert bool(list(_grip_findings(scene, hold.body, list(hold.touches), hold.data, "the start"))) == said
 
 
 def test_discrete_weighs_what_a_row_says_of_itself():
     """By 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
     scene, _, hold = hold_of()
     discrete = replace(scene, model=changed(scene.model, integrator=DISCRETE))
-    one, other = (_told(each, hold.data, 0)[11] for each in (scene, discrete))
+    one, other = (_reading(variant, hold.data, 0, 1.0).weight_1_kg for variant in (scene, discrete))
     assert other / one == pytest.approx(1.0 + 2.0 / 9.0 + 0.9 / 81.0)
 
 

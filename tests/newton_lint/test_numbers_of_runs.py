@@ -7,10 +7,10 @@ import mujoco
 import numpy as np
 import pytest
 
-from newton_lint.mend import _told, harm
+from newton_lint.mend import _measures, harm
 from newton_lint.report import scene_of
 from newton_lint.step_rules import stepped
-from newton_lint.stepped import Run, run, runs_of
+from newton_lint.stepped import Run, run_of, runs_of
 from newton_lint.target import Target
 
 BALL = """
@@ -33,7 +33,7 @@ def of(**changes) -> Target:
 def ran(target: Target, time_s: float = 0.2, force: float = 0.0, speed: tuple = (0, 0, 0)) -> Run:
     data = mujoco.MjData(target.model)
     data.xfrc_applied[1, 0], data.qvel[:3] = force, speed
-    return run(target.model, data, "the start", time_s)
+    return run_of(target.model, data, "the start", time_s)
 
 
 def rules(target: Target, seen: Run) -> dict[str, object]:
@@ -50,7 +50,7 @@ def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
     target = of()
     data = mujoco.MjData(target.model)
     data.xfrc_applied[1, 3:] = 1.0
-    assert run(target.model, data, "the start", 0.2).rise_m2_s2[0] == 0.0  # what turns is not thrown
+    assert run_of(target.model, data, "the start", 0.2).rise_m2_s2[0] == 0.0  # what turns is not thrown
     falls = ran(of(g=-9.81))
     assert (falls.thrown_m_s[0], falls.speeds_m_s[0]) == (0.0, pytest.approx(1.962))
     assert ran(of(g=-9.81, flag='<flag gravity="disable"/>'), speed=(0, 0, 2.0)).thrown_m_s[0] == pytest.approx(0.0)
@@ -285,4 +285,4 @@ def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
 def test_what_was_measured_is_told_in_millimetres_and_as_a_mean():
     seen = ran(of())
     runs = [replace(seen, deepest_m=0.01, cost_s=2.0), replace(seen, deepest_m=0.002, cost_s=1.0)]
-    assert _told(runs) == "deepest contact 10 mm, 1.5 s a simulated second"
+    assert _measures(runs) == "deepest contact 10 mm, 1.5 s a simulated second"

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from newton_lint.findings import Advice, Change
+from newton_lint.findings import Advice, Change, distinct
 from newton_lint.law import clamped
 from newton_lint.scene import Scene
 
@@ -18,14 +18,14 @@ FEW = 10
 
 def for_geom(scene: Scene, geom: int, attributes: Mapping[str, str], gain: str) -> Advice:
     """Return attributes of a geom, at the tag that says the first of them, or its own where none does."""
-    first = next(iter(attributes))
-    own = scene.source.geom(geom)
-    said = scene.source.authored(geom, first)
+    element, authored = scene.source.geom(geom), scene.source.authored(geom, next(iter(attributes)))
     items = tuple(attributes.items())
-    if said in (None, own):
-        return Advice((Change(scene.names[geom], items, own),), gain)
-    alone = Advice((Change(scene.names[geom], items, own),), "")
-    return either(Advice((Change(f"the default of {scene.names[geom]}", items, said),), gain), alone)
+    single = Change(scene.names[geom], items, element)
+    if authored in (None, element):
+        return Advice((single,), gain)
+    # The class is where it was meant to stand. That may harm another geom of the class: then this one alone.
+    shared = Change(f"the default of {scene.names[geom]}", items, authored)
+    return either(Advice((shared,), gain), Advice((single,), ""))
 
 
 def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice:
@@ -38,15 +38,15 @@ def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice
 
 def ways_of(advice: Advice | None) -> tuple[Advice, ...]:
     """Return each way of an advice that changes something."""
-    return tuple(way for way in (advice, *advice.others) if way.changes) if advice else ()
+    return tuple(way for way in (advice, *advice.alternatives) if way.changes) if advice else ()
 
 
-def either(first: Advice, *others: Advice) -> Advice:
-    return replace(first, others=(*first.others, *others))
+def either(first: Advice, *alternatives: Advice) -> Advice:
+    return replace(first, alternatives=(*first.alternatives, *alternatives))
 
 
 def shorter_step(scene: Scene, timeconst_s: float) -> Advice:
-    step = 0.5 * timeconst_s
+    step = 0.5 * timeconst_s  # refsafe: getsolparam takes no timeconst below two steps
     more = scene.option.timestep_s / step
     gain = f"the contact is as stiff as it says, for {more:.2g} times the steps"
     if more > MOST_SHORTER:
@@ -55,28 +55,20 @@ def shorter_step(scene: Scene, timeconst_s: float) -> Advice:
 
 
 def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str | None], gain: str) -> Advice:
-    """Return a solref for the ``<pair>`` that a contact has its parameters from, or for the geoms that count in it.
-
-    Args:
-        solref: Makes the new one of an old one; None where that may stay.
-    """
+    """Return a solref, made of the old one, for the ``<pair>`` of a contact or for the geoms that count in it."""
     contacts, model = scene.contacts, scene.model
     first, second = int(contacts.first[pair]), int(contacts.second[pair])
     if contacts.named[pair] >= 0:
         element = scene.source.pair(*(model.geom(geom).name for geom in (first, second)))
-        said = solref(model.pair_solref[contacts.named[pair]])
+        new = solref(model.pair_solref[contacts.named[pair]])
         subject = f"the pair of {scene.names[first]} and {scene.names[second]}"
-        return Advice((Change(subject, (("solref", said),), element),) if said else (), gain)
+        return Advice((Change(subject, (("solref", new),), element),) if new else (), gain)
     geoms = (first,) if contacts.outranked[pair] else (first, second)
-    each = [
-        for_geom(scene, geom, {"solref": said}, gain) for geom in geoms if (said := solref(model.geom_solref[geom]))
-    ]
-    together = tuple(
-        {(one.element or one.subject, one.attributes): one for way in each for one in way.changes}.values()
-    )
-    alone = tuple(change for way in each for change in (ways_of(way)[-1].changes))
-    ways = [Advice(together, gain)] + ([Advice(alone, "")] if alone != together else [])
-    return either(*ways)
+    solrefs = {geom: new for geom in geoms if (new := solref(model.geom_solref[geom]))}
+    advices = [for_geom(scene, geom, {"solref": new}, gain) for geom, new in solrefs.items()]
+    changes = distinct(change for advice in advices for change in advice.changes)
+    singles = tuple(change for advice in advices for change in ways_of(advice)[-1].changes)
+    return either(Advice(changes, gain), *([Advice(singles, "")] if singles != changes else []))
 
 
 def longer_solref(scene: Scene, pair: int, timeconst_s: float) -> Advice:
@@ -93,6 +85,7 @@ def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:
     damping = dmax / scene.option.timestep_s
 
     def softer(solref: Sequence[float]) -> str | None:
+        # Of a pair with one direct solref the minimum of both counts, and a timeconst is above any -stiffness.
         if solref[0] > 0.0 or solref[1] > 0.0:
             return None
         return f"{-min(-solref[0], 0.25 * damping**2):.4g} {-min(-solref[1], damping):.4g}"
@@ -102,24 +95,23 @@ def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:
 
 def elliptic(scene: Scene, steepest: float) -> Advice:
     """Return an elliptic cone, then one with an impratio of 10 where none above 1 is said; with enough iterations."""
-    own, model = scene.option.impratio, scene.model
-    more = {"iterations": f"{FEW}"} if model.opt.iterations < FEW else {}
-    ways = [(more, 1.0 + steepest**2)]
-    ways += [({"impratio": "10", **more}, 10.0 * (1.0 + steepest**2) / own)] if own <= 1.0 else []
+    impratio = scene.option.impratio
+    more = {"iterations": f"{FEW}"} if scene.model.opt.iterations < FEW else {}
+    ways = [(more, 1.0 + steepest**2)]  # mj_diagApprox: a pyramid's edge has (1 + μ²) times the weight
+    ways += [({"impratio": "10", **more}, 10.0 * (1.0 + steepest**2) / impratio)] if impratio <= 1.0 else []
     gain = "creep under load goes down by {:.3g} where μ is {:g}"
-    return either(
-        *(for_option(scene, {"cone": "elliptic", **more}, gain.format(less, steepest)) for more, less in ways)
-    )
+    cone = {"cone": "elliptic"}
+    return either(*(for_option(scene, cone | more, gain.format(less, steepest)) for more, less in ways))
 
 
 def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
     option = scene.option
-    says, ratio = scene.model.geom_solref[geom].tolist()
-    own = max(says, 2.0 * option.timestep_s if option.refsafe else 0.0)
+    authored, ratio = scene.model.geom_solref[geom].tolist()
+    timeconst = max(authored, 2.0 * option.timestep_s if option.refsafe else 0.0)
     attributes = {"priority": str(int(scene.model.geom_priority.max()) + 1)}
-    if own > says:
-        attributes["solref"] = f"{own:g} {ratio:g}"
-    less = f"creep goes down by up to {mixed_s / own:.2g}"
+    if timeconst > authored:  # or the next run would find the clamped timeconst in its place
+        attributes["solref"] = f"{timeconst:g} {ratio:g}"
+    less = f"creep goes down by up to {mixed_s / timeconst:.2g}"
     gain = f"its solref alone counts, and {less}; its friction, condim and solimp as well"
     return for_geom(scene, geom, attributes, gain)
 
@@ -127,21 +119,21 @@ def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
 def whole_solref(scene: Scene, pair: int) -> Advice:
     """Return a solref of one form and critically damped, for one that mixes both or is far from it."""
 
-    def whole(solref: Sequence[float]) -> str | None:
+    def sound(solref: Sequence[float]) -> str | None:
         first, second = solref
         ratio = second if first > 0.0 else -second / (2.0 * math.sqrt(-first)) if first < 0.0 else 0.0
         if (first > 0.0) == (second > 0.0) and 0.25 <= ratio <= FAR:
             return None
         return f"{first:g} 1" if first > 0.0 else f"{first:g} {-2.0 * math.sqrt(-first):.3g}" if first else "0.02 1"
 
-    return for_contact(scene, pair, whole, "as stiff as it says, and critically damped")
+    return for_contact(scene, pair, sound, "as stiff as it says, and critically damped")
 
 
 def in_order(scene: Scene, geom: int) -> Advice:
     """Return a solimp with its entries between 0 and 1 and dmax no less than dmin, softer at no depth."""
     dmin, dmax, width, midpoint, power = scene.model.geom_solimp[geom].tolist()
-    low, high = (min(max(each, 0.0), 1.0) for each in (dmin, max(dmin, dmax)))
+    low, high = (min(max(bound, 0.0), 1.0) for bound in (dmin, max(dmin, dmax)))
     entries = (low, high, max(width, 0.0), min(max(midpoint, 0.0), 1.0), max(power, 1.0))
     less = (1.0 - clamped(dmax)) / (1.0 - clamped(high))  # R/b of a deep contact has (1 - dmax) / dmax · dmax
     gain = f"creep of a deep contact under load goes down by {less:.3g}" if less > 1.0 else "says what is used"
-    return for_geom(scene, geom, {"solimp": " ".join(f"{each:g}" for each in entries)}, gain)
+    return for_geom(scene, geom, {"solimp": " ".join(f"{entry:g}" for entry in entries)}, gain)

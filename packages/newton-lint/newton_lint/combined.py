@@ -74,22 +74,21 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     weights = share(model.geom_solmix[first], model.geom_solmix[second], outranked)
     solrefs = model.geom_solref[first], model.geom_solref[second]
     mixed = weights * solrefs[0] + (1.0 - weights) * solrefs[1]
-    direct = (np.minimum(solrefs[0][:, :1], solrefs[1][:, :1]) <= 0.0) & (
-        ~outranked[:, None] if engine == "mujoco" else True
-    )
+    # Taken from a higher priority it stays direct; MuJoCo Warp looks at the minimum first.
+    unranked = ~outranked[:, None] if engine == "mujoco" else True
+    direct = (np.minimum(solrefs[0][:, :1], solrefs[1][:, :1]) <= 0.0) & unranked
     solref = np.where(direct, np.minimum(*solrefs), mixed)
     solimp = weights * model.geom_solimp[first] + (1.0 - weights) * model.geom_solimp[second]
     larger = np.maximum(model.geom_friction[first], model.geom_friction[second])
     friction = np.where(outranked[:, None], model.geom_friction[first], larger)
-    condim = np.where(
-        outranked, model.geom_condim[first], np.maximum(model.geom_condim[first], model.geom_condim[second])
-    )
+    condims = model.geom_condim[first], model.geom_condim[second]
+    condim = np.where(outranked, condims[0], np.maximum(*condims))
     solreffriction = np.zeros((len(pairs), 2))
-    own = named[~plain]
-    solref[~plain], solimp[~plain] = model.pair_solref[own], model.pair_solimp[own]
-    friction[~plain], condim[~plain] = model.pair_friction[own][:, (0, 2, 3)], model.pair_dim[own]
-    solreffriction[~plain] = model.pair_solreffriction[own]
-    if model.opt.enableflags & OVERRIDE:
+    indices = named[~plain]
+    solref[~plain], solimp[~plain] = model.pair_solref[indices], model.pair_solimp[indices]
+    friction[~plain] = model.pair_friction[indices][:, (0, 2, 3)]  # two sliding, one spinning, two rolling
+    condim[~plain], solreffriction[~plain] = model.pair_dim[indices], model.pair_solreffriction[indices]
+    if model.opt.enableflags & OVERRIDE:  # mj_assignRef: in a <pair> as well; condim has no override
         solref[:] = solreffriction[:] = model.opt.o_solref
         solimp[:], friction[:] = model.opt.o_solimp, model.opt.o_friction[[0, 2, 3]]
     weight = model.body_invweight0[model.geom_bodyid, 0]
@@ -99,9 +98,9 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     )  # fmt: skip
 
 
-def share(mix: np.ndarray, other: np.ndarray, outranked: np.ndarray) -> np.ndarray:
-    """Return what the first geom of each pair counts by solmix, all where it outranks the other."""
-    mix, other = (np.where(each < mujoco.mjMINVAL, 0.0, each) for each in (mix, other))
-    total = mix + other
-    share = np.where(total > 0.0, mix / np.where(total > 0.0, total, 1.0), 0.5)
+def share(mix1: np.ndarray, mix2: np.ndarray, outranked: np.ndarray) -> np.ndarray:
+    """Return what the first geom of each pair counts by solmix, all where it outranks the second."""
+    mix1, mix2 = (np.where(mix < mujoco.mjMINVAL, 0.0, mix) for mix in (mix1, mix2))
+    total = mix1 + mix2
+    share = np.where(total > 0.0, mix1 / np.where(total > 0.0, total, 1.0), 0.5)  # mj_contactParam: two of 0 are even
     return np.where(outranked, 1.0, share)[:, None]

@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 CLEAN, FOUND, UNFIT, BROKEN, STOPPED = 0, 1, 2, 3, 130
 """Exit status."""
 PROGRAM = "newton-lint"
-OTHERS = ("prescribe", "page", "pair")
+SUBCOMMANDS = ("prescribe", "page", "pair")
 """Commands besides the lint itself, each a module."""
 SEVERITIES = ("note", "warning", "error")
 
@@ -28,20 +28,21 @@ class Parser(argparse.ArgumentParser):
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    given = list(sys.argv[1:] if arguments is None else arguments)
+    arguments = list(sys.argv[1:] if arguments is None else arguments)
     for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
+        if hasattr(stream, "reconfigure"):  # a StringIO of a test has none; a terminal in Latin-1 has no ²
             stream.reconfigure(errors="backslashreplace")
     try:
-        if not any(".py:" in each or given[:1] == ["page"] for each in given):
+        # What a function of the user's imports may render, or count on NumPy's threads.
+        if arguments[:1] != ["page"] and not any(".py:" in argument for argument in arguments):
             _import_mujoco()
         from newton_lint.target import TargetError, mujoco
 
         mujoco.set_mju_user_warning(lambda _: None)  # which else writes MUJOCO_LOG.TXT where the user stands
         try:
-            if given and given[0] in OTHERS:
-                return importlib.import_module(f"newton_lint.{given[0]}").main(given[1:])
-            return _linted(parser().parse_args(given))
+            if arguments and arguments[0] in SUBCOMMANDS:
+                return importlib.import_module(f"newton_lint.{arguments[0]}").main(arguments[1:])
+            return _linted(lint_parser().parse_args(arguments))
         except TargetError as error:
             print(error, file=sys.stderr)
             return UNFIT
@@ -66,66 +67,66 @@ def _import_mujoco() -> None:
             del os.environ[name]
 
 
-def _linted(given: argparse.Namespace) -> int:
-    from newton_lint.output import shown, written
+def _linted(options: argparse.Namespace) -> int:
+    from newton_lint.output import printable, written
     from newton_lint.report import report_of
     from newton_lint.settings import table_of
-    from newton_lint.target import TargetError, found_in, read_target
+    from newton_lint.target import TargetError, read_target, targets_of
 
     table = table_of(Path.cwd())
-    asked = asked_of(given, table)
-    form = "json" if given.json else given.format or table.get("format", "text")
+    request = request_of(options, table)
+    form = "json" if options.json else options.format or table.get("format", "text")
     reports, unread, fixes = [], [], []
-    targets = list(found_in(given.target, [*given.exclude, *table.get("exclude", [])]))
+    targets = list(targets_of(options.target, [*options.exclude, *table.get("exclude", [])]))
     paths = list(dict.fromkeys(path for path in map(Path, targets) if path.is_file()))
     for target in targets:
         try:
             read = read_target(target)
-            if (given.fix or given.dry_run) and read.path and read.model is not None:
+            if (options.fix or options.dry_run) and read.path and read.model is not None:
                 mend = importlib.import_module("newton_lint.mend")
-                report, lines, why = mend.fixed(read, asked, paths, given.dry_run)
+                report, lines, why = mend.fixed(read, request, paths, options.dry_run)
                 fixes += lines
                 unread += [why] if why else []
             else:
-                report = report_of(read, asked)
+                report = report_of(read, request)
             reports.append(report)
         except TargetError as error:
             unread.append(str(error))
-    if given.fix and not given.dry_run and not unread and len(targets) > 1:
-        fixes += importlib.import_module("newton_lint.mend").fixed_again(targets, asked, paths)
+    if options.fix and not options.dry_run and not unread and len(targets) > 1:
+        fixes += importlib.import_module("newton_lint.mend").fixed_again(targets, request, paths)
     with _pipe_may_close():
         if reports or form in ("json", "sarif"):
             print(written(reports, form, unread))
     for line in (*unread, *fixes):
-        print(shown(line), file=sys.stderr)
+        print(printable(line), file=sys.stderr)
     if unread:
         return UNFIT
-    least = given.fail_on or table.get("fail-on", "warning")
+    least = options.fail_on or table.get("fail-on", "warning")
     failed = least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports)
     return FOUND if failed else CLEAN
 
 
-def asked_of(given: argparse.Namespace, table: dict[str, Any]):
+def request_of(options: argparse.Namespace, table: dict[str, Any]):
     """Return what is asked for, of the command before the project's table."""
     from newton_lint.prediction import Load
-    from newton_lint.report import Asked
+    from newton_lint.report import Request
 
-    ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
-    load = Load(given.acceleration, given.load, given.press)
-    below = given.below or table.get("below")
-    return Asked(engine_of(given, table), load, work_of(given), below, frozenset(ignore), not given.no_step)
+    ignore = [*table.get("ignore", []), *(options.ignore.split(",") if options.ignore else [])]
+    load = Load(options.acceleration, options.load, options.press)
+    below = options.below or table.get("below")
+    return Request(engine_of(options, table), load, work_of(options), below, frozenset(ignore), not options.no_step)
 
 
-def engine_of(given: argparse.Namespace, table: dict[str, Any]):
+def engine_of(options: argparse.Namespace, table: dict[str, Any]):
     from newton_lint.scene import Engine
 
-    return Engine(given.engine or table.get("engine", "mujoco"), given.dt, given.cone, given.impratio)
+    return Engine(options.engine or table.get("engine", "mujoco"), options.dt, options.cone, options.impratio)
 
 
-def work_of(given: argparse.Namespace):
+def work_of(options: argparse.Namespace):
     from newton_lint.settle import SETTLE_S, Work
 
-    return Work(given.hold, given.settle or SETTLE_S, given.turn, given.lift) if given.hold else None
+    return Work(options.hold, options.settle or SETTLE_S, options.turn, options.lift) if options.hold else None
 
 
 @contextlib.contextmanager
@@ -138,12 +139,12 @@ def _pipe_may_close() -> Iterator[None]:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
 
 
-def parser() -> Parser:
+def lint_parser() -> Parser:
     """Make the parser of the lint's own options."""
     about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
-    others = "Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a contact."
-    made = Parser(prog=PROGRAM, description=about, epilog=others)
-    add = made.add_argument
+    epilog = "Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a contact."
+    parser = Parser(prog=PROGRAM, description=about, epilog=epilog)
+    add = parser.add_argument
     targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"
     add("target", metavar="TARGET", nargs="+", help=targets)
     add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
@@ -155,19 +156,19 @@ def parser() -> Parser:
     add("--no-step", action="store_true", help="do not simulate the scene for 0.2 s")
     add("--exclude", action="append", default=[], metavar="PATTERN", help="files of folders that are left out")
     add("--press", type=positive, default=0.0, metavar="N", help="normal force on each contact point: how deep it goes")
-    add_work(made)
+    add_work(parser)
     add("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
     add("--acceleration", type=positive, default=0.0, metavar="M/S²", help="ω² r of a support that turns")
-    return made
+    return parser
 
 
-def add_work(made: argparse.ArgumentParser) -> None:
+def add_work(parser: argparse.ArgumentParser) -> None:
     """Add options of the engine, and of a body that is held."""
-    add, own = made.add_argument, "default: what the scene says"
+    add, default = parser.add_argument, "default: what the scene says"
     add("--engine", choices=("mujoco", "warp", "newton"), help="whose rules count; default: mujoco")
-    add("--dt", type=positive, metavar="S", help=f"the solver's step; {own}")
-    add("--cone", choices=("pyramidal", "elliptic"), help=own)
-    add("--impratio", type=positive, metavar="X", help=own)
+    add("--dt", type=positive, metavar="S", help=f"the solver's step; {default}")
+    add("--cone", choices=("pyramidal", "elliptic"), help=default)
+    add("--impratio", type=positive, metavar="X", help=default)
     add("--hold", metavar="BODY", help="predict how this body creeps, gripped in the first keyframe or at the start")
     add("--settle", type=positive, metavar="S", help="time that its grip gets to settle; default: 0.5")
     add("--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical")

@@ -19,23 +19,22 @@ class Change:
     """Where it stands; None where no file is known to say it."""
 
     def __str__(self) -> str:
-        said = " ".join(f'{name}="{value}"' for name, value in self.attributes)
-        place = f" ({self.element.place})" if self.element else ""
-        return f"{said} on {self.subject}{place}"
+        attributes = " ".join(f'{name}="{value}"' for name, value in self.attributes)
+        return f"{attributes} on {self.subject}{f' ({self.element.location})' if self.element else ''}"
 
 
 @dataclass(frozen=True)
 class Advice:
-    """Advice: changes, what they gain and cost, and other ways of which one is enough, the mildest first."""
+    """Advice: changes, what they gain and cost, and alternatives of which one is enough, the mildest first."""
 
     changes: tuple[Change, ...]
     gain: str
-    others: tuple["Advice", ...] = ()
+    alternatives: tuple["Advice", ...] = ()
     """One that tells no gain is not said."""
 
     def __str__(self) -> str:
-        own = f"{', '.join(map(str, self.changes))}: {self.gain}" if self.changes else self.gain
-        return "; or ".join([own, *(str(other) for other in self.others if other.gain)])
+        first = f"{', '.join(map(str, self.changes))}: {self.gain}" if self.changes else self.gain
+        return "; or ".join([first, *(str(advice) for advice in self.alternatives if advice.gain)])
 
 
 @dataclass(frozen=True)
@@ -45,21 +44,26 @@ class Finding:
     rule: str
     shape: str
     """Body and shape that it is about, as ``cube/box``; empty for what is said of the whole scene."""
-    against: tuple[str, ...]
-    """The other shapes of the pairs that it is about; empty where it is about the shape alone."""
     parameter: str
     value: float
     """As authored, or as what is authored comes out."""
-    used: float | None
-    """What is used instead; None where nothing is. Of a dampratio the critical one."""
-    unit: str
     message: str
+    against: tuple[str, ...] = ()
+    """The other shapes of the pairs that it is about; empty where it is about the shape alone."""
+    used: float | None = None
+    """What is used instead; None where nothing is. Of a dampratio the critical one."""
+    unit: str = "1"
     severity: str = "warning"
     element: Element | None = field(default=None, compare=False)
     advice: Advice | None = field(default=None, compare=False)
 
 
-def alike(findings: Iterable[Finding]) -> list[list[Finding]]:
+def distinct(changes: Iterable[Change]) -> tuple[Change, ...]:
+    """Return changes without duplicates: a default's tag is the element of all geoms of its class."""
+    return tuple({(change.element or change.subject, change.attributes): change for change in changes}.values())
+
+
+def grouped(findings: Iterable[Finding]) -> list[list[Finding]]:
     """Return the findings that say the same, of whichever shapes, in the order of the first of each."""
     groups: dict[Finding, list[Finding]] = {}
     for finding in findings:

@@ -24,18 +24,11 @@ class Unwritable(Exception):
     """A change that cannot be written, said in words that follow it."""
 
 
-def edited(changes: Iterable[Change], source: Source, texts: Texts) -> dict[Path, bytes]:
-    """Return the texts of the files that changes alter.
-
-    Args:
-        texts: What files are taken to hold, as the source does.
-
-    Raises:
-        Unwritable: No file is known to say it, or its text is not where it was.
-    """
+def edited(changes: Iterable[Change], source: Source | None, texts: Texts) -> dict[Path, bytes]:
+    """Return the texts of the files that changes alter, or raise Unwritable; ``texts`` stand for what files hold."""
     edits: dict[Path, dict[int, tuple[Element, list[Change]]]] = {}
     for change in changes:
-        element = change.element or (source.root if change.subject in NEW else None)
+        element = change.element or (source.root if source and change.subject in NEW else None)
         if element is None or not change.attributes:
             raise Unwritable("no file is known to say it")
         edits.setdefault(element.file, {}).setdefault(element.start, (element, []))[1].append(change)
@@ -44,53 +37,52 @@ def edited(changes: Iterable[Change], source: Source, texts: Texts) -> dict[Path
 
 def _edited(text: bytes, tags: dict[int, tuple[Element, list[Change]]]) -> bytes:
     expected = _elements(text)
-    for start, (element, changes) in sorted(tags.items(), reverse=True):
-        tag = TAG.match(text, start)
-        at = next((index for index, each in enumerate(expected) if each[0] == start), -1)
-        if tag is None or at < 0 or tag[1].decode(errors="replace") != element.tag:
-            raise Unwritable("its text is not where it is looked for")
+    for start, (element, changes) in sorted(tags.items(), reverse=True):  # from the end, so that no start moves
+        index = next((index for index, (begin, _, _) in enumerate(expected) if begin == start), -1)
         for change in changes:
+            tag = TAG.match(text, start)
+            if tag is None or index < 0 or tag[1].decode(errors="replace") != element.tag:
+                raise Unwritable("its text is not where it is looked for")
             if change.element is None:
                 end = text.index(b">", tag.end()) + 1
                 line = b"\r\n" if b"\r\n" in text else b"\n"
-                said = " ".join(f'{name}="{_escaped(value)}"' for name, value in change.attributes)
-                text = text[:end] + line + b"  " + NEW[change.subject].format(said).encode() + text[end:]
-                expected[at + 1 : at + 1] = [
-                    (-1, *each[1:]) for each in _elements(NEW[change.subject].format(said).encode())
-                ]
+                attributes = " ".join(f'{name}="{_escaped(value)}"' for name, value in change.attributes)
+                child = NEW[change.subject].format(attributes).encode()
+                text = text[:end] + line + b"  " + child + text[end:]
+                expected[index + 1 : index + 1] = [(-1, *tag[1:]) for tag in _elements(child)]
             else:
-                new = _with(tag[0], dict(change.attributes))
-                text = text[:start] + new + text[tag.end() :]
-                expected[at] = (start, element.tag, expected[at][2] | dict(change.attributes))
-                tag = TAG.match(text, start)
+                text = text[:start] + _with(tag[0], dict(change.attributes)) + text[tag.end() :]
+                expected[index] = (start, element.tag, expected[index][2] | dict(change.attributes))
+    # An expression is no parser: CDATA, comments and entities may have deceived it.
     try:
-        kept = [each[1:] for each in _elements(text)] == [each[1:] for each in expected]
+        is_expected = [tag[1:] for tag in _elements(text)] == [tag[1:] for tag in expected]
     except expat.ExpatError:
-        kept = False
-    if not kept:
+        is_expected = False
+    if not is_expected:
         raise Unwritable("its text would not read as it should")
     return text
 
 
 def _elements(text: bytes) -> list[tuple[int, str, dict[str, str]]]:
     """Return start, tag and attributes of each element."""
-    parser, found = expat.ParserCreate(), []
-    parser.StartElementHandler = lambda tag, attributes: found.append((parser.CurrentByteIndex, tag, attributes))
+    parser, elements = expat.ParserCreate(), []
+    parser.StartElementHandler = lambda tag, attributes: elements.append((parser.CurrentByteIndex, tag, attributes))
     parser.Parse(text, True)
-    return found
+    return elements
 
 
 def _with(tag: bytes, attributes: dict[str, str]) -> bytes:
-    left = dict(attributes)
+    """Return a tag with attributes in place of those of the same names, or behind all: the rest stays as it was."""
+    missing = dict(attributes)
 
-    def said(match: re.Match) -> bytes:
+    def replaced(match: re.Match) -> bytes:
         name = match[2].decode(errors="replace")
-        if name not in left:
+        if name not in missing:
             return match[0]
-        return match[1] + match[2] + match[3] + f'"{_escaped(left.pop(name))}"'.encode()
+        return match[1] + match[2] + match[3] + f'"{_escaped(missing.pop(name))}"'.encode()
 
-    tag = ATTRIBUTE.sub(said, tag)
-    return tag + "".join(f' {name}="{_escaped(value)}"' for name, value in left.items()).encode()
+    tag = ATTRIBUTE.sub(replaced, tag)
+    return tag + "".join(f' {name}="{_escaped(value)}"' for name, value in missing.items()).encode()
 
 
 def _escaped(value: str) -> str:
@@ -98,53 +90,47 @@ def _escaped(value: str) -> str:
 
 
 def write(texts: Texts) -> list[Path]:
-    """Replace files, each whole or not at all, and return where what they held is kept.
-
-    Raises:
-        OSError: One can't be written; then all hold what they held.
-    """
-    done: list[tuple[Path, Path]] = []
+    """Replace files, all or, with an OSError, none, and return where what they held is kept."""
+    replaced: list[tuple[Path, Path]] = []
     try:
         for file, text in texts.items():
-            real = file.resolve(strict=True)
+            real = file.resolve(strict=True)  # os.replace would put a file in place of a link
             if not stat.S_IMODE(real.stat().st_mode) & 0o222:
-                raise PermissionError(f"{file}: is read-only")
-            kept = _kept(real)
-            done.append((real, kept))
+                raise PermissionError(f"{file}: is read-only")  # os.replace asks for the folder's permission alone
+            replaced.append((real, _backup(real)))
             _replace(real, text)
     except BaseException:
-        undo(done)
+        undo(replaced)
         raise
-    return [kept for _, kept in done]
+    return [backup for _, backup in replaced]
 
 
-def undo(done: Iterable[tuple[Path, Path]]) -> None:
+def undo(replaced: Iterable[tuple[Path, Path]]) -> None:
     """Give files back what they held."""
-    for real, kept in done:
+    for real, backup in replaced:
         with contextlib.suppress(OSError):
-            os.replace(kept, real)
+            os.replace(backup, real)
 
 
-def _kept(real: Path) -> Path:
+def _backup(real: Path) -> Path:
     """Copy a file beside itself under a name that is free."""
-    for number in itertools.count(1):
-        kept = real.with_name(f"{real.name}.orig{number if number > 1 else ''}")
-        if not os.path.lexists(kept):
-            _replace(kept, real.read_bytes(), real)
-            return kept
+    names = (f"{real.name}.orig{number if number > 1 else ''}" for number in itertools.count(1))
+    backup = next(path for path in map(real.with_name, names) if not os.path.lexists(path))
+    _replace(backup, real.read_bytes(), real)
+    return backup
 
 
 def _replace(file: Path, text: bytes, like: Path | None = None) -> None:
-    handle, name = tempfile.mkstemp(prefix=f".{file.name[:60]}.", dir=file.parent)
+    handle, name = tempfile.mkstemp(prefix=f".{file.name[:60]}.", dir=file.parent)  # os.replace crosses no file system
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(text)
             stream.flush()
-            os.fsync(stream.fileno())
-        found = (like or file).stat()
-        Path(name).chmod(stat.S_IMODE(found.st_mode))
-        with contextlib.suppress(OSError):
-            os.chown(name, found.st_uid, found.st_gid)
+            os.fsync(stream.fileno())  # or a power cut may leave the new name with nothing in it
+        status = (like or file).stat()
+        Path(name).chmod(stat.S_IMODE(status.st_mode))
+        with contextlib.suppress(OSError):  # only root gives files away
+            os.chown(name, status.st_uid, status.st_gid)
         os.replace(name, file)
     except BaseException:
         with contextlib.suppress(OSError):

@@ -40,23 +40,19 @@ WELD = int(mujoco.mjtEq.mjEQ_WELD)
 
 
 def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Finding]:
-    """Yield what slips out of a grip or down a slope, what turns between two points, and what would slip if gripped.
-
-    Args:
-        skip: A body that is asked for by name.
-    """
-    seen, held = set(), {skip}
+    """Yield what slips out of a grip or down a slope, or turns in it, and what would slip if gripped; but one body."""
+    reported, in_grip = set(), {skip}
     for run in runs:
         for body in () if run.bad else _burdened(scene, run):
-            if scene.bodies[body] != skip and body not in seen:
-                data = copy.copy(run.data)
+            if scene.bodies[body] != skip and body not in reported:
+                data = copy.copy(run.data)  # other rules read the run's own
                 steps = max(1, round(READ_SHARE * SETTLE_S / scene.model.opt.timestep))
                 if touches := touches_of(scene, data, body, steps):
-                    found = list(_found(scene, body, touches, data, run.start))
-                    seen |= {body} if found else set()
-                    held |= {scene.bodies[body]} if _is_between(touches) else set()
-                    yield from found
-    yield from _if_gripped(scene, held)
+                    findings = list(_grip_findings(scene, body, touches, data, run.start))
+                    reported |= {body} if findings else set()
+                    in_grip |= {scene.bodies[body]} if _is_between(touches) else set()
+                    yield from findings
+    yield from _if_gripped(scene, in_grip)
 
 
 def _is_between(touches: Sequence[Touch]) -> bool:
@@ -68,10 +64,10 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
     """Return bodies that move freely and alone, and of whose weight friction bears a share."""
     model, data = scene.model, run.data
     friction = np.zeros((model.nbody, 3))
-    there = np.flatnonzero((data.contact.geom.min(axis=1, initial=0) >= 0) & (data.contact.dim >= 3))
-    axes = data.contact.frame[there].reshape(-1, 3, 3)[:, 1:]
-    acts = np.einsum("ni,nij->nj", contact_forces(model, data, there)[:, 1:3], axes)
-    for geoms, sign in zip(data.contact.geom[there].T, (-1.0, 1.0), strict=True):
+    contacts = np.flatnonzero((data.contact.geom.min(axis=1, initial=0) >= 0) & (data.contact.dim >= 3))
+    axes = data.contact.frame[contacts].reshape(-1, 3, 3)[:, 1:]
+    acts = np.einsum("ni,nij->nj", contact_forces(model, data, contacts)[:, 1:3], axes)
+    for geoms, sign in zip(data.contact.geom[contacts].T, (-1.0, 1.0), strict=True):  # it acts on the second geom
         np.add.at(friction, model.body_weldid[model.geom_bodyid[geoms]], sign * acts)
     alone, weight = _alone(model), model.body_mass * float(np.linalg.norm(model.opt.gravity))
     share = np.linalg.norm(friction, axis=1)[alone] / np.maximum(weight[alone], 1e-12)
@@ -85,7 +81,7 @@ def _alone(model: mujoco.MjModel) -> np.ndarray:
     return free[np.isclose(model.body_subtreemass[free], model.body_mass[free])]
 
 
-def _found(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: str) -> Iterator[Finding]:
+def _grip_findings(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: str) -> Iterator[Finding]:
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
     normals = np.array([touch.normal for touch in touches])
     between, one_sided = _is_between(touches), float((normals @ normals.T).min()) > -OPPOSE
@@ -111,31 +107,32 @@ def _slips(
     scene: Scene, body: str, against: tuple[str, ...], mm_s: float, after: float, message: str, severity="warning"
 ) -> Finding:
     attributes = {"cone": "elliptic", "impratio": f"{_mended(scene).option.impratio:g}"}
-    ways = [for_option(scene, attributes, f"{mm_s:.2g} → {after:.2g} mm/s for the same time step")]
+    advices = [for_option(scene, attributes, f"{mm_s:.2g} → {after:.2g} mm/s for the same time step")]
     if scene.engine.name == "mujoco":
-        ways.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
-    told = ("slip", body, against, "creep", mm_s, after, "mm/s", message, severity)
-    return Finding(*told, scene.source.option("impratio"), either(*ways))
+        advices.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
+    element, advice = scene.source.option("impratio"), either(*advices)
+    return Finding("slip", body, "creep", mm_s, message, against, after, "mm/s", severity, element, advice)
 
 
-def _if_gripped(scene: Scene, held: Collection[str]) -> Iterator[Finding]:
+def _if_gripped(scene: Scene, in_grip: Collection[str]) -> Iterator[Finding]:
     """Yield bodies that nothing grips, and that would slip between two fingers that could."""
     model, contacts = scene.model, scene.contacts
     weld, pairs = model.body_weldid[model.geom_bodyid], np.flatnonzero(contacts.condim >= 3)
-    free = [body for body in _alone(model).tolist() if model.body_mass[body] and scene.bodies[body] not in held]
-    touching = {body: {} for body in free}
-    for own, other in ((contacts.first, contacts.second), (contacts.second, contacts.first)):
-        for pair in pairs[np.isin(weld[own[pairs]], free)].tolist():
-            touching[int(weld[own[pair]])].setdefault(int(weld[other[pair]]), (pair, int(other[pair])))
-    hands = _closing(model, sorted({finger for each in touching.values() for finger in each}))
-    for body, fingers in touching.items():
-        if hand := next((each for each in hands if fingers.keys() >= {*each}), None):
-            sides, geoms = zip(*(fingers[finger] for finger in hand), strict=True)
-            creep, after = (_creep_m_s(each, sides, model.body_mass[body]) for each in (scene, _mended(scene)))
-            if SLIP_MM_S <= M * creep < M:
+    free = [body for body in _alone(model).tolist() if model.body_mass[body] and scene.bodies[body] not in in_grip]
+    fingers_of: dict[int, dict[int, tuple[int, int]]] = {body: {} for body in free}
+    for geoms, partners in ((contacts.first, contacts.second), (contacts.second, contacts.first)):
+        for pair in pairs[np.isin(weld[geoms[pairs]], free)].tolist():
+            partner = int(partners[pair])
+            fingers_of[int(weld[geoms[pair]])].setdefault(int(weld[partner]), (pair, partner))
+    hands = _closing(model, sorted({finger for fingers in fingers_of.values() for finger in fingers}))
+    for body, fingers in fingers_of.items():
+        if hand := next((pair for pair in hands if fingers.keys() >= {*pair}), None):
+            sides, pads = zip(*(fingers[finger] for finger in hand), strict=True)
+            creep, after = (_creep_m_s(variant, sides, model.body_mass[body]) for variant in (scene, _mended(scene)))
+            if SLIP_MM_S <= M * creep < M:  # faster it falls, as what is too heavy for such a hand does
                 message = f"if gripped between them, {FIRM:g} times as firmly as it takes"
-                told = scene.bodies[body], tuple(scene.names[geom] for geom in geoms)
-                yield _slips(scene, *told, M * creep, M * after, message, "note")
+                against = tuple(scene.names[geom] for geom in pads)
+                yield _slips(scene, scene.bodies[body], against, M * creep, M * after, message, "note")
 
 
 def _closing(model: mujoco.MjModel, bodies: Sequence[int]) -> list[tuple[int, int]]:
@@ -150,17 +147,17 @@ def _closing(model: mujoco.MjModel, bodies: Sequence[int]) -> list[tuple[int, in
         if model.body_rootid[body] not in floats | {0}:
             ways[body] = np.zeros((3, model.nv))
             mujoco.mj_jac(model, data, ways[body], None, data.xipos[body], body)
-    found = []
-    for one, other in itertools.combinations(ways, 2):
-        apart = data.xipos[other] - data.xipos[one]
-        moves = [ways[one].any(axis=0), ways[other].any(axis=0)]
-        own = [moves[0] & ~moves[1], moves[1] & ~moves[0]]
-        if (driven & (own[0] | own[1])).any() and all(each.any() for each in own):
-            along = [ways[body][:, dofs] for body, dofs in zip((one, other), own, strict=True)]
-            cosines = [np.abs(apart @ each) / np.linalg.norm(each, axis=0) for each in along]
-            if min(each.max() for each in cosines) > CLOSES * np.linalg.norm(apart) > 0.0:
-                found.append((-own[0].sum() - own[1].sum(), float(np.linalg.norm(apart)), one, other))
-    return [(one, other) for _, _, one, other in sorted(found)]
+    hands = []
+    for left, right in itertools.combinations(ways, 2):
+        distance = data.xipos[right] - data.xipos[left]
+        moves = [ways[left].any(axis=0), ways[right].any(axis=0)]
+        alone = [moves[0] & ~moves[1], moves[1] & ~moves[0]]  # the arm's joints carry both, and close no hand
+        if (driven & (alone[0] | alone[1])).any() and all(dofs.any() for dofs in alone):
+            velocities = [ways[body][:, dofs] for body, dofs in zip((left, right), alone, strict=True)]
+            cosines = [np.abs(distance @ columns) / np.linalg.norm(columns, axis=0) for columns in velocities]
+            if min(cosine.max() for cosine in cosines) > CLOSES * np.linalg.norm(distance) > 0.0:
+                hands.append((-alone[0].sum() - alone[1].sum(), float(np.linalg.norm(distance)), left, right))
+    return [(left, right) for _, _, left, right in sorted(hands)]
 
 
 def _creep_m_s(scene: Scene, pairs: Sequence[int], mass: float) -> float:
@@ -180,14 +177,13 @@ def _turns(scene: Scene, hold: Hold, start: str) -> Iterator[Finding]:
     index = pair_indices(scene)
     condims = {int(scene.contacts.condim[index[touch.geoms]]) for touch in hold.touches}
     if len(points) == 2 and max(points.values()) == 1 and condims == {3}:
-        own = scene.model.body_weldid[scene.model.geom_bodyid] == hold.body
-        pad = next(geom for geom in hold.touches[0].geoms if not own[geom])
-        yield Finding(
-            *("condim", hold.name, _names(scene, hold), "condim", 3.0, 4.0, "1"),
-            f"turns in the grip from {start}: each side holds it in one point, and condim 3 has no row against turning",
-            element=scene.source.authored(pad, "condim"),
-            advice=for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]"),
-        )
+        is_held = scene.model.body_weldid[scene.model.geom_bodyid] == hold.body
+        pad = next(geom for geom in hold.touches[0].geoms if not is_held[geom])
+        why = "each side holds it in one point, and condim 3 has no row against turning"
+        message, against = f"turns in the grip from {start}: {why}", _names(scene, hold)
+        element = scene.source.authored(pad, "condim")
+        advice = for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]")
+        yield Finding("condim", hold.name, "condim", 3.0, message, against, 4.0, element=element, advice=advice)
 
 
 def _bears(scene: Scene, hold: Hold, start: str) -> Iterator[Finding]:
@@ -196,10 +192,11 @@ def _bears(scene: Scene, hold: Hold, start: str) -> Iterator[Finding]:
     more = float(most_n - hold.load_n) / float(scene.model.body_subtreemass[hold.body])
     if hold.rests and not hold.slides and more < WEAK_M_S2:
         message = f"is what the grip bears besides its load, from {start}: a hand that accelerates by more loses it"
-        told = ("grip", hold.name, _names(scene, hold), "acceleration", more, None, "m/s²", message, "note")
-        yield Finding(*told, advice=Advice((), "press harder, or accelerate less; --lift predicts"))
+        finding = Finding("grip", hold.name, "acceleration", more, message, _names(scene, hold), None, "m/s²", "note")
+        yield replace(finding, advice=Advice((), "press harder, or accelerate less; --lift predicts"))
 
 
 def _names(scene: Scene, hold: Hold) -> tuple[str, ...]:
-    own = scene.model.body_weldid[scene.model.geom_bodyid] == scene.model.body_weldid[hold.body]
-    return tuple(dict.fromkeys(scene.names[geom] for touch in hold.touches for geom in touch.geoms if not own[geom]))
+    is_held = scene.model.body_weldid[scene.model.geom_bodyid] == scene.model.body_weldid[hold.body]
+    geoms = (geom for touch in hold.touches for geom in touch.geoms if not is_held[geom])
+    return tuple(dict.fromkeys(scene.names[geom] for geom in geoms))

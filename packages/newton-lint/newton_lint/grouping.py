@@ -10,54 +10,59 @@ from newton_lint.source import Element
 
 
 @dataclass(frozen=True)
-class Hits:
-    """Hits of a rule on one parameter, of which all say the same; arrays of one length."""
+class Wording:
+    """What a rule says of one parameter, wherever it hits."""
 
     rule: str
     parameter: str
-    shape: np.ndarray
-    other: np.ndarray | None
-    """The other shape of a pair; None where it is about shapes alone."""
-    value: np.ndarray
-    used: np.ndarray | float
-    """One of all, or of each; NaN where nothing is used."""
     message: str
     unit: str = "1"
     severity: str = "warning"
+
+
+@dataclass(frozen=True)
+class Hits:
+    """Hits of a rule, of which all say the same; arrays of one length."""
+
+    wording: Wording
+    shape: np.ndarray
+    value: np.ndarray
+    used: np.ndarray | float = np.nan
+    """One of all, or of each; NaN where nothing is used."""
+    partner: np.ndarray | None = None
+    """The other shape of a pair; None where it is about shapes alone."""
+    items: np.ndarray | None = None
+    """What is asked for an element and an advice: geoms, or indices of pairs; None where there are none."""
     element: Callable[[int], Element | None] = lambda _: None
     advise: Callable[[int], Advice | None] = lambda _: None
 
 
-def findings_of(found: Hits, names: Sequence[str]) -> Iterator[Finding]:
+def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
     """Yield a finding for each shape and each value that it has and gets, in the order in which they were hit."""
-    if not len(found.shape):
+    if not len(hits.shape):
         return
-    all_used = np.broadcast_to(found.used, len(found.shape))
-    first, which = alike(found.shape, found.value, np.nan_to_num(all_used, nan=np.inf))
-    members = np.split(np.argsort(which, kind="stable"), np.cumsum(np.bincount(which))[:-1])
-    for index, hit in sorted(zip(first.tolist(), members, strict=True), key=lambda each: each[0]):
-        used = float(all_used[index])
+    all_used = np.broadcast_to(hits.used, len(hits.shape))
+    # NaN equals nothing, itself neither: each hit of which nothing is used would be a finding of its own.
+    first, group = distinct_rows(hits.shape, hits.value, np.nan_to_num(all_used, nan=np.inf))
+    members = np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
+    for index, member in sorted(zip(first.tolist(), members, strict=True), key=lambda pair: pair[0]):
+        used, item = float(all_used[index]), -1 if hits.items is None else int(hits.items[index])
         yield Finding(
-            rule=found.rule,
-            shape=names[found.shape[index]],
-            against=() if found.other is None else tuple(names[other] for other in found.other[hit].tolist()),
-            parameter=found.parameter,
-            value=float(found.value[index]),
+            **vars(hits.wording),
+            shape=names[hits.shape[index]],
+            value=float(hits.value[index]),
+            against=() if hits.partner is None else tuple(names[geom] for geom in hits.partner[member].tolist()),
             used=None if np.isnan(used) else used,
-            unit=found.unit,
-            message=found.message,
-            severity=found.severity,
-            element=found.element(index),
-            advice=found.advise(index),
+            element=hits.element(item),
+            advice=hits.advise(item),
         )
 
 
-def alike(*columns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def distinct_rows(*columns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return first index of each different row, and the number of each row's; faster than to sort the rows as such."""
     key = np.zeros(len(columns[0]), dtype=np.int64)
     for column in columns:
-        values, which = np.unique(column, return_inverse=True)
-        _, key = np.unique(key * len(values) + which.reshape(-1), return_inverse=True)
-        key = key.reshape(-1)
-    _, first, which = np.unique(key, return_index=True, return_inverse=True)
-    return first, which.reshape(-1)
+        values, number = np.unique(column, return_inverse=True)
+        _, key = np.unique(key * len(values) + number, return_inverse=True)  # anew, or the products would overflow
+    _, first, group = np.unique(key, return_index=True, return_inverse=True)
+    return first, group

@@ -77,8 +77,8 @@ class Response:
         most = self.mu * normal_n
         force = slide_m_s / self.load_m_s_n if self.load_m_s_n else math.inf
         if self.edge_count and force * self.edge_count > 2.0 * most:
-            others = self.edge_count - 2
-            force = (0.5 * force * others + most) / (others + 1)
+            edges_across = self.edge_count - 2
+            force = (0.5 * force * edges_across + most) / (edges_across + 1)
         return min(force, most)
 
 
@@ -103,19 +103,16 @@ def solref_taken(solref: Sequence[float]) -> tuple[float, float]:
 
 
 def response_of(contact: Contact, option: Option, d: float | None = None) -> Response:
-    """Say how a contact gives way at an impedance, that of solimp's full width where none is said.
-
-    Infinite where nothing damps it.
-    """
+    """Return how a contact gives way at an impedance, by itself that of solimp's full width; infinitely if undamped."""
     dmax = clamped(contact.solimp[1])
     d = impedance(contact.solimp, contact.solimp[2]) if d is None else clamped(d)
     h = option.timestep_s
     safe_step = h if option.refsafe and not option.discrete else 0.0
     pyramid = option.cone == "pyramidal"
     stiff, damp = stiffness(contact, option, d), normal_damping(contact, option, d)
-    own = contact.solreffriction
-    has_own = not pyramid and any(own) and (own[0] > 0.0) == (own[1] > 0.0)
-    inverse_b = response(own if has_own else solref_taken(contact.solref), dmax, safe_step)
+    friction_solref = contact.solreffriction  # mj_makeImpedance reads it in an elliptic cone alone
+    is_read = not pyramid and any(friction_solref) and (friction_solref[0] > 0.0) == (friction_solref[1] > 0.0)
+    inverse_b = response(friction_solref if is_read else solref_taken(contact.solref), dmax, safe_step)
     r = (1.0 - d) / d * contact.weight_1_kg / option.impratio * (1.0 + contact.mu**2 if pyramid else 1.0)
     weight = 1.0
     if option.discrete and pyramid:
@@ -168,10 +165,7 @@ def settled_impedance(contact: Contact, option: Option, normal_n: float) -> floa
 
 
 def settled_depth_m(contact: Contact, option: Option, normal_n: float) -> float:
-    """Return that depth, which a body's own weight makes whatever its mass.
-
-    At rest k d r balances R f, and d depends on the depth r: solved by halving.
-    """
+    """Return that depth, at which k d r balances R f whatever the body's mass; d depends on r, so it is halved for."""
     weight = contact.weight_1_kg
     if option.cone == "pyramidal" and contact.condim > 1:
         # All edges of the pyramid bear it, each with the R that matches the friction.

@@ -10,10 +10,10 @@ import mujoco
 import numpy as np
 
 from newton_lint.advice import ways_of
-from newton_lint.findings import Change, Finding
+from newton_lint.findings import Change, Finding, distinct
 from newton_lint.fix import Unwritable, edited, undo, write
 from newton_lint.law import M
-from newton_lint.report import Asked, Report, report_of
+from newton_lint.report import Report, Request, report_of
 from newton_lint.source import Source, Texts, parse
 from newton_lint.step_rules import THROWN_M_S
 from newton_lint.stepped import Run, runs_of
@@ -43,111 +43,123 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
     for old, new in zip(before, after, strict=True):
         if new.bad:
             return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
-        if old.bad:
-            continue
-        thrown = [float(each.thrown_m_s.max(initial=0.0)) for each in (old, new)]
-        lies = thrown[0] > THROWN_M_S > 2.0 * thrown[1] and new.deepest_m <= old.deepest_m
-        lies |= "lost" in rules and new.deepest_m < SHALLOW_M
-        for name, at in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
-            depth, other = (getattr(each, at) for each in (old, new))
-            if other > DEEPER * depth + DEEPER_M and not lies:
-                return f"{name} {M * depth:.3g} → {M * other:.3g} mm from {new.start}"
-        speed, other = (float(np.abs(each.data.qvel).max(initial=0.0)) for each in (old, new))
-        if other > FASTER * speed + FASTER_M_S:
-            return f"what moves fastest after {new.time_s:.3g} s: {speed:.3g} → {other:.3g} m/s or rad/s"
+        if not old.bad and (reason := _motion_harm(old, new, rules)):
+            return reason
     for name, most in () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST)):
-        cost, other = (sum(getattr(each, name) for each in runs) for runs in (before, after))
-        if other > most * cost:
-            return f"a simulated second costs {other / max(cost, 1e-9):.2g} times as much"
+        old_cost, new_cost = (sum(getattr(run, name) for run in runs) for runs in (before, after))
+        if new_cost > most * old_cost:
+            return f"a simulated second costs {new_cost / max(old_cost, 1e-9):.2g} times as much"
     return ""
 
 
-def _told(runs: Sequence[Run]) -> str:
-    depth, cost = max((each.deepest_m for each in runs), default=0.0), sum(each.cost_s for each in runs)
+def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
+    """Say whether contacts are deeper than before, or what rests moves faster."""
+    old_thrown, new_thrown = (float(run.thrown_m_s.max(initial=0.0)) for run in (old, new))
+    # What flew or fell touched nothing: that it lies now is no harm.
+    lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
+    lies |= "lost" in rules and new.deepest_m < SHALLOW_M
+    for name, field in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
+        old_depth, new_depth = getattr(old, field), getattr(new, field)
+        if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
+            return f"{name} {M * old_depth:.3g} → {M * new_depth:.3g} mm from {new.start}"
+    old_speed, new_speed = (float(np.abs(run.data.qvel).max(initial=0.0)) for run in (old, new))
+    if new_speed > FASTER * old_speed + FASTER_M_S:
+        return f"what moves fastest after {new.time_s:.3g} s: {old_speed:.3g} → {new_speed:.3g} m/s or rad/s"
+    return ""
+
+
+def _measures(runs: Sequence[Run]) -> str:
+    depth, cost = max((run.deepest_m for run in runs), default=0.0), sum(run.cost_s for run in runs)
     return f"deepest contact {M * depth:.3g} mm, {cost / max(len(runs), 1):.2g} s a simulated second"
 
 
 class Mending:
     """A scene whose findings are mended one after the other, each on top of those before it."""
 
-    def __init__(self, target: Target, asked: Asked, others: Sequence[Path]):
-        self.target, self.asked, self.others = target, asked, others
-        self.report = self.first = report_of(target, asked)
-        self.measured = self.begun = measured(target)
+    def __init__(self, target: Target, request: Request, paths: Sequence[Path]):
+        self.target, self.request, self.paths = target, request, paths
+        self.report = self.first = report_of(target, request)
+        self.runs = self.first_runs = measured(target)
         self.texts: dict[Path, bytes] = dict(target.texts)
-        self.said: dict[str, str] = {}
+        self.outcomes: dict[str, str] = {}
+        """Of each change that was tried, by its line, why it is not written; empty where it is."""
         self.rules: set[str] = set()
         while self._pass():
             pass
-        if why := harm(self.begun, self.measured, self.rules):
-            self.texts, self.report, self.measured = dict(target.texts), self.first, self.begun
-            self.said = {line: end or f"with the others {why}" for line, end in self.said.items()}
+        # Small harms of many changes add up, although none alone was too large.
+        if reason := harm(self.first_runs, self.runs, self.rules):
+            self.texts, self.report, self.runs = dict(target.texts), self.first, self.first_runs
+            self.outcomes = {line: why or f"with the others {reason}" for line, why in self.outcomes.items()}
 
     def _pass(self) -> bool:
         """Try each change once, and tell whether one did good and no harm: the last pass finds nothing to write."""
-        written = {line: end for line, end in self.said.items() if end == ""}
-        self.said, left = dict(written), MOST_TRIES
-        while left and (found := next((each for each in self._candidates() if each[0] not in self.said), None)):
-            line, findings, changes = found
-            left -= 1
-            self.said[line] = self._tried(findings, changes)
-        return list(self.said.values()).count("") > len(written)
+        written = {line: why for line, why in self.outcomes.items() if why == ""}
+        self.outcomes = dict(written)
+        for _ in range(MOST_TRIES):
+            # Asked anew after each: what is written changes the findings.
+            untried = (candidate for candidate in self._candidates() if candidate[0] not in self.outcomes)
+            if not (candidate := next(untried, None)):
+                break
+            line, findings, changes = candidate
+            self.outcomes[line] = self._outcome(findings, changes)
+        return list(self.outcomes.values()).count("") > len(written)
 
     def _candidates(self) -> Iterator[tuple[str, list[Finding], Sequence[Change]]]:
         """Yield findings with changes that may mend them: all of a rule at once, then each by each of its ways."""
-        counted = [each for each in self.report.findings if each.severity != "note" and ways_of(each.advice)]
-        for rule in dict.fromkeys(each.rule for each in counted):
-            findings = [each for each in counted if each.rule == rule]
-            changes = [one for each in findings for one in ways_of(each.advice)[0].changes]
-            first = {(one.element or one.subject, one.attributes): one for one in changes}
-            ways = [(findings, tuple(first.values()))] if len(first) > 1 else []
-            ways += [([finding], way.changes) for finding in findings for way in ways_of(finding.advice)]
-            yield from ((", ".join(map(str, changes)), meant, changes) for meant, changes in ways)
+        findings = [item for item in self.report.findings if item.severity != "note" and ways_of(item.advice)]
+        for rule in dict.fromkeys(finding.rule for finding in findings):
+            of_rule = [finding for finding in findings if finding.rule == rule]
+            changes = distinct(change for finding in of_rule for change in ways_of(finding.advice)[0].changes)
+            ways = [(of_rule, changes)] if len(changes) > 1 else []
+            ways += [([finding], way.changes) for finding in of_rule for way in ways_of(finding.advice)]
+            yield from ((", ".join(map(str, changes)), mended, changes) for mended, changes in ways)
 
-    def _tried(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:
+    def _outcome(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:
         """Take changes over, or say why not."""
         try:
-            return self._does(findings, self.texts | edited(changes, self.report.source, self.texts))
+            return self._harm(findings, self.texts | edited(changes, self.report.source, self.texts))
         except Unwritable as error:
             return str(error)
         except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
 
-    def _does(self, findings: Sequence[Finding], texts: dict[Path, bytes]) -> str:
+    def _harm(self, findings: Sequence[Finding], texts: dict[Path, bytes]) -> str:
         """Take texts over that mend findings of one rule, or say why not."""
         rules, target = [findings[0].rule], tried(self.target, texts)
-        report = report_of(target, self.asked)
-        before, after, known = _counted(self.report), _counted(report), {_key(each) for each in self.report.findings}
+        report = report_of(target, self.request)
+        before, after = _counted(self.report), _counted(report)
+        notes = {_key(finding) for finding in self.report.findings}
         if any(after[_key(finding)] >= before[_key(finding)] for finding in findings):
             return "it does not change what is found"
-        if more := [key for key, count in after.items() if key not in known or 0 < before[key] < count]:
+        if more := [key for key, count in after.items() if key not in notes or 0 < before[key] < count]:
             return f"another is found then: {' '.join(filter(None, more[0]))}"
-        after_it = measured(target)
-        if why := harm(self.measured, after_it, rules) or self._elsewhere(texts, rules):
-            return why
-        self.texts, self.report, self.measured = texts, report, after_it
+        runs = measured(target)
+        if reason := harm(self.runs, runs, rules) or self._harm_elsewhere(texts, rules):
+            return reason
+        self.texts, self.report, self.runs = texts, report, runs
         self.rules |= {*rules}
         return ""
 
-    def _elsewhere(self, texts: Texts, rules: Collection[str]) -> str:
-        """Say what harm a change of an included file does to the other scenes that are mended."""
+    def _harm_elsewhere(self, texts: Texts, rules: Collection[str]) -> str:
+        """Say what harm a change of an included file does to other scenes that are mended."""
         included = {file for file in texts if file != self.target.path}
-        for path in self.others if included else ():
-            if path != self.target.path and included & {each.file for each in parse(path).walk()}:
-                other = Target(path.name, compiled(path), path=path)
-                if why := harm(measured(other), measured(tried(other, texts)), rules):
-                    return f"{path.name}: {why}"
+        for path in self.paths if included else ():
+            if path != self.target.path and included & {element.file for element in parse(path).walk()}:
+                scene = Target(path.name, compiled(path), path=path)
+                if reason := harm(measured(scene), measured(tried(scene, texts)), rules):
+                    return f"{path.name}: {reason}"
         return ""
 
     def lines(self, written: bool) -> Iterator[str]:
         """Yield a line for each change that was tried."""
-        for line, why in self.said.items():
+        for line, why in self.outcomes.items():
             yield f"{line}: {f'is not written: {why}' if why else 'written' if written else 'can be written'}"
 
     def patch(self) -> Iterator[str]:
         """Yield the change of the files as a patch."""
         for file, text in self.texts.items():
-            old, new = (each.decode(errors="replace").splitlines(keepends=True) for each in (file.read_bytes(), text))
+            versions = (file.read_bytes(), text)
+            old, new = (version.decode(errors="replace").splitlines(keepends=True) for version in versions)
             for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
                 yield line.rstrip("\r\n")
 
@@ -160,61 +172,64 @@ def _counted(report: Report) -> Counter[tuple[str, str, str]]:
     return Counter(_key(finding) for finding in report.findings if finding.severity != "note")
 
 
-def fixed(target: Target, asked: Asked, others: Sequence[Path], dry: bool) -> tuple[Report, list[str], str]:
+def fixed(target: Target, request: Request, paths: Sequence[Path], dry: bool) -> tuple[Report, list[str], str]:
     """Mend a scene's files; return its report as it was, lines of what was done, and why files can't be written."""
-    mending = Mending(target, asked, others)
-    told, why = [], ""
+    mending = Mending(target, request, paths)
+    backups, why = [], ""
     if mending.texts and not dry:
         try:
-            told = _written(target, mending.texts)
+            backups = _written(target, mending.texts)
         except TargetError as error:
             why = str(error)
-    lines = [*(mending.patch() if dry else ()), *mending.lines(not dry and not why), *told]
+    lines = [*(mending.patch() if dry else ()), *mending.lines(not dry and not why), *backups]
     if mending.texts:
-        lines.append(f"{target.name}: measured before: {_told(mending.begun)}; after: {_told(mending.measured)}")
+        before, after = _measures(mending.first_runs), _measures(mending.runs)
+        lines.append(f"{target.name}: measured before: {before}; after: {after}")
     return mending.first, lines, why
 
 
-def fixed_again(targets: Sequence[str], asked: Asked, paths: Sequence[Path]) -> list[str]:
+def fixed_again(targets: Sequence[str], request: Request, paths: Sequence[Path]) -> list[str]:
     """Go over scenes that may share files until none has more to write."""
-    told: list[str] = []
+    lines: list[str] = []
     for _ in range(PASSES):
-        reads = (read for read in map(read_target, targets) if read.path and read.model is not None)
-        wrote = [line for read in reads for line in fixed(read, asked, paths, False)[1] if line.endswith(": written")]
-        if not wrote:
+        scenes = (scene for scene in map(read_target, targets) if scene.path and scene.model is not None)
+        written = [line for scene in scenes for line in fixed(scene, request, paths, False)[1]]
+        written = [line for line in written if line.endswith(": written")]
+        if not written:
             break
-        told += wrote
-    return told
+        lines += written
+    return lines
 
 
 def fix(changes: Sequence[Change], source: Source, target: Target) -> list[str]:
-    """Write changes that have been measured, and tell each."""
+    """Write changes that have been measured, and return a line for each."""
     try:
-        kept = _written(target, edited(changes, source, {})) if changes else []
+        backups = _written(target, edited(changes, source, {})) if changes else []
     except Unwritable as error:
         raise TargetError(f"{target.name}: is not written: {error}") from error
-    return [*(f"{change}: written" for change in changes), *kept]
+    return [*(f"{change}: written" for change in changes), *backups]
 
 
 def _written(target: Target, texts: Texts) -> list[str]:
+    assert target.path is not None  # only what a file describes is changed
     expected = compiled(target.path, texts)
     try:
-        kept = write(texts)
+        backups = write(texts)
     except OSError as error:
         raise TargetError(f"{target.name}: is not written: {error}") from error
     try:
-        is_same = same(expected, compiled(target.path))
+        is_expected = are_same(expected, compiled(target.path))
     except ValueError:
-        is_same = False
-    if not is_same:
-        undo([(file.resolve(), old) for file, old in zip(texts, kept, strict=True)])
+        is_expected = False
+    if not is_expected:
+        undo([(file.resolve(), backup) for file, backup in zip(texts, backups, strict=True)])
         raise TargetError(f"{target.name}: is not written: MuJoCo makes another model of the file than was tried")
-    return [f"{file}: as it was it is {old.name}" for file, old in zip(texts, kept, strict=True)]
+    return [f"{file}: as it was it is {backup.name}" for file, backup in zip(texts, backups, strict=True)]
 
 
-def same(*models: mujoco.MjModel) -> bool:
+def are_same(*models: mujoco.MjModel) -> bool:
     """Tell whether models are the same to the last bit."""
-    held = [np.empty(mujoco.mj_sizeModel(model), np.uint8) for model in models]
-    for model, into in zip(models, held, strict=True):
-        mujoco.mj_saveModel(model, None, into)
-    return np.array_equal(*held)
+    buffers = [np.empty(mujoco.mj_sizeModel(model), np.uint8) for model in models]
+    for model, buffer in zip(models, buffers, strict=True):
+        mujoco.mj_saveModel(model, None, buffer)
+    return np.array_equal(*buffers)

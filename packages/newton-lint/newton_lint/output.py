@@ -3,7 +3,7 @@
 import json
 from collections.abc import Iterable, Iterator, Sequence
 
-from newton_lint.findings import SEVERITIES, Finding, alike
+from newton_lint.findings import SEVERITIES, Finding, grouped
 from newton_lint.prediction import Load, Prediction
 from newton_lint.report import Report, as_json
 
@@ -17,54 +17,49 @@ USED = {"dampratio": "critical", "slip": "with the change", "creep": "bound", "u
 """What ``used`` is called where it is not what the engine uses."""
 
 
-def shown(text: str) -> str:
+def printable(text: str) -> str:
     """Return a text whose unprintable characters are escaped: a name with a newline begins no line of a log."""
-    return "".join(each if each.isprintable() else each.encode("unicode_escape", "replace").decode() for each in text)
+    return "".join(char if char.isprintable() else char.encode("unicode_escape", "replace").decode() for char in text)
 
 
 def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) -> str:
-    """Return all reports as ``text``, ``json``, ``sarif`` or ``github``.
-
-    Args:
-        unread: What is said of targets that are unfit.
-    """
+    """Return all reports, and what is said of unfit targets, as ``text``, ``json``, ``sarif`` or ``github``."""
     if form == "json":
         objects = [as_json(report) for report in reports]
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1)
     if form == "sarif":
         return json.dumps(_sarif(reports, unread), indent=1)
-    told = _github if form == "github" else text_of
-    lines = [line for report in reports for line in told(report)]
+    lines_of = _github if form == "github" else text_of
+    lines = [line for report in reports for line in lines_of(report)]
     lines += summary(reports) if form == "text" and len(reports) > 1 else ()
-    return "\n".join(map(shown, lines))
+    return "\n".join(map(printable, lines))
 
 
 def summary(reports: Sequence[Report]) -> Iterator[str]:
     """Yield a table of what was found in how many scenes."""
-    found = [(finding.severity, finding.rule, report.target) for report in reports for finding in report.findings]
-    with_any = len({target for severity, _, target in found if severity != "note"})
+    hits = [(finding.severity, finding.rule, report.target) for report in reports for finding in report.findings]
+    with_any = len({target for severity, _, target in hits if severity != "note"})
     yield f"{_counted(len(reports), 'scene')}, {with_any} with warnings or errors"
     yield f"  {'severity':9}{'rule':16}{'findings':>9}{'scenes':>8}"
-    kinds = {(severity, rule) for severity, rule, _ in found}
+    kinds = {(severity, rule) for severity, rule, _ in hits}
     for severity, rule in sorted(kinds, key=lambda kind: (-SEVERITIES.index(kind[0]), kind[1])):
-        hit = [target for each, name, target in found if (each, name) == (severity, rule)]
-        yield f"  {severity:9}{rule:16}{len(hit):>9}{len(set(hit)):>8}"
+        targets = [target for *kind, target in hits if kind == [severity, rule]]
+        yield f"  {severity:9}{rule:16}{len(targets):>9}{len(set(targets)):>8}"
 
 
 def text_of(report: Report) -> Iterator[str]:
-    groups = alike(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
+    groups = grouped(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
     size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
-    said = ", ".join(_counted(count, name) for name, count in counts.items() if count)
-    yield f"{report.target}: {size}: {said or 'nothing found'}"
+    total = ", ".join(_counted(count, name) for name, count in counts.items() if count)
+    yield f"{report.target}: {size}: {total or 'nothing found'}"
     for group in groups:
         finding = group[0]
-        place = f"{finding.element.file}:{finding.element.line}: " if finding.element else ""
-        yield f"  {place}{finding.severity} {finding.rule}: {sentence(group)}"
+        line = f"{finding.element.file}:{finding.element.line}: " if finding.element else ""
+        yield f"  {line}{finding.severity} {finding.rule}: {sentence(group)}"
         if finding.advice:
             yield f"      {finding.advice}"
-    if report.hold:
-        hold = report.hold
+    if hold := report.hold:
         rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
         yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
     if report.creep:
@@ -79,22 +74,21 @@ def sentence(group: Sequence[Finding]) -> str:
     """Return findings that say the same, as a sentence."""
     finding = group[0]
     unit = f" {finding.unit}" if finding.unit != "1" else ""
-    said = f"{finding.parameter} {finding.value:.4g}{unit} {finding.message}"
+    text = f"{finding.parameter} {finding.value:.4g}{unit} {finding.message}"
     if finding.used is not None:
-        said += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"
+        text += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"
     if not finding.shape:
-        return said
-    place = _named(member.shape for member in group)
+        return text
+    shapes = _named(member.shape for member in group)
     if finding.against:
-        count = sum(len(member.against) for member in group)
-        place += f" against {_named(other for member in group for other in member.against)}"
-        place += f" ({count} pairs)" if count > 1 else ""
-    return f"{place}: {said}"
+        partners = [partner for member in group for partner in member.against]
+        shapes += f" against {_named(partners)}{f' ({len(partners)} pairs)' if len(partners) > 1 else ''}"
+    return f"{shapes}: {text}"
 
 
 def creep_line(prediction: Prediction, load: Load) -> str:
     count = len(prediction.pairs)
-    place = f"{_named(one for one, _ in prediction.pairs)} on {_named(other for _, other in prediction.pairs)}"
+    shapes, partners = zip(*prediction.pairs, strict=True)
     parts = [
         f"timeconst {prediction.timeconst_s:.3g} s",
         f"{1e3 * prediction.acceleration_s:.3g} mm/s for each m/s² of a support that turns",
@@ -107,7 +101,8 @@ def creep_line(prediction: Prediction, load: Load) -> str:
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
     if load.press_n:
         parts.append(f"pressed {prediction.depth_mm:.3g} mm deep by {load.press_n:g} N on a contact point")
-    return f"{place}{f' ({count} pairs)' if count > 1 else ''}: {'; '.join(parts)}"
+    pairs = f"{_named(shapes)} on {_named(partners)}{f' ({count} pairs)' if count > 1 else ''}"
+    return f"{pairs}: {'; '.join(parts)}"
 
 
 def rated(mm_s: float) -> str:
@@ -115,12 +110,13 @@ def rated(mm_s: float) -> str:
 
 
 def _github(report: Report) -> Iterator[str]:
-    for group in alike(report.findings):
+    for group in grouped(report.findings):
         finding = group[0]
         element = finding.element
-        place = f"file={element.file},line={element.line}," if element else f"file={report.target},"
-        said = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
-        yield f"::{finding.severity.replace('note', 'notice')} {place}title=newton-lint {finding.rule}::{said}"
+        location = f"file={element.file},line={element.line}," if element else f"file={report.target},"
+        # GitHub's workflow commands take % as the begin of an escape, and end with the line.
+        message = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
+        yield f"::{finding.severity.replace('note', 'notice')} {location}title=newton-lint {finding.rule}::{message}"
 
 
 def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
@@ -132,12 +128,12 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
             "locations": [{"physicalLocation": _location(group[0], report)}],
         }
         for report in reports
-        for group in alike(report.findings)
+        for group in grouped(report.findings)
     ]
-    rules = [{"id": rule} for rule in sorted({result["ruleId"] for result in results})]
+    rules = [{"id": rule} for rule in sorted({finding.rule for report in reports for finding in report.findings})]
     run: dict = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
-    told = [{"level": "error", "message": {"text": line}} for line in unread]
-    run["invocations"] = [{"executionSuccessful": not unread, "toolExecutionNotifications": told}]
+    notifications = [{"level": "error", "message": {"text": line}} for line in unread]
+    run["invocations"] = [{"executionSuccessful": not unread, "toolExecutionNotifications": notifications}]
     schema = "https://json.schemastore.org/sarif-2.1.0.json"
     return {"$schema": schema, "version": "2.1.0", "runs": [run]}
 

@@ -1,13 +1,14 @@
 """``newton-lint pair``: what two geoms say of their contact, what it gets, and by which rule of this release."""
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
 from newton_lint.combined import Contacts
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of
 from newton_lint.law import M, clamped, normal_damping, response_of, settled_depth_m, stiffness
-from newton_lint.output import shown
+from newton_lint.output import printable
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import NEW_GAP
@@ -17,37 +18,34 @@ WIDTH = 22
 
 
 def main(arguments: Sequence[str]) -> int:
-    made = Parser(prog="newton-lint pair", description="Say what a contact of two geoms gets, and by which rule.")
-    made.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function that returns a model")
-    made.add_argument("geoms", metavar="GEOM", nargs=2, help="names of geoms, or of bodies with one geom")
-    add_work(made)
-    given = made.parse_args(arguments)
-    target = read_target(given.target)
-    if target.model is None:
-        raise TargetError(f"{given.target}: is no model of MuJoCo's")
-    scene = scene_of(target, engine_of(given, {}))
-    one, other = (_geom(scene, target.name, name) for name in given.geoms)
-    contacts = scene.contacts
-    found = np.flatnonzero(np.isin(contacts.first, (one, other)) & np.isin(contacts.second, (one, other)))
-    if not len(found):
-        print(shown(f"{' and '.join(given.geoms)} make no contact: {_apart(scene, [one, other])}"))
+    parser = Parser(prog="newton-lint pair", description="Say what a contact of two geoms gets, and by which rule.")
+    parser.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function that returns a model")
+    parser.add_argument("geoms", metavar="GEOM", nargs=2, help="names of geoms, or of bodies with one geom")
+    add_work(parser)
+    options = parser.parse_args(arguments)
+    target = read_target(options.target)
+    scene = scene_of(target, engine_of(options, {}))
+    geoms = [_geom(scene, target.name, name) for name in options.geoms]
+    pairs = np.flatnonzero(np.isin(scene.contacts.first, geoms) & np.isin(scene.contacts.second, geoms))
+    if not len(pairs):
+        print(printable(f"{' and '.join(options.geoms)} make no contact: {_separation(scene, geoms)}"))
         return FOUND
-    print("\n".join(map(shown, _table(scene, contacts, int(found[0]), one, other))))
+    print("\n".join(map(printable, _table(scene, scene.contacts, int(pairs[0]), *geoms))))
     return CLEAN
 
 
 def _geom(scene: Scene, target: str, name: str) -> int:
     """Return the geom of a name, or the only one of a body of that name."""
     model = scene.model
-    own = [index for index, known in enumerate(scene.names) if name in (known, model.geom(index).name)]
-    own = own or [index for index, body in enumerate(model.geom_bodyid) if scene.bodies[body] == name]
-    if len(own) != 1:
-        raise TargetError(f"{target}: {len(own) or 'no'} geoms are {name}; it has {', '.join(scene.names[:12])}")
-    return own[0]
+    geoms = [geom for geom, full_name in enumerate(scene.names) if name in (full_name, model.geom(geom).name)]
+    geoms = geoms or [geom for geom, body in enumerate(model.geom_bodyid) if scene.bodies[body] == name]
+    if len(geoms) != 1:
+        raise TargetError(f"{target}: {len(geoms) or 'no'} geoms are {name}; it has {', '.join(scene.names[:12])}")
+    return geoms[0]
 
 
-def _apart(scene: Scene, geoms: Sequence[int]) -> str:
-    """Say why two geoms never touch."""
+def _separation(scene: Scene, geoms: Sequence[int]) -> str:
+    """Say why two geoms never touch: the filters of mj_collision, in its order."""
     model, weld = scene.model, scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
     types, affinities = model.geom_contype[geoms], model.geom_conaffinity[geoms]
     if weld[0] == weld[1] or not (model.body_dofnum[weld] > 0).any():
@@ -57,12 +55,13 @@ def _apart(scene: Scene, geoms: Sequence[int]) -> str:
     return "contacts are off, one hangs on the other's body, or an <exclude> names their bodies"
 
 
-def _table(scene: Scene, contacts: Contacts, pair: int, one: int, other: int) -> Iterator[str]:
+def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) -> Iterator[str]:
     model, option, contact = scene.model, scene.option, contacts.contact(pair)
     winner = scene.names[contacts.first[pair]]
     ranked = f"of {winner}, which has the higher priority" if contacts.outranked[pair] else ""
     ranked = "of the <pair> that names them" if contacts.named[pair] >= 0 else ranked
-    mixed = f"mixed by solmix, {model.geom_solmix[one]:g} to {model.geom_solmix[other]:g}"
+    mixed = f"mixed by solmix, {model.geom_solmix[geom1]:g} to {model.geom_solmix[geom2]:g}"
+    # mj_contactParam: a mean of a timeconst and a stiffness would be neither.
     least = "the smaller of each: one is direct" if contact.solref[0] <= 0.0 else mixed
     sums = "the sum", "the sum; forces act from margin on, and contacts are listed from margin + gap on"
     larger = "the larger", "the larger; forces act from margin − gap on, and contacts are listed from margin on"
@@ -70,7 +69,7 @@ def _table(scene: Scene, contacts: Contacts, pair: int, one: int, other: int) ->
 
     def row(name: str, used: object, rule: str) -> tuple[object, ...]:
         values = getattr(model, f"geom_{name}")
-        return name, values[one], values[other], used, rule
+        return name, values[geom1], values[geom2], used, rule
 
     rows = [
         row("priority", "", ranked),
@@ -78,12 +77,12 @@ def _table(scene: Scene, contacts: Contacts, pair: int, one: int, other: int) ->
         row("solimp", contact.solimp, ranked or mixed),
         row("friction", contacts.friction[pair], ranked or "the larger"),
         row("condim", contact.condim, ranked or "the larger"),
-        row("margin", together(model.geom_margin[[one, other]]), rules[0]),
-        row("gap", together(model.geom_gap[[one, other]]), rules[1]),
+        row("margin", together(model.geom_margin[[geom1, geom2]]), rules[0]),
+        row("gap", together(model.geom_gap[[geom1, geom2]]), rules[1]),
     ]
-    yield "  ".join([f"{'':8}", *(f"{name:{WIDTH}}" for name in (scene.names[one], scene.names[other], "contact"))])
+    yield "  ".join([f"{'':8}", *(f"{name:{WIDTH}}" for name in (scene.names[geom1], scene.names[geom2], "contact"))])
     for name, *values, rule in rows:
-        yield "  ".join([f"{name:8}", *(f"{_said(value):{WIDTH}}" for value in values), rule]).rstrip()
+        yield "  ".join([f"{name:8}", *(f"{_formatted(value):{WIDTH}}" for value in values), str(rule)]).rstrip()
     dmax, response = clamped(contact.solimp[1]), response_of(contact, option)
     ke = stiffness(contact, option, dmax) * dmax**2
     kd = normal_damping(contact, option, dmax) * dmax
@@ -92,5 +91,5 @@ def _table(scene: Scene, contacts: Contacts, pair: int, one: int, other: int) ->
     yield f"1 N on a point presses it {depth:.3g} mm deep; held against 1 N along it, it creeps at {slide:.3g} mm/s"
 
 
-def _said(value: object) -> str:
-    return value if isinstance(value, str) else " ".join(f"{float(each):.4g}" for each in np.atleast_1d(value))
+def _formatted(value: Any) -> str:
+    return value if isinstance(value, str) else " ".join(f"{float(number):.4g}" for number in np.atleast_1d(value))

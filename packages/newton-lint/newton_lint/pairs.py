@@ -3,15 +3,15 @@
 import mujoco
 import numpy as np
 
-from newton_lint.grouping import alike
+from newton_lint.grouping import distinct_rows
 
 PLANE, HFIELD = int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD)
 OFF = int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
 UNFILTERED = int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
 MOST_PAIRS = 1_000_000
-ALIKE = (100, 10, 1)
+REPRESENTATIVES = (100, 10, 1)
 """Geoms that are read of those alike where all make more pairs, until they make no more."""
-SAID = ("type", "contype", "conaffinity", "condim", "priority", "solmix", "solref", "solimp", "friction")
+PARAMETERS = ("type", "contype", "conaffinity", "condim", "priority", "solmix", "solref", "solimp", "friction")
 
 
 def pairs_of(model: mujoco.MjModel) -> tuple[np.ndarray, np.ndarray]:
@@ -19,14 +19,14 @@ def pairs_of(model: mujoco.MjModel) -> tuple[np.ndarray, np.ndarray]:
     if model.opt.disableflags & OFF:
         return np.zeros((0, 2), dtype=int), np.zeros(0, dtype=int)
     named = np.sort(np.stack([model.pair_geom1, model.pair_geom2], axis=1), axis=1).astype(int)
-    which = np.flatnonzero(collidable(model, named))
+    indices = np.flatnonzero(collidable(model, named))  # neither bits nor bodies nor <exclude> keep a <pair> apart
     pairs = _unnamed(model)
-    pairs = pairs[~np.isin(_key(pairs, model.ngeom), _key(named, model.ngeom))]
-    return np.concatenate([named[which], pairs]), np.append(which, np.full(len(pairs), -1))
+    pairs = pairs[~np.isin(_key(pairs, model.ngeom), _key(named, model.ngeom))]  # mj_collision merges duplicates
+    return np.concatenate([named[indices], pairs]), np.append(indices, np.full(len(pairs), -1))
 
 
 def collidable(model: mujoco.MjModel, pairs: np.ndarray) -> np.ndarray:
-    """Tell whether these geoms can collide: two planes or height fields can't."""
+    """Tell whether these geoms can collide: mjCOLLISIONFUNC has nothing for two planes or height fields."""
     return ~np.isin(model.geom_type[pairs], (PLANE, HFIELD)).all(axis=1)
 
 
@@ -34,12 +34,12 @@ def read(model: mujoco.MjModel) -> np.ndarray:
     """Return the geoms that can collide; of many that are alike the first ones."""
     geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
     weld = model.body_weldid[model.geom_bodyid]
-    columns = [column for name in SAID for column in np.atleast_2d(getattr(model, f"geom_{name}").T)]
-    for most in ALIKE:
-        own = np.bincount(weld[geoms]).astype(float)
-        if 0.5 * (own.sum() ** 2 - (own**2).sum()) <= MOST_PAIRS:
+    columns = [column for name in PARAMETERS for column in np.atleast_2d(getattr(model, f"geom_{name}").T)]
+    for most in REPRESENTATIVES:
+        counts = np.bincount(weld[geoms]).astype(float)
+        if 0.5 * (counts.sum() ** 2 - (counts**2).sum()) <= MOST_PAIRS:
             return geoms
-        _, kind = alike(*(column[geoms] for column in columns), weld[geoms] == 0)
+        _, kind = distinct_rows(*(column[geoms] for column in columns), weld[geoms] == 0)
         order = np.argsort(kind, kind="stable")
         begins = np.cumsum(np.bincount(kind)) - np.bincount(kind)
         geoms = np.sort(geoms[order[np.arange(len(geoms)) - begins[kind[order]] < most]])
@@ -50,24 +50,24 @@ def _unnamed(model: mujoco.MjModel) -> np.ndarray:
     """Return pairs that their bits, bodies and excludes leave, in the order of the model."""
     geoms = read(model)
     contype, conaffinity = model.geom_contype[geoms], model.geom_conaffinity[geoms]
-    own = model.body_weldid[model.geom_bodyid[geoms]]
+    welds = model.body_weldid[model.geom_bodyid[geoms]]
     rows = [np.zeros((0, 2), dtype=int)]
-    for weld in np.flatnonzero(np.bincount(own)):  # what is fixed together makes no pairs, however many geoms it has
-        mine, others = np.flatnonzero(own == weld), np.flatnonzero(own > weld)
-        there = (contype[mine, None] & conaffinity[others] | conaffinity[mine, None] & contype[others]) != 0
-        first, second = np.nonzero(there)
-        rows.append(np.stack([geoms[mine[first]], geoms[others[second]]], axis=1))
+    for weld in np.flatnonzero(np.bincount(welds)):  # what is fixed together makes no pairs, however many geoms it has
+        low, high = np.flatnonzero(welds == weld), np.flatnonzero(welds > weld)
+        first, second = np.nonzero(contype[low, None] & conaffinity[high] | conaffinity[low, None] & contype[high])
+        rows.append(np.stack([geoms[low[first]], geoms[high[second]]], axis=1))
     pairs = np.sort(np.concatenate(rows), axis=1)
     body = model.geom_bodyid[pairs]
     weld = model.body_weldid[body]
-    there = (model.body_dofnum[weld] > 0).any(axis=1) & collidable(model, pairs)
+    # From here on filterBodyPair of engine_collision_driver.c: on what has no dofs no force can act.
+    collides = (model.body_dofnum[weld] > 0).any(axis=1) & collidable(model, pairs)
     if not model.opt.disableflags & UNFILTERED:
         parent = model.body_weldid[model.body_parentid[weld]]
         related = (weld[:, 0] == parent[:, 1]) | (weld[:, 1] == parent[:, 0])
-        there &= ~(related & (weld != 0).all(axis=1))
+        collides &= ~(related & (weld != 0).all(axis=1))  # the world is no parent: else nothing would stand on a floor
     low, high = body.min(axis=1).astype(np.int64), body.max(axis=1)
-    there &= ~np.isin((low << 16) + high, model.exclude_signature)
-    return pairs[there]
+    collides &= ~np.isin((low << 16) + high, model.exclude_signature)  # as mj_collision packs two bodies
+    return pairs[collides]
 
 
 def _key(pairs: np.ndarray, geom_count: int) -> np.ndarray:

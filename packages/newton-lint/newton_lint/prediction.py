@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from newton_lint.grouping import alike
+from newton_lint.grouping import distinct_rows
 from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of, settled_depth_m
 from newton_lint.scene import Scene
 
@@ -47,30 +47,29 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
     rows = np.flatnonzero(contacts.condim > 1)
     if not len(rows):
         return []
-    first, which = alike(_kinds(scene)[rows])
-    order = np.argsort(which, kind="stable")
-    members = np.split(rows[order], np.cumsum(np.bincount(which))[:-1])
+    first, kind = distinct_rows(_kinds(scene)[rows])
+    members = np.split(rows[np.argsort(kind, kind="stable")], np.cumsum(np.bincount(kind))[:-1])
     loose = scene.free[scene.model.geom_bodyid]
     names = scene.names
-    found = []
+    creeps = []
     for index, pairs in zip(first, members, strict=True):
         geoms = zip(contacts.first[pairs].tolist(), contacts.second[pairs].tolist(), strict=True)
-        between = tuple((names[one], names[other]) for one, other in geoms)
+        between = tuple((names[geom1], names[geom2]) for geom1, geom2 in geoms)
         pair = int(rows[index])
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(contacts.contact(pair), scene.option, load, between, is_free):
-            found.append(prediction)
-    return sorted(found, key=_order)
+            creeps.append(prediction)
+    return sorted(creeps, key=_order)
 
 
 def _kinds(scene: Scene) -> np.ndarray:
     contacts, model = scene.contacts, scene.model
     columns = (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
     single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
-    _, kind = alike(*np.concatenate(columns), *single, model.body_invweight0[model.geom_bodyid, 0])
-    one, other = kind[contacts.first], kind[contacts.second]
-    together = np.minimum(one, other) * model.ngeom + np.maximum(one, other)
-    return np.where(contacts.named < 0, together, -1 - contacts.named)
+    _, kind = distinct_rows(*np.concatenate(columns), *single, model.body_invweight0[model.geom_bodyid, 0])
+    kind1, kind2 = kind[contacts.first], kind[contacts.second]
+    unordered = np.minimum(kind1, kind2) * model.ngeom + np.maximum(kind1, kind2)
+    return np.where(contacts.named < 0, unordered, -1 - contacts.named)  # each <pair> has parameters of its own
 
 
 def predicted(
@@ -82,7 +81,7 @@ def predicted(
     if not 0.0 <= deep.acceleration_s < math.inf:  # undamped, or too stiff for the step, which throws it off
         return None
     inverse_b = deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s
-    loads = sorted(M * (each.load_m_s_n * load.load_n) for each in (deep, shallow))
+    loads = sorted(M * (response.load_m_s_n * load.load_n) for response in (deep, shallow))
     return Prediction(
         pairs=tuple(pairs),
         timeconst_s=2.0 * inverse_b / dmax,

@@ -15,7 +15,7 @@ from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene, changed
-from newton_lint.settle import Hold, Work, held, pair_indices, predicted_hold, settled, started
+from newton_lint.settle import Hold, Work, pair_indices, predicted_hold, settled, settled_hold, started
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
@@ -54,10 +54,8 @@ class Setting:
         return len(self.options) + (self.timeconst_s is not None) + ("noslip_iterations" in self.attributes())
 
     def __str__(self) -> str:
-        said = [f'{name}="{value}"' for name, value in self.attributes().items()]
-        if self.timeconst_s is not None:
-            said.append(f'solref="{self.timeconst_s:g} 1"')
-        return " ".join(said) or "as it is"
+        attributes = self.attributes() | ({} if self.timeconst_s is None else {"solref": f"{self.timeconst_s:g} 1"})
+        return " ".join(f'{name}="{value}"' for name, value in attributes.items()) or "as it is"
 
 
 @dataclass(frozen=True)
@@ -73,38 +71,36 @@ class Trial:
 
 def main(arguments: Sequence[str]) -> int:
     about = "Search settings that keep a held body's creep below a bound, and measure the best of them."
-    made = Parser(prog="newton-lint prescribe", description=about)
-    made.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function")
-    add_work(made)
-    made.add_argument("--fix", action="store_true", help="write the cheapest that reaches the bound into the files")
-    given = made.parse_args(arguments)
-    if not given.hold:
-        made.error("--hold BODY says what is held")
-    target = read_target(given.target)
-    if target.model is None:
-        raise TargetError(f"{given.target}: is no model of MuJoCo's")
-    scene, bound = scene_of(target, engine_of(given, {})), given.below or BELOW_MM_S
-    hold, trials = prescribed(scene, target, work_of(given), bound)
+    parser = Parser(prog="newton-lint prescribe", description=about)
+    parser.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function")
+    add_work(parser)
+    parser.add_argument("--fix", action="store_true", help="write the cheapest that reaches the bound into the files")
+    options = parser.parse_args(arguments)
+    if not options.hold:
+        parser.error("--hold BODY says what is held")
+    target = read_target(options.target)
+    scene, bound = scene_of(target, engine_of(options, {})), options.below or BELOW_MM_S
+    hold, trials = prescribed(scene, target, work_of(options), bound)
     print("\n".join(_table(trials, bound)))
     if trials[-1].measured_mm_s > bound:
         beyond = "slides: what it bears is beyond its friction, which takes a larger μ or a firmer grip"
         tried = f"creeps: nothing that was tried keeps it below {bound:g} mm/s"
-        print(f"{given.hold} {beyond if hold.slides else tried}")
+        print(f"{options.hold} {beyond if hold.slides else tried}")
         return FOUND
     changes = changes_of(scene, trials[-1].setting, touched(scene, hold))
     print("the least that does:" if changes else "nothing has to change")
     print("\n".join(f"  {change}" for change in changes))
-    if given.fix:
+    if options.fix:
         print("\n".join(fix(changes, scene.source, target)))
     return CLEAN
 
 
 def prescribed(scene: Scene, target: Target, work: Work, bound_mm_s: float) -> tuple[Hold, list[Trial]]:
     """Measure a held body as it is, and settings that the law finds good, the least first, until one is."""
-    if (hold := held(scene, target, work)) is None:
+    if (hold := settled_hold(scene, target, work)) is None:
         raise TargetError(f"{target.name}: nothing touches {work.body}; --settle gives it longer, a keyframe a grip")
     trials = [measured(scene, target, work, Setting(), hold, hold.mm_s)]
-    ranked = sorted(candidates(scene, hold, work), key=lambda each: _rank(each, bound_mm_s, scene))
+    ranked = sorted(candidates(scene, hold, work), key=lambda candidate: _rank(candidate, bound_mm_s, scene))
     for setting, predicted in () if hold.slides else ranked:
         if len(trials) > MOST_TRIES or trials[-1].measured_mm_s <= bound_mm_s:
             break
@@ -116,23 +112,24 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
     """Yield settings, with the creep that the law gives for each."""
     option = scene.option
     stiffest = min(scene.model.geom_solref[geom, 0] for geom in touched(scene, hold))
-    timeconsts = [None, *(each for each in TIMECONSTS_S if each < stiffest or stiffest <= 0.0)]
-    impratios = [None, *(each for each in IMPRATIOS if each > option.impratio)]
+    timeconsts = [None, *(timeconst for timeconst in TIMECONSTS_S if timeconst < stiffest or stiffest <= 0.0)]
+    impratios = [None, *(impratio for impratio in IMPRATIOS if impratio > option.impratio)]
     noslips = (False, True) if not option.noslip and scene.engine.name == "mujoco" else (False,)
     for timeconst, impratio, share, noslip in itertools.product(timeconsts, impratios, SHORTER, noslips):
         step = option.timestep_s * share
         if timeconst is not None and option.refsafe and timeconst < 2.0 * step:
-            continue
+            continue  # getsolparam would clamp it
         options = {
             "timestep": step if share < 1.0 else None,
+            # In a pyramid impratio makes the rows of the normal harder too.
             "cone": ELLIPTIC if option.cone == "pyramidal" and impratio is not None else None,
             "impratio": impratio,
             "noslip_iterations": NOSLIP if noslip else None,
         }
         setting = Setting(timeconst, tuple((name, value) for name, value in options.items() if value is not None))
         if setting.change_count:
-            other = replace(scene, model=with_setting(scene, setting, hold))
-            yield setting, predicted_hold(other, hold.body, hold.touches, work, hold.data).mm_s
+            variant = replace(scene, model=with_setting(scene, setting, hold))
+            yield setting, predicted_hold(variant, hold.body, hold.touches, work, hold.data).mm_s
 
 
 def touched(scene: Scene, hold: Hold) -> list[int]:
@@ -148,7 +145,7 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
         model.geom_solref[touched(scene, hold)] = (setting.timeconst_s, 1.0)
         pairs = pair_indices(scene)
         named = [scene.contacts.named[pairs[touch.geoms]] for touch in hold.touches]
-        model.pair_solref[[each for each in named if each >= 0]] = (setting.timeconst_s, 1.0)
+        model.pair_solref[[index for index in named if index >= 0]] = (setting.timeconst_s, 1.0)
     return model
 
 
@@ -162,6 +159,7 @@ def _rank(candidate: tuple[Setting, float], bound_mm_s: float, scene: Scene) -> 
 def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: Hold, predicted_mm_s: float) -> Trial:
     """Simulate a setting from the scene's start: how far the body moves within what holds it."""
     model = with_setting(scene, setting, hold)
+    # Seen from a hand that accelerates upward, gravity is larger.
     model.opt.gravity *= 1.0 + work.lift_m_s2 / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
     data = started(model, target.data)
     if work.turn_rad_s:
@@ -174,13 +172,9 @@ def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: H
 
 
 def turn(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, rate_rad_s: float) -> None:
-    """Make what holds a body turn about the vertical with it, at a rate that nothing slows down.
-
-    Raises:
-        TargetError: It hangs on no hinge about the vertical.
-    """
+    """Turn what holds a body about the vertical, with it; a TargetError where it hangs on no such hinge."""
     mujoco.mj_kinematics(model, data)
-    mujoco.mj_comPos(model, data)
+    mujoco.mj_comPos(model, data)  # mj_jacBody reads subtree_com
     chain = [hold.touches[0].support]
     while chain[-1]:
         chain.append(int(model.body_parentid[chain[-1]]))
@@ -188,6 +182,7 @@ def turn(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, rate_rad_s: flo
     if not hinges.any():
         raise TargetError(f"{hold.name}: what holds it hangs on no hinge about the vertical, and cannot turn")
     hinge = int(np.flatnonzero(hinges)[0])
+    # A hinge that hangs upside down turns the other way; no torque slows a flywheel.
     dof, rate = model.jnt_dofadr[hinge], rate_rad_s * np.sign(data.xaxis[hinge, 2])
     model.dof_armature[dof] = FLYWHEEL
     data.qvel[dof] = rate
@@ -195,8 +190,8 @@ def turn(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, rate_rad_s: flo
     carried = np.concatenate([np.cross(spin, data.xpos[hold.body] - data.xanchor[hinge]), spin])
     jacobian = np.zeros((6, model.nv))
     mujoco.mj_jacBody(model, data, jacobian[:3], jacobian[3:], hold.body)
-    own = jacobian.any(axis=0)
-    data.qvel[own] = np.linalg.lstsq(jacobian[:, own], carried, rcond=None)[0]
+    dofs = jacobian.any(axis=0)
+    data.qvel[dofs] = np.linalg.lstsq(jacobian[:, dofs], carried, rcond=None)[0]
 
 
 def along(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, time_s: float) -> float:
@@ -215,9 +210,9 @@ def within(data: mujoco.MjData, body: int, support: int) -> np.ndarray:
 
 
 def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Change]:
-    said, changes = setting.attributes(), []
-    if said:
-        changes.append(Change("option", tuple(said.items()), scene.source.option(next(iter(said)))))
+    options, changes = setting.attributes(), []
+    if options:
+        changes.append(Change("option", tuple(options.items()), scene.source.option(next(iter(options)))))
     if setting.timeconst_s is not None:
         attributes = (("solref", f"{setting.timeconst_s:g} 1"),)
         changes += [Change(scene.names[geom], attributes, scene.source.geom(geom)) for geom in geoms]

@@ -4,23 +4,23 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from newton_lint.findings import SEVERITIES, Finding
+from newton_lint.findings import SEVERITIES, Change, Finding
 from newton_lint.grip import SLIP_MM_S, gripped
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
-from newton_lint.settle import Hold, Work, held
+from newton_lint.settle import Hold, Work, settled_hold
 from newton_lint.source import Element, Source
 from newton_lint.step_rules import stepped
-from newton_lint.stepped import runs_of
+from newton_lint.stepped import Run, runs_of
 from newton_lint.target import READER, Target, TargetError, newtons
 
 NEWTONS = "newton_lint.newton_models.report"
 
 
 @dataclass(frozen=True)
-class Asked:
+class Request:
     """Options of the command besides the targets."""
 
     engine: Engine = field(default_factory=Engine)
@@ -55,59 +55,68 @@ class Report:
         return max((SEVERITIES.index(finding.severity) for finding in self.findings), default=-1)
 
 
-def report_of(target: Target, asked: Asked) -> Report:
-    """Lint a target.
-
-    Raises:
-        TargetError: It has no such body as is to be held, or Newton is needed and is not there.
-    """
+def report_of(target: Target, request: Request) -> Report:
+    """Lint a target; a TargetError where there is no body to be held, or Newton is needed and missing."""
     if target.newton_model is not None:
-        return newtons(target.name, NEWTONS, "report_of", target, asked)
-    scene = scene_of(target, asked.engine)
-    found = lint(scene)
-    refused = any(each.rule == "engine" and each.severity == "error" for each in found)  # nothing creeps there
-    hold = held(scene, target, asked.work) if asked.work and not refused else None
-    found += hold.findings(scene, asked.below_mm_s or SLIP_MM_S) if hold else []
-    runs = runs_of(scene.model, target) if asked.step else []
-    deep = [{each.shape, *each.against} for each in found if each.rule == "depth"]
-    more = stepped(scene, target, runs) if asked.step else []
-    found += [each for each in more if each.rule != "depth" or not any(known >= {each.shape} for known in deep)]
-    found += [] if refused else gripped(scene, runs, asked.work.body if asked.work else "")
-    if asked.work and not hold and not refused:
-        told = ("slides", asked.work.body, (), "settle", asked.work.settle_s, None, "s")
-        message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
-        found.append(Finding(*told, message, "error"))
-    if asked.engine.name == "newton" and target.path:
-        theirs = replace(target, newton_model=newtons(target.name, READER, "imported", target.path))
-        known = {each.rule for each in found}
-        more = newtons(target.name, NEWTONS, "report_of", theirs, asked).findings
-        found += [each for each in more if each.rule not in known]
+        return newtons(target.name, NEWTONS, "report_of", target, request)
+    scene = scene_of(target, request.engine)
+    findings = lint(scene)
+    refused = any(finding.rule == "engine" and finding.severity == "error" for finding in findings)
+    work = None if refused else request.work  # nothing creeps in an engine that does not take the scene
+    hold = settled_hold(scene, target, work) if work else None
+    findings += hold.findings(scene, request.below_mm_s or SLIP_MM_S) if hold else []
+    runs = runs_of(scene.model, target) if request.step else []
+    findings += _run_findings(scene, target, runs, findings) if request.step else []
+    findings += [] if refused else gripped(scene, runs, work.body if work else "")
+    findings += [_untouched(work)] if work and not hold else []
+    findings += _newton_findings(target, request, findings) if request.engine.name == "newton" and target.path else []
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
         shape_count=scene.colliding,
         pair_count=len(scene.contacts),
-        load=asked.load,
-        findings=[each for each in found if not is_ignored(each, scene.source, asked.ignore)],
-        creep=[] if refused else predictions(scene, asked.load),
+        load=request.load,
+        findings=[finding for finding in findings if not is_ignored(finding, scene.source, request.ignore)],
+        creep=[] if refused else predictions(scene, request.load),
         hold=hold,
         source=scene.source,
     )
 
 
+def _run_findings(scene: Scene, target: Target, runs: Sequence[Run], findings: Sequence[Finding]) -> list[Finding]:
+    """Return what runs show, without a depth that the law has predicted of the same shapes."""
+    predicted = [{finding.shape, *finding.against} for finding in findings if finding.rule == "depth"]
+    results = stepped(scene, target, runs)
+    return [item for item in results if item.rule != "depth" or not any(item.shape in shapes for shapes in predicted)]
+
+
+def _untouched(work: Work) -> Finding:
+    message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
+    return Finding("slides", work.body, "settle", work.settle_s, message, unit="s", severity="error")
+
+
+def _newton_findings(target: Target, request: Request, findings: Sequence[Finding]) -> list[Finding]:
+    """Return what rules besides those that MuJoCo's model broke find in the file as Newton reads it."""
+    rules = {finding.rule for finding in findings}
+    imported = replace(target, newton_model=newtons(target.name, READER, "imported", target.path))
+    report = newtons(target.name, NEWTONS, "report_of", imported, request)
+    return [finding for finding in report.findings if finding.rule not in rules]
+
+
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:
     engine = engine or Engine()
-    if target.model.opt.timestep > 10.0:
+    if target.model is None:
+        raise TargetError(f"{target.name}: is no model of MuJoCo's")
+    if target.model.opt.timestep > 10.0:  # mj_step takes any, and the number of steps would round to none
         raise TargetError(f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate")
-    return Scene(engine.asked(target.model), Source.of(target.path, target.model, target.texts), engine)
+    return Scene(engine.configured(target.model), Source.of(target.path, target.model, target.texts), engine)
 
 
 def as_json(report: Report) -> dict[str, Any]:
     """Return what ``--json`` prints; docs/lint.md is its schema."""
-    told = ("target", "newton", "dt_s", "shape_count", "pair_count")
     return {
         "schema": 2,
-        **{name: getattr(report, name) for name in told},
+        **{name: getattr(report, name) for name in ("target", "newton", "dt_s", "shape_count", "pair_count")},
         "findings": [_finding_json(finding) for finding in report.findings],
         "creep": [_creep_json(prediction, report.load) for prediction in report.creep],
         "hold": report.hold.as_json() if report.hold else None,
@@ -116,26 +125,26 @@ def as_json(report: Report) -> dict[str, Any]:
 
 def _finding_json(finding: Finding) -> dict[str, Any]:
     names = ("rule", "shape", "against", "parameter", "value", "used", "unit", "message", "severity")
-    changes = finding.advice.changes if finding.advice else ()
     return {
         **{name: getattr(finding, name) for name in names},
-        **_place(finding.element),
+        **_location(finding.element),
         "advice": str(finding.advice) if finding.advice else None,
-        "changes": [
-            {"subject": change.subject, "attributes": dict(change.attributes), **_place(change.element)}
-            for change in changes
-        ],
+        "changes": [_change_json(change) for change in finding.advice.changes] if finding.advice else [],
     }
 
 
-def _place(element: Element | None) -> dict[str, Any]:
+def _change_json(change: Change) -> dict[str, Any]:
+    return {"subject": change.subject, "attributes": dict(change.attributes), **_location(change.element)}
+
+
+def _location(element: Element | None) -> dict[str, Any]:
     return {"file": str(element.file) if element else None, "line": element.line if element else None}
 
 
 def _creep_json(prediction: Prediction, load: Load) -> dict[str, Any]:
-    own = vars(prediction) | {"pairs": [list(pair) for pair in prediction.pairs]}
-    own["load_deep_mm_s"], own["load_shallow_mm_s"] = prediction.load_mm_s
+    values = vars(load) | vars(prediction) | {"pairs": [list(pair) for pair in prediction.pairs]}
+    values["load_deep_mm_s"], values["load_shallow_mm_s"] = prediction.load_mm_s
     names = ("pairs", "timeconst_s", "dmax", "response_s", "acceleration_m_s2", "acceleration_mm_s", "load_n")
     more = ("load_deep_mm_s", "load_shallow_mm_s", "acceleration_s", "is_free")
-    told = {name: (own | vars(load))[name] for name in (*names, *more)}
-    return {"acceleration_response_s" if name == "acceleration_s" else name: each for name, each in told.items()}
+    renamed = {"acceleration_s": "acceleration_response_s"}  # beside acceleration_m_s2, which is the load's
+    return {renamed.get(name, name): values[name] for name in (*names, *more)}

@@ -1,27 +1,19 @@
 """The rules: what a scene says and MuJoCo does not do. A function each, over arrays of geoms and pairs."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 
 import mujoco
 import numpy as np
 
-from newton_lint.advice import (
-    FAR,
-    either,
-    for_contact,
-    for_geom,
-    in_order,
-    longer_solref,
-    of_higher_priority,
-    shorter_step,
-    softer_solref,
-    whole_solref,
-)
+from newton_lint import advice
+from newton_lint.advice import FAR
 from newton_lint.findings import Advice, Finding
-from newton_lint.grouping import Hits, findings_of
+from newton_lint.grouping import Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import engine, gap, lost, override, pyramid, unread
+from newton_lint.source import Element
 
 SAME = 1e-5
 """Relative difference up to which two parameters are the same."""
@@ -29,6 +21,8 @@ STIFF = 1.9
 """b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
 DEEP_M = 1e-3
 """Depth from which what lies is said to sink in."""
+Values = tuple[np.ndarray, np.ndarray | float]
+Advise = Callable[[int], Advice | None]
 DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
 SLIDING, SPINNING, ROLLING = 3, 4, 6
 """Least condim with which a contact resists to each."""
@@ -38,35 +32,30 @@ def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
     rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, depth, unused)
     names = scene.names
-    found = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, names)]
-    of_the_whole = (lost, pyramid, gap, unread, override, engine)
-    return found + [finding for rule in of_the_whole for finding in rule(scene)]
+    findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
+    scene_rules = (lost, pyramid, gap, unread, override, engine)
+    return findings + [finding for rule in scene_rules for finding in rule(scene)]
 
 
 def solref_format(scene: Scene) -> Iterator[Hits]:
     """Yield solrefs that are half timeconst and half damping."""
-    own = scene.model.geom_solref
-    shape = np.flatnonzero(scene.counts & ((own[:, 0] > 0.0) != (own[:, 1] > 0.0)))
+    solref, contacts = scene.model.geom_solref, scene.contacts
+    geoms = np.flatnonzero(scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0)))
     message = "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used"
-    yield Hits(
-        *("solref-format", "solref[1]", shape, None, own[shape, 1], DEFAULT_SOLREF[1], message),
-        severity="error",
-        element=lambda index: scene.source.authored(int(shape[index]), "solref"),
-        advise=lambda index: _whole(scene, int(shape[index])),
-    )
+    wording = Wording("solref-format", "solref[1]", message, severity="error")  # getsolparam, with a warning in the log
 
+    def advise(geom: int) -> Advice | None:
+        plain = (contacts.named < 0) & ((contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked)
+        return advice.whole_solref(scene, int(np.flatnonzero(plain)[0])) if plain.any() else None
 
-def _whole(scene: Scene, geom: int) -> Advice | None:
-    contacts = scene.contacts
-    plain = (contacts.named < 0) & ((contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked)
-    return whole_solref(scene, int(np.flatnonzero(plain)[0])) if plain.any() else None
+    yield _geom_hits(scene, wording, geoms, (solref[geoms, 1], DEFAULT_SOLREF[1]), "solref", advise)
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
     """Yield entries of solimp beyond 0 and 1, or in the wrong order."""
-    geoms = np.flatnonzero(scene.counts)
-    dmin, dmax, width, midpoint, power = scene.model.geom_solimp[geoms].T
-    faults = {
+    counted = np.flatnonzero(scene.counts)
+    dmin, dmax, width, midpoint, power = scene.model.geom_solimp[counted].T
+    faults = {  # with what getsolparam makes of each; the order alone it takes as it is
         "solimp[0]": ((dmin < 0.0) | (dmin > 1.0), dmin, np.clip(dmin, 0.0001, 0.9999), "is no share of 0 to 1"),
         "solimp[1]": ((dmax < 0.0) | (dmax > 1.0), dmax, np.clip(dmax, 0.0001, 0.9999), "is no share of 0 to 1"),
         "solimp[2]": (width < 0.0, width, np.maximum(width, 0.0), "is no width"),
@@ -75,12 +64,8 @@ def solimp(scene: Scene) -> Iterator[Hits]:
         "solimp": (dmin > dmax, dmin, dmax, "is larger than dmax: the deeper, the softer, and creep grows with load"),
     }
     for name, (wrong, values, used, message) in faults.items():
-        shape = geoms[wrong]
-        yield Hits(
-            *("solimp", name, shape, None, values[wrong], used[wrong], message),
-            element=lambda index, shape=shape: scene.source.authored(int(shape[index]), "solimp"),
-            advise=lambda index, shape=shape: in_order(scene, int(shape[index])),
-        )
+        wording, hits = Wording("solimp", name, message), (values[wrong], used[wrong])
+        yield _geom_hits(scene, wording, counted[wrong], hits, "solimp", partial(advice.in_order, scene))
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
@@ -88,22 +73,18 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     contacts, option = scene.contacts, scene.option
     if not option.refsafe:
         return
-    taken, ratio = contacts.solref.T
+    authored, ratio = contacts.solref.T
     with np.errstate(divide="ignore", invalid="ignore"):
-        limit = option.timestep_s / ratio if option.discrete else np.full(len(taken), 2.0 * option.timestep_s)
-        below = np.flatnonzero((taken > 0.0) & (ratio > 0.0) & (taken < limit * (1.0 - SAME)))
-    shape, other = _stiffer_first(scene, below)
-    said = "one step over the dampratio" if option.discrete else "two steps"
-    yield Hits(
-        *("timeconst", "timeconst", shape, other, taken[below], limit[below]),
-        f"is below {said}, which the engine clamps it to",
-        unit="s",
-        element=lambda index: _says(scene, int(below[index]), int(shape[index]), "solref"),
-        advise=lambda index: either(
-            longer_solref(scene, int(below[index]), float(limit[below[index]])),
-            shorter_step(scene, float(taken[below[index]])),
-        ),
-    )
+        limit = option.timestep_s / ratio if option.discrete else np.full(len(authored), 2.0 * option.timestep_s)
+        below = np.flatnonzero((authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME)))
+    least = "one step over the dampratio" if option.discrete else "two steps"
+    wording = Wording("timeconst", "timeconst", f"is below {least}, which the engine clamps it to", unit="s")
+
+    def advise(pair: int) -> Advice:
+        longer = advice.longer_solref(scene, pair, float(limit[pair]))
+        return advice.either(longer, advice.shorter_step(scene, float(authored[pair])))
+
+    yield _pair_hits(scene, wording, below, (authored[below], limit[below]), advise)
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:
@@ -111,89 +92,74 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     contacts, step = scene.contacts, scene.option.timestep_s
     dmax = np.clip(contacts.solimp[:, 1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
     first, second = contacts.solref.T
-    far = -second / dmax * step - 0.5 * first / dmax**2 * step**2
-    there = np.flatnonzero((first <= 0.0) & (second <= 0.0) & (far >= STIFF) & (not scene.option.discrete))
-    shape, other = _stiffer_first(scene, there)
+    gain = -second / dmax * step - 0.5 * first / dmax**2 * step**2
+    # The integrator discrete takes both terms implicitly, and bears any.
+    stiff = np.flatnonzero((first <= 0.0) & (second <= 0.0) & (gain >= STIFF) & (not scene.option.discrete))
     message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe leaves it alone"
-    yield Hits(
-        *("stiff", "solref[1]", shape, other, second[there], np.nan, message),
-        severity="error",
-        element=lambda index: _says(scene, int(there[index]), int(shape[index]), "solref"),
-        advise=lambda index: softer_solref(scene, int(there[index]), float(dmax[there[index]])),
-    )
+    wording = Wording("stiff", "solref[1]", message, severity="error")
+    softer = partial(advice.softer_solref, scene)
+    yield _pair_hits(scene, wording, stiff, (second[stiff], np.nan), lambda pair: softer(pair, float(dmax[pair])))
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
     """Yield a contact that yields as the square of its damping ratio, or, as may be meant, one that bounces."""
-    contacts = scene.contacts
-    first, second = contacts.solref.T
+    first, second = scene.contacts.solref.T
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
-    sound = (first > 0.0) == (second > 0.0)
+    sound = (first > 0.0) == (second > 0.0)  # a mixed one is replaced, which solref-format says
     message = "is far above 1: the contact yields by its square"
-    for far, severity, said in (
+    for is_far, severity, text in (
         (sound & (ratio > FAR) & np.isfinite(ratio), "warning", message),
         (sound & (ratio < 1.0 / FAR), "note", "is far below 1: the contact bounces"),
     ):
-        there = np.flatnonzero(far)
-        shape, other = _stiffer_first(scene, there)
-        yield Hits(
-            *("dampratio", "dampratio", shape, other, ratio[there], 1.0, said),
-            severity=severity,
-            element=lambda index, there=there, shape=shape: _says(
-                scene, int(there[index]), int(shape[index]), "solref"
-            ),
-            advise=lambda index, there=there: whole_solref(scene, int(there[index])),
-        )
+        wording, far = Wording("dampratio", "dampratio", text, severity=severity), np.flatnonzero(is_far)
+        yield _pair_hits(scene, wording, far, (ratio[far], 1.0), partial(advice.whole_solref, scene))
 
 
 def one_sided(scene: Scene) -> Iterator[Hits]:
     """Yield stiff geoms that meet only soft ones: solmix makes their contacts about half as soft."""
-    contacts, own = scene.contacts, scene.model.geom_solref[:, 0]
-    differ = ~np.isclose(own[contacts.first], own[contacts.second], rtol=SAME)
+    contacts, authored = scene.contacts, scene.model.geom_solref[:, 0]
+    differ = ~np.isclose(authored[contacts.first], authored[contacts.second], rtol=SAME)
+    # Direct solrefs are not mixed: the element-wise minimum counts.
     plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
-    stiffest = np.full(len(own), np.inf)
-    for side in (contacts.first, contacts.second):
-        np.minimum.at(stiffest, side[plain], contacts.solref[plain, 0])
-        stiffest[side[contacts.outranked]] = 0.0
-    alone = (own > 0.0) & (own * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
-    shape = np.flatnonzero(alone & (stiffest > np.maximum(2.0 * own, 4.0 * scene.option.timestep_s)))
+    stiffest = np.full(len(authored), np.inf)
+    for geoms in (contacts.first, contacts.second):
+        np.minimum.at(stiffest, geoms[plain], contacts.solref[plain, 0])
+        stiffest[geoms[contacts.outranked]] = 0.0  # a priority was given: it is meant so
+    is_stiff = (authored > 0.0) & (authored * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
+    softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
+    shape = np.flatnonzero(is_stiff & softer)
     message = "is stiff on this side only: the other geom's soft solref is mixed in, in every pair"
-    yield Hits(
-        *("one-sided", "solref", shape, None, own[shape], stiffest[shape], message),
-        unit="s",
-        element=lambda index: scene.source.authored(int(shape[index]), "solref"),
-        advise=lambda index: of_higher_priority(scene, int(shape[index]), stiffest[shape[index]]),
-    )
+    wording, values = Wording("one-sided", "solref", message, unit="s"), (authored[shape], stiffest[shape])
+    advise = partial(advice.of_higher_priority, scene)
+    yield _geom_hits(scene, wording, shape, values, "solref", lambda geom: advise(geom, stiffest[geom]))
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
     """Yield geoms whose low friction counts nowhere: the larger of two is taken."""
-    contacts, own = scene.contacts, scene.model.geom_friction[:, 0]
+    contacts, authored = scene.contacts, scene.model.geom_friction[:, 0]
     plain = (contacts.named < 0) & (contacts.condim > 1)
-    least = np.full(len(own), np.inf)
-    for side in (contacts.first, contacts.second):
-        np.minimum.at(least, side[plain], contacts.friction[plain, 0])
-    shape = np.flatnonzero((own * FAR <= least) & np.isfinite(least) & (own != DEFAULT_FRICTION[0]))
+    least = np.full(len(authored), np.inf)
+    for geoms in (contacts.first, contacts.second):
+        np.minimum.at(least, geoms[plain], contacts.friction[plain, 0])
+    # The compiled model does not tell a default from the same number that somebody wrote.
+    low = np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != DEFAULT_FRICTION[0]))
     rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
-    yield Hits(
-        *("friction", "friction", shape, None, own[shape], least[shape]),
-        "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority",
-        element=lambda index: scene.source.authored(int(shape[index]), "friction"),
-        advise=lambda index: for_geom(
-            scene, int(shape[index]), rank, "its friction alone counts, with its solref, solimp and condim"
-        ),
-    )
+    message = "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority"
+    gain = "its friction alone counts, with its solref, solimp and condim"
+    wording, values = Wording("friction", "friction", message), (authored[low], least[low])
+    advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
+    yield _geom_hits(scene, wording, low, values, "friction", advise)
 
 
 def depth(scene: Scene) -> Iterator[Hits]:
     """Yield bodies that their own weight presses far into what they lie on: by (1 - dmax) g (timeconst dampratio)²."""
     contacts, model, option = scene.contacts, scene.model, scene.option
-    own = np.where(scene.free[model.geom_bodyid[contacts.first]], contacts.first, contacts.second)
-    other, body = contacts.first + contacts.second - own, model.body_weldid[model.geom_bodyid[own]]
+    shape = np.where(scene.free[model.geom_bodyid[contacts.first]], contacts.first, contacts.second)
+    partner, body = contacts.first + contacts.second - shape, model.body_weldid[model.geom_bodyid[shape]]
     first, second = contacts.solref.T
-    lies = scene.free[body] & ~scene.free[model.geom_bodyid[other]] & (first * second > 0.0)
-    lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body])
+    lies = scene.free[body] & ~scene.free[model.geom_bodyid[partner]] & (first * second > 0.0)
+    lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body])  # links that it carries press too
     is_clamped = option.refsafe and not option.discrete
     timeconst = np.maximum(first, 2.0 * option.timestep_s) if is_clamped else first
     with np.errstate(divide="ignore"):
@@ -201,25 +167,22 @@ def depth(scene: Scene) -> Iterator[Hits]:
     soft = (1.0 - np.clip(contacts.solimp[:, 1], 0.0, 1.0)) * inverse_k
     mu, rows = contacts.friction[:, 0], np.maximum(contacts.condim - 1, 1)
     is_pyramid = (option.cone == "pyramidal") & (contacts.condim > 1)
+    # mj_makeImpedance: all edges have one R, 2 μ²/impratio times the first's, which matches the cone's friction.
     steep = np.where(is_pyramid, (1.0 + mu**2) * mu**2 / option.impratio / rows, 1.0)
-    deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / scene.point_counts[own]
-    there = np.flatnonzero(lies & (deep_m > DEEP_M))
+    deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / scene.point_counts[shape]
+    deep = np.flatnonzero(lies & (deep_m > DEEP_M))
 
     def shallower(pair: int) -> Advice:
         share = DEEP_M / deep_m[pair]
         less = max(timeconst[pair] * share**0.5, 2.0 * option.timestep_s)
-        new = f"{first[pair] / share:.4g} {second[pair] / share**0.5:.3g}" if first[pair] < 0.0 else ""
-        said = f"{M * deep_m[pair]:.3g} → {M * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
-        return for_contact(scene, pair, lambda solref: new or f"{less:.3g} {solref[1]:g}", said)
+        direct = f"{first[pair] / share:.4g} {second[pair] / share**0.5:.3g}" if first[pair] < 0.0 else ""
+        gain = f"{M * deep_m[pair]:.3g} → {M * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
+        return advice.for_contact(scene, pair, lambda solref: direct or f"{less:.3g} {solref[1]:g}", gain)
 
-    yield Hits(
-        *("depth", "depth", own[there], other[there], M * deep_m[there], np.nan),
-        "is how deep its weight presses it in, whatever its mass: stiffness grows with mass; solref and solimp decide",
-        unit="mm",
-        severity="note",
-        element=lambda index: _says(scene, int(there[index]), int(other[there[index]]), "solref"),
-        advise=lambda index: shallower(int(there[index])),
-    )
+    message = "is how deep its weight presses it in, whatever its mass: stiffness grows with mass; "
+    wording = Wording("depth", "depth", f"{message}solref and solimp decide", "mm", "note")
+    element = _solref_elements(scene, deep, partner[deep])
+    yield Hits(wording, shape[deep], M * deep_m[deep], np.nan, partner[deep], deep, element, shallower)
 
 
 def unused(scene: Scene) -> Iterator[Hits]:
@@ -228,32 +191,41 @@ def unused(scene: Scene) -> Iterator[Hits]:
     largest = np.zeros(model.ngeom, dtype=int)
     plain = contacts.named < 0
     np.maximum.at(largest, contacts.first[plain], contacts.condim[plain])
-    both = plain & ~contacts.outranked
-    np.maximum.at(largest, contacts.second[both], contacts.condim[both])
+    equal = plain & ~contacts.outranked
+    np.maximum.at(largest, contacts.second[equal], contacts.condim[equal])
     for column, least, kind in ((0, SLIDING, "sliding"), (1, SPINNING, "spinning"), (2, ROLLING, "rolling")):
         values = model.geom_friction[:, column]
         authored = ~np.isclose(values, DEFAULT_FRICTION[column], rtol=SAME) & (values != 0.0)
-        shape = np.flatnonzero((largest > 0) & (largest < least) & authored)
-        yield Hits(
-            *("unused", f"friction[{column}]", shape, None, values[shape], np.nan),
-            f"against {kind} has no rows in its contacts: their condim is below {least}",
-            severity="note",
-            element=lambda index, shape=shape: scene.source.authored(int(shape[index]), "friction"),
-            advise=lambda index, shape=shape, least=least, kind=kind: for_geom(
-                scene, int(shape[index]), {"condim": str(least)}, f"its contacts resist {kind}"
-            ),
-        )
+        geoms = np.flatnonzero((largest > 0) & (largest < least) & authored)
+        message = f"against {kind} has no rows in its contacts: their condim is below {least}"
+        wording = Wording("unused", f"friction[{column}]", message, severity="note")
+        advise = partial(advice.for_geom, scene, attributes={"condim": str(least)}, gain=f"its contacts resist {kind}")
+        yield _geom_hits(scene, wording, geoms, (values[geoms], np.nan), "friction", advise)
 
 
-def _stiffer_first(scene: Scene, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    contacts, own = scene.contacts, scene.model.geom_solref[:, 0]
+def _geom_hits(
+    scene: Scene, wording: Wording, geoms: np.ndarray, values: Values, attribute: str, advise: Advise
+) -> Hits:
+    """Return hits of geoms with values as authored and as used, at the tag that says an attribute."""
+    return Hits(wording, geoms, *values, None, geoms, partial(scene.source.authored, attribute=attribute), advise)
+
+
+def _pair_hits(scene: Scene, wording: Wording, pairs: np.ndarray, values: Values, advise: Advise) -> Hits:
+    """Return hits of pairs with values as authored and as used, at the tag with the solref of the stiffer geom."""
+    contacts, timeconst = scene.contacts, scene.model.geom_solref[:, 0]
     first, second = contacts.first[pairs], contacts.second[pairs]
-    swap = (own[second] < own[first]) & ~contacts.outranked[pairs]
-    return np.where(swap, second, first), np.where(swap, first, second)
+    swap = (timeconst[second] < timeconst[first]) & ~contacts.outranked[pairs]
+    shape, partner = np.where(swap, second, first), np.where(swap, first, second)
+    return Hits(wording, shape, *values, partner, pairs, _solref_elements(scene, pairs, shape), advise)
 
 
-def _says(scene: Scene, pair: int, geom: int, attribute: str):
-    contacts, model = scene.contacts, scene.model
-    if contacts.named[pair] >= 0:
-        return scene.source.pair(*(model.geom(int(each[pair])).name for each in (contacts.first, contacts.second)))
-    return scene.source.authored(geom, attribute)
+def _solref_elements(scene: Scene, pairs: np.ndarray, geoms: np.ndarray) -> Callable[[int], Element | None]:
+    contacts, geom_of = scene.contacts, dict(zip(pairs.tolist(), geoms.tolist(), strict=True))
+
+    def element(pair: int) -> Element | None:
+        if contacts.named[pair] < 0:
+            return scene.source.authored(geom_of[pair], "solref")
+        sides = (int(contacts.first[pair]), int(contacts.second[pair]))
+        return scene.source.pair(*(scene.model.geom(geom).name for geom in sides))
+
+    return element

@@ -34,12 +34,12 @@ class Engine:
     cone: str | None = None
     impratio: float | None = None
 
-    def asked(self, model: mujoco.MjModel) -> mujoco.MjModel:
-        """Return a model with what is asked for in place of what the scene says."""
+    def configured(self, model: mujoco.MjModel) -> mujoco.MjModel:
+        """Return a model with these options in place of the scene's."""
         cone = CONES.index(self.cone) if self.cone else None
         options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
-        asked = {name: value for name, value in options.items() if value is not None}
-        return changed(model, **asked) if asked else model
+        authored = {name: value for name, value in options.items() if value is not None}
+        return changed(model, **authored) if authored else model
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,7 @@ class Scene:
     @cached_property
     def option(self) -> Option:
         option = option_of(self.model)
+        # put_model of MuJoCo Warp before 3.17 refuses noslip_iterations, and the law is asked of the scene without.
         return replace(option, noslip=option.noslip and (self.engine.name == "mujoco" or has_noslip()))
 
     @cached_property
@@ -63,7 +64,7 @@ class Scene:
     def colliding(self) -> int:
         """Say how many geoms can collide."""
         model = self.model
-        named = np.zeros(model.ngeom, dtype=bool)
+        named = np.zeros(model.ngeom, dtype=bool)  # a <pair> makes contacts whatever the bits of its geoms are
         named[model.pair_geom1] = named[model.pair_geom2] = True
         return int(np.count_nonzero(model.geom_contype | model.geom_conaffinity | named))
 
@@ -83,17 +84,17 @@ class Scene:
     @cached_property
     def counts(self) -> np.ndarray:
         """Tell whether a geom's own parameters count in any pair."""
-        contacts, there = self.contacts, np.zeros(self.model.ngeom, dtype=bool)
-        plain = contacts.named < 0
-        there[contacts.first[plain]] = True
-        there[contacts.second[plain & ~contacts.outranked]] = True
-        return there
+        contacts, counting = self.contacts, np.zeros(self.model.ngeom, dtype=bool)
+        plain = contacts.named < 0  # mj_collide reads a <pair>'s own parameters, and none of its geoms
+        counting[contacts.first[plain]] = True
+        counting[contacts.second[plain & ~contacts.outranked]] = True
+        return counting
 
     @cached_property
     def point_counts(self) -> np.ndarray:
         """Say in how many points each geom touches a flat one."""
         types = self.model.geom_type
-        return np.select([types == SPHERE, types == CAPSULE], [1.0, 2.0], 4.0)
+        return np.select([types == SPHERE, types == CAPSULE], [1.0, 2.0], 4.0)  # mjc_PlaneBox stops at 4 corners
 
     @cached_property
     def free(self) -> np.ndarray:
@@ -101,4 +102,4 @@ class Scene:
         model = self.model
         loose = np.zeros(model.nbody, dtype=bool)
         loose[model.jnt_bodyid[model.jnt_type == FREE]] = True
-        return loose[model.body_weldid]
+        return loose[model.body_weldid]  # a body without joints moves as the one that it is welded to

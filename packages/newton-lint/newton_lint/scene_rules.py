@@ -22,23 +22,23 @@ WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 def lost(scene: Scene) -> Iterator[Finding]:
     """Yield bodies that move freely, and that gravity takes through all that there is to stop them."""
     model, contacts = scene.model, scene.contacts
-    weld = model.body_weldid[model.geom_bodyid]
+    weld = model.body_weldid[model.geom_bodyid]  # what is fixed together falls together
     collides = np.isin(np.arange(model.ngeom), read(model))
     met, loose = np.zeros(model.nbody, dtype=bool), np.zeros(model.nbody, dtype=bool)
     met[weld[contacts.first]] = met[weld[contacts.second]] = True
     loose[weld[collides & scene.free[model.geom_bodyid]]] = True
     falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & WEIGHTLESS
     stops = bool((collides & ~scene.free[model.geom_bodyid]).any())
-    off = bool(model.opt.disableflags & OFF)
+    off = bool(model.opt.disableflags & OFF)  # without constraints mj_collision finds none either
     why = 'contacts are disabled by <flag contact="disable"/>' if off else "no geom's bits meet those of its geoms"
     for body in np.flatnonzero(loose & ~met).tolist() if falls and stops else ():
-        index = int(np.flatnonzero(collides & (weld == body))[0])
-        value = float(model.geom_contype[index])
+        geom = int(np.flatnonzero(collides & (weld == body))[0])
+        value = float(model.geom_contype[geom])
         message = f"meets no geom of another body, and falls through all of them: {why}"
         bits = int(np.bitwise_or.reduce(model.geom_contype[weld != body], initial=0)) or 1
-        advice = None if off else for_geom(scene, index, {"contype": f"{bits}", "conaffinity": f"{bits}"}, "it is met")
-        element = scene.source.authored(index, "contype") or scene.source.geom(index)
-        yield Finding("lost", scene.bodies[body], (), "contype", value, None, "1", message, "warning", element, advice)
+        advice = None if off else for_geom(scene, geom, {"contype": f"{bits}", "conaffinity": f"{bits}"}, "it is met")
+        element = scene.source.authored(geom, "contype") or scene.source.geom(geom)
+        yield Finding("lost", scene.bodies[body], "contype", value, message, element=element, advice=advice)
 
 
 def pyramid(scene: Scene) -> Iterator[Finding]:
@@ -51,12 +51,12 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
     advice = elliptic(scene, steepest)
     if option.impratio > 1.0:
         message = "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart"
-        yield _whole(scene, "pyramid", "impratio", option.impratio, message, advice)
+        yield _scene_finding(scene, "pyramid", "impratio", option.impratio, message, advice)
     if steepest > 1.0:
-        softer = 0.5 * steepest**2 * (1.0 + steepest**2)
+        softer = 0.5 * steepest**2 * (1.0 + steepest**2)  # its R by mj_makeImpedance, of condim 3, over an ellipse's
         message = f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more"
         severity = "warning" if steepest > STEEP else "note"
-        yield _whole(scene, "pyramid", "friction", steepest, message, advice, severity)
+        yield _scene_finding(scene, "pyramid", "friction", steepest, message, advice, severity)
 
 
 def gap(scene: Scene) -> Iterator[Finding]:
@@ -66,19 +66,19 @@ def gap(scene: Scene) -> Iterator[Finding]:
         margin, wide = float(model.geom_margin[geom]), float(model.geom_gap[geom])
         old = f"presses from margin − gap, {margin - wide:.3g} m, on and lists contacts from margin on"
         new = f"presses from margin, {margin:.3g} m, on and lists contacts from margin + gap on"
-        now, other = (new, f"before 3.9 it {old}") if NEW_GAP else (old, f"from 3.9 on it {new}")
-        said = f'for what it was before 3.9 write margin="{margin - wide:.6g}"' if NEW_GAP else "see MuJoCo's changelog"
-        message = f"beside a margin of {margin:.3g} m: this release {now}; {other}"
-        told = ("gap", scene.names[geom], (), "gap", wide, None, "m", message, "note")
-        yield Finding(*told, scene.source.authored(int(geom), "gap"), Advice((), said))
+        now, then = (new, f"before 3.9 it {old}") if NEW_GAP else (old, f"from 3.9 on it {new}")
+        gain = f'for what it was before 3.9 write margin="{margin - wide:.6g}"' if NEW_GAP else "see MuJoCo's changelog"
+        message = f"beside a margin of {margin:.3g} m: this release {now}; {then}"
+        element, shape = scene.source.authored(int(geom), "gap"), scene.names[geom]
+        yield Finding("gap", shape, "gap", wide, message, (), None, "m", "note", element, Advice((), gain))
 
 
 def unread(scene: Scene) -> Iterator[Finding]:
     """Yield how many geoms are left out where all of them make too many pairs."""
-    left = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
-    if left:
+    count = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
+    if count:
         message = f"are not read: all make over {MOST_PAIRS:,} pairs, and the first of those alike stand for them"
-        yield _whole(scene, "unread", "geoms", float(left), message, severity="note")
+        yield _scene_finding(scene, "unread", "geoms", float(count), message, severity="note")
 
 
 def override(scene: Scene) -> Iterator[Finding]:
@@ -87,13 +87,14 @@ def override(scene: Scene) -> Iterator[Finding]:
     if opt.enableflags & OVERRIDE and len(scene.contacts):
         message = "is on: all contacts have the option's solref, solimp and friction, whatever their geoms say"
         advice = for_option(scene, {}, 'take <flag override="enable"/> away: geoms count again')
-        yield _whole(scene, "override", "o_solref", float(opt.o_solref[0]), message, advice)
-    said = scene.source.option("o_solimp") or scene.source.option("o_solref")
-    names = [name for name in said.attributes if name.startswith("o_")] if said else []
+        yield _scene_finding(scene, "override", "o_solref", float(opt.o_solref[0]), message, advice)
+    # Their values don't tell whether they were authored: a scene without them has the geoms' defaults there.
+    element = scene.source.option("o_solimp") or scene.source.option("o_solref")
+    names = [name for name in element.attributes if name.startswith("o_")] if element else []
     if names and not opt.enableflags & OVERRIDE:
         message = 'counts nowhere without <flag override="enable"/>, and with it for all contacts'
         advice = Advice((), "say it of the geoms whose contacts are meant")
-        yield _whole(scene, "override", names[0], float(getattr(opt, names[0])[0]), message, advice)
+        yield _scene_finding(scene, "override", names[0], float(getattr(opt, names[0])[0]), message, advice)
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
@@ -101,12 +102,15 @@ def engine(scene: Scene) -> Iterator[Finding]:
     if scene.engine.name != "warp":
         return
     if refused := refusal(scene.model):
-        yield _whole(scene, "engine", "put_model", 1.0, f"of MuJoCo Warp refuses it: {refused}", severity="error")
+        message = f"of MuJoCo Warp refuses it: {refused}"
+        yield _scene_finding(scene, "engine", "put_model", 1.0, message, severity="error")
     elif refused is None:
         message = "of MuJoCo Warp is not installed, and cannot be asked: pip install mujoco-warp"
-        yield _whole(scene, "engine", "put_model", 0.0, message)
+        yield _scene_finding(scene, "engine", "put_model", 0.0, message)
 
 
-def _whole(scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"):
+def _scene_finding(
+    scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"
+) -> Finding:
     element = scene.source.option(parameter)
-    return Finding(rule, "", (), parameter, value, None, "1", message, severity, element, advice)
+    return Finding(rule, "", parameter, value, message, severity=severity, element=element, advice=advice)

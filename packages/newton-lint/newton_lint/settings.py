@@ -21,8 +21,8 @@ COMMENT = re.compile(r"<!--\s*newton-lint:\s*ignore(?:=([\w,\s-]+?))?\s*-->")
 
 def table_of(folder: Path) -> dict[str, Any]:
     """Return the table of the nearest pyproject.toml from a folder upward; empty where there is none."""
-    for place in (folder, *folder.parents):
-        file = place / "pyproject.toml"
+    for parent in (folder, *folder.parents):
+        file = parent / "pyproject.toml"
         if file.is_file():
             try:
                 return tomllib.loads(file.read_text(encoding="utf-8")).get("tool", {}).get("newton-lint", {})
@@ -32,18 +32,17 @@ def table_of(folder: Path) -> dict[str, Any]:
 
 
 def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:
-    """Tell whether a finding's rule is ignored: everywhere, or by a comment before the first tag or at its line.
-
-    A comment that names no rule ignores all.
-    """
+    """Tell whether a finding's rule is ignored: everywhere, or by a comment before the first tag or at its line."""
     if finding.rule in rules:
         return True
     if source.root is None:
         return False
     element = finding.element
     for file in {source.root.file, *([element.file] if element else [])}:
+        # A comment before the root's tag counts for all of the file; an included file may have no root of its own.
         first = source.root.line if file == source.root.file else 1
         for line, named in _comments(file):
+            # XML takes no comment within a tag: it stands behind it, or on the line before.
             near = element is not None and element.file == file and element.line in (line, line + 1)
             if (near or line < first or (line == first == 1)) and (not named or finding.rule in named):
                 return True
@@ -53,10 +52,7 @@ def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool
 @functools.cache
 def _comments(file: Path) -> list[tuple[int, set[str]]]:
     text = file.read_text(encoding="utf-8", errors="replace")
-    if "newton-lint" not in text:
-        return []
-    found = []
-    for match in COMMENT.finditer(text):
-        rules = {rule.strip() for rule in (match[1] or "").split(",") if rule.strip()}
-        found.append((text.count("\n", 0, match.start()) + 1, rules))
-    return found
+    return [
+        (text.count("\n", 0, match.start()) + 1, {rule.strip() for rule in (match[1] or "").split(",")} - {""})
+        for match in COMMENT.finditer(text)
+    ]

@@ -1,7 +1,7 @@
 """A body that is held: what its contacts bear in a settled state, and how fast it creeps by the law."""
 
 import math
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -28,6 +28,9 @@ STIFFER = 1e4
 """How many times stiffer than friction a normal force is taken to be: in its direction nothing creeps."""
 RUNAWAY, LEAST_M_S = 3.0, 0.05
 """What moves faster than so many times the creep, and than this [m/s], is not held."""
+Points = Sequence[tuple[Response, float]]
+FORCES = ("normal_n", "tangential_n")
+"""Readings that are 0 where a point is not there."""
 
 
 @dataclass(frozen=True)
@@ -42,14 +45,9 @@ class Work:
 
 
 @dataclass(frozen=True)
-class Touch:
-    """A contact point and what it bears, means over the end of the settling."""
+class Reading:
+    """What a contact point of a held body bears, and how."""
 
-    geoms: tuple[int, int]
-    support: int
-    """The body that touches the held one."""
-    share: float
-    """Of the steps in which it was there."""
     normal_n: float
     tangential_n: np.ndarray
     """Force of friction on the held body, in the world's axes."""
@@ -61,6 +59,17 @@ class Touch:
     """The diagonal of A that the engine gives it."""
     softer: float
     """Times that R is larger along its friction than along the first axis: a ``<pair>`` has a μ for each."""
+
+
+@dataclass(frozen=True)
+class Touch(Reading):
+    """A contact point, with means of its readings over the end of the settling."""
+
+    geoms: tuple[int, int]
+    support: int
+    """The body that touches the held one."""
+    share: float
+    """Of the steps that have the point."""
 
 
 @dataclass(frozen=True)
@@ -98,31 +107,24 @@ class Hold:
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
             message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
-            told = ("unsettled", self.name, touching, "speed", self.moves_mm_s, self.mm_s, "mm/s", message, "note")
-            yield Finding(*told)
+            moves, creep = self.moves_mm_s, self.mm_s
+            yield Finding("unsettled", self.name, "speed", moves, message, touching, creep, "mm/s", "note")
         elif self.slides:
             message = "slides: what it has to bear is beyond the cone of friction"
-            yield Finding("slides", self.name, touching, "load", self.load_n, None, "N", message, "error")
+            yield Finding("slides", self.name, "load", self.load_n, message, touching, None, "N", "error")
         elif self.mm_s > below_mm_s:
-            told = ("creep", self.name, touching, "creep", self.mm_s, below_mm_s, "mm/s", "creeps faster than it may")
-            prescription = f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"
-            yield Finding(*told, advice=Advice((), prescription))
+            advice = Advice((), f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings")
+            creep, message = self.mm_s, "creeps faster than it may"
+            yield Finding("creep", self.name, "creep", creep, message, touching, below_mm_s, "mm/s", advice=advice)
 
     def as_json(self) -> dict[str, Any]:
-        told = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
-        return {
-            "body": self.name,
-            **{name: getattr(self, name) for name in told},
-            "mm_s": None if self.slides else self.mm_s,
-        }
+        names = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
+        values = {name: getattr(self, name) for name in names}
+        return {"body": self.name, **values, "mm_s": None if self.slides else self.mm_s}  # JSON has no infinity
 
 
-def held(scene: Scene, target: Target, work: Work) -> Hold | None:
-    """Let the scene settle and predict what its body creeps; None where nothing ever touches it.
-
-    Raises:
-        TargetError: There is no such body.
-    """
+def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
+    """Let the scene settle and predict what its body creeps, None if nothing touches it; TargetError without a body."""
     if work.body not in scene.bodies[1:]:
         raise TargetError(f"{target.name}: has no body {work.body}; it has {', '.join(scene.bodies[1:][:12])}")
     body = scene.bodies.index(work.body)
@@ -136,13 +138,13 @@ def held(scene: Scene, target: Target, work: Work) -> Hold | None:
     return None
 
 
-def started(model: mujoco.MjModel, given: mujoco.MjData | None = None) -> mujoco.MjData:
-    """Return the state in which a scene starts: a copy of the given one, or its first keyframe, or the model's own."""
+def started(model: mujoco.MjModel, state: mujoco.MjData | None = None) -> mujoco.MjData:
+    """Return the state in which a scene starts: a copy of one, or its first keyframe, or the model's own."""
     data = mujoco.MjData(model)
-    if given is not None:
-        data.time = given.time
+    if state is not None:
+        data.time = state.time  # mj_copyData asks for data of the same model, and this one may have other options
         for name in ("qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart"):
-            getattr(data, name)[:] = getattr(given, name)
+            getattr(data, name)[:] = getattr(state, name)
     elif model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
     return data
@@ -156,62 +158,59 @@ def settled(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> mujoco
 
 def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) -> list[Touch]:
     """Step on, and return means of each point in which a body, or what is fixed to it, is touched."""
-    model, sums = scene.model, {}
-    own = model.body_weldid == model.body_weldid[body]
+    model, body_of = scene.model, scene.model.geom_bodyid
+    is_held = model.body_weldid == model.body_weldid[body]
+    readings: defaultdict[tuple[tuple[int, int], int], list[Reading]] = defaultdict(list)
     for _ in range(step_count):
         mujoco.mj_step(model, data)
-        seen: Counter[tuple[int, int]] = Counter()
+        counts: Counter[tuple[int, int]] = Counter()
         geoms = data.contact.geom
-        mine = (geoms >= 0) & own[model.geom_bodyid[geoms]]
-        for index in np.flatnonzero(mine[:, 0] != mine[:, 1]).tolist():
-            if (told := _told(scene, data, index)) is not None:
-                told[1:4] *= 1.0 if mine[index, 1] else -1.0
-                one, other = geoms[index].tolist()
-                pair = (min(one, other), max(one, other))
-                count, total = sums.get((pair, seen[pair]), (0, np.zeros(len(told))))
-                sums[pair, seen[pair]] = count + 1, total + told
-                seen[pair] += 1
-    return [
-        Touch(
-            *(pair, next(int(each) for each in model.geom_bodyid[list(pair)] if not own[each])),
-            *(count / step_count, float(total[0]) / step_count, total[1:4] / step_count),
-            *(total[4:7] / count, total[7:10] / count, *(float(each) / count for each in total[10:])),
-        )
-        for (pair, _), (count, total) in sums.items()
-    ]
+        on_body = (geoms >= 0) & is_held[body_of[geoms]]  # -1 is the side of a flex
+        for index in np.flatnonzero(on_body[:, 0] != on_body[:, 1]).tolist():
+            # mj_contactForce is what acts on the second geom.
+            if reading := _reading(scene, data, index, 1.0 if on_body[index, 1] else -1.0):
+                geom1, geom2 = sorted(geoms[index].tolist())
+                readings[(geom1, geom2), counts[geom1, geom2]].append(reading)
+                counts[geom1, geom2] += 1
+    touches = []
+    for (pair, _), series in readings.items():
+        sums = {name: sum(getattr(reading, name) for reading in series) for name in vars(series[0])}
+        # A point that is there in half of the steps bears half of its force; where and how it acts is of those alone.
+        means = {name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()}
+        support = next(int(side) for side in body_of[list(pair)] if not is_held[side])
+        touches.append(Touch(geoms=pair, support=support, share=len(series) / step_count, **means))
+    return touches
 
 
-def _told(scene: Scene, data: mujoco.MjData, index: int) -> np.ndarray | None:
-    """Return normal force, friction on the second geom, normal, position, cone use, weight, softness of a contact."""
+def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> Reading | None:
+    """Return what a contact bears, with the friction times a sign; None where it presses nothing."""
     model, contact, force = scene.model, data.contact[index], np.zeros(6)
-    if contact.efc_address < 0:
+    if contact.efc_address < 0:  # within the gap, or without a dof: it is listed, and has no rows
         return None
     mujoco.mj_contactForce(model, data, index, force)
     if force[0] <= 0.0:
         return None
-    frame = contact.frame.reshape(3, 3)
+    frame = contact.frame.reshape(3, 3)  # its rows: normal, then both tangents
     shares = np.abs(force[1:3]) / contact.friction[:2]
     is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
     used = float(shares.sum() if is_pyramid else np.hypot(*shares)) / force[0]
     stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
-    weight = data.efc_R[contact.efc_address] * d / (1.0 - d)
+    weight = data.efc_R[contact.efc_address] * d / (1.0 - d)  # mj_makeImpedance: R = (1 - d) / d · weight
     if scene.option.discrete:
         h = model.opt.timestep
         weight *= 1.0 + damping * h + stiffness * d * h * h
     if is_pyramid and contact.dim > 1:
         mu = contact.friction[0]
-        weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))
-    one, other = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
-    softer = one + other * (contact.friction[0] / contact.friction[1]) ** 2 if one + other else 1.0
-    return np.concatenate([force[:1], force[1:3] @ frame[1:], frame[0], contact.pos, [used, weight, softer]])
+        weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))  # so much of R and of the weight has an edge
+    along1, along2 = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
+    # mj_makeImpedance: R μ² is the same along both tangents.
+    softer = along1 + along2 * (contact.friction[0] / contact.friction[1]) ** 2 if along1 + along2 else 1.0
+    tangential = sign * (force[1:3] @ frame[1:])
+    return Reading(force[0], tangential, frame[0].copy(), contact.pos.copy(), used, weight, softer)
 
 
 def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: mujoco.MjData) -> Hold:
-    """Return the creep of a held body by the law, under the settings of a scene, and with what else moves it.
-
-    Args:
-        data: A state in which the body is touched so.
-    """
+    """Return the creep by the law of a body that is held as in ``data``, with a scene's settings and more loads."""
     model, option = scene.model, scene.option
     mass = float(model.body_subtreemass[body])
     gravity = model.opt.gravity
@@ -239,7 +238,7 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
     creep = np.zeros(3)
     if all(response.load_m_s_n for response, _ in points) and slide < 1.0 and total:
         linear = total / sum(1.0 / response.load_m_s_n for response, _ in points)
-        creep = _slide(model, data, body, touches, points, more) * (slide / linear)
+        creep = _slide(model, data, touches, points, body, more) * (slide / linear)
     rate = float(np.linalg.norm(turning + creep))
     speed = _speed(model, data, body, touches[0].support)
     if grip > AT_THE_EDGE or slide >= 1.0 or speed > RUNAWAY * (rate + LEAST_M_S):
@@ -249,43 +248,34 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
 
 
 def _slide(
-    model: mujoco.MjModel,
-    data: mujoco.MjData,
-    body: int,
-    touches: Sequence[Touch],
-    points: Sequence[tuple[Response, float]],
-    more_n: np.ndarray,
+    model: mujoco.MjModel, data: mujoco.MjData, touches: Sequence[Touch], points: Points, body: int, more_n: np.ndarray
 ) -> np.ndarray:
-    """Say how a body moves as one where each point gives way to its friction and none to its normal force [m/s].
-
-    The friction of the points, and what acts on the centre of mass besides, are borne by a motion of the joints that
-    the body has alone.
-    """
+    """Return a body's velocity [m/s] where its points give way to friction alone, by joints that move nothing else."""
     support = np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, support, None, data.xpos[body], touches[0].support)
-    own, jacobian = ~support.any(axis=0), np.zeros((3, model.nv))
+    alone, jacobian = ~support.any(axis=0), np.zeros((3, model.nv))  # dofs that do not move what touches it
     mujoco.mj_jac(model, data, jacobian, None, data.subtree_com[body], body)
-    centre = jacobian[:, own].copy()
-    bears, acts = np.zeros((own.sum(), own.sum())), centre.T @ more_n
+    centre = jacobian[:, alone].copy()
+    bears, acts = np.zeros((alone.sum(), alone.sum())), centre.T @ more_n
     hard = STIFFER / min(response.load_m_s_n for response, _ in points)
     for touch, (response, _) in zip(touches, points, strict=True):
         mujoco.mj_jac(model, data, jacobian, None, touch.position, body)
         along = np.eye(3) - np.outer(touch.normal, touch.normal)
         stiffness = along / response.load_m_s_n + hard * np.outer(touch.normal, touch.normal)
-        bears += jacobian[:, own].T @ stiffness @ jacobian[:, own]
-        acts -= jacobian[:, own].T @ touch.tangential_n
-    return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]
+        bears += jacobian[:, alone].T @ stiffness @ jacobian[:, alone]
+        acts -= jacobian[:, alone].T @ touch.tangential_n
+    return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]  # two points let it turn about the line between them
 
 
 def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) -> float:
-    own, other = np.zeros(6), np.zeros(6)
-    for each, into in ((body, own), (support, other)):
-        mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), each, into, 0)
-    carried = other[3:] + np.cross(other[:3], data.xpos[body] - data.xpos[support])
-    return float(np.linalg.norm(own[3:] - carried))
+    motion, carrier = np.zeros(6), np.zeros(6)
+    for moving, into in ((body, motion), (support, carrier)):  # rotation first, then translation
+        mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0)
+    carried = carrier[3:] + np.cross(carrier[:3], data.xpos[body] - data.xpos[support])
+    return float(np.linalg.norm(motion[3:] - carried))
 
 
 def pair_indices(scene: Scene) -> dict[tuple[int, int], int]:
     contacts = scene.contacts
     pairs = np.sort(np.stack([contacts.first, contacts.second], axis=1), axis=1)
-    return {(int(one), int(other)): index for index, (one, other) in enumerate(pairs)}
+    return {(int(geom1), int(geom2)): index for index, (geom1, geom2) in enumerate(pairs)}

@@ -35,7 +35,7 @@ class Element:
         return (child for child in self.children if child.tag == tag)
 
     @property
-    def place(self) -> str:
+    def location(self) -> str:
         return f"{self.file.name}:{self.line}"
 
 
@@ -44,35 +44,31 @@ Texts = Mapping[Path, bytes]
 
 
 def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> Element:
-    """Return a file's first element, those of the files that it includes in place of their tags.
-
-    Raises:
-        OSError: There is no such file.
-        expat.ExpatError: It is no XML.
-    """
+    """Return a file's first element, included ones in place of their tags; raises OSError and expat.ExpatError."""
     root, texts = root or path.parent, texts or {}
     parser = expat.ParserCreate()
     open_elements: list[Element] = []
-    found: list[Element] = []
+    roots: list[Element] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         element = Element(tag, attributes, path, parser.CurrentLineNumber, parser.CurrentByteIndex)
+        # As IncludeXML of MuJoCo's xml.cc: the children of its root stand where the tag stood.
         if tag == "include" and open_elements and "file" in attributes:
             open_elements[-1].children.extend(_included(attributes["file"], path, root, texts))
         elif open_elements:
             open_elements[-1].children.append(element)
         else:
-            found.append(element)
+            roots.append(element)
         open_elements.append(element)
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda _: open_elements.pop()
     parser.Parse(texts[path] if path in texts else path.read_bytes(), True)
-    return found[0]
+    return roots[0]
 
 
 def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
-    for folder in (root, path.parent):
+    for folder in (root, path.parent):  # MuJoCo's order: beside the first file, then beside the one that includes
         file = Path(os.path.normpath(folder / name))
         if file.is_file():
             return parse(file, root, texts).children
@@ -80,10 +76,7 @@ def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
 
 
 class Source:
-    """The elements of a scene's file, and which geom of the compiled model stands where.
-
-    A scene that no file describes, or one with elements that make geoms of their own, has those alone that names tell.
-    """
+    """The elements of a scene's file, and which geom of the model stands where: if none fits, those that names tell."""
 
     def __init__(self, root: Element | None, model: mujoco.MjModel):
         self.root = root
@@ -111,25 +104,26 @@ class Source:
         in_order = [geom for geoms in bodies for geom in geoms]
         names = [model.geom(index).name for index in range(model.ngeom)]
         if list(map(len, bodies)) == model.body_geomnum.tolist():
-            said = [element.attributes.get("name", "") for element, _ in in_order]
-            if all(map(str.startswith, names, said)):
+            authored = [element.attributes.get("name", "") for element, _ in in_order]
+            if all(map(str.startswith, names, authored)):  # replicate appends to each name
                 return dict(enumerate(in_order))
-        named = {each[0].attributes["name"]: each for each in in_order if "name" in each[0].attributes}
+        named = {geom[0].attributes["name"]: geom for geom in in_order if "name" in geom[0].attributes}
         return {index: named[name] for index, name in enumerate(names) if name in named}
 
     @cached_property
     def _defaults(self) -> dict[str, list[Element]]:
-        found: dict[str, list[Element]] = {}
+        defaults: dict[str, list[Element]] = {}
 
         def visit(element: Element, outer: list[Element], name: str) -> None:
             chain = [element, *outer]
-            found[name] = chain + [each for each in found.get(name, []) if each not in chain]
+            # A class may stand in several <default>, as where two files are included: the last says more.
+            defaults[name] = chain + [default for default in defaults.get(name, []) if default not in chain]
             for child in element.sections("default"):
                 visit(child, chain, child.attributes.get("class", name))
 
         for element in self.root.sections("default") if self.root else ():
             visit(element, [], element.attributes.get("class", "main"))
-        return found
+        return defaults
 
     def authored(self, geom: int, attribute: str) -> Element | None:
         """Return the element that says a geom's attribute, its own or a default's; None where none does."""
@@ -138,7 +132,7 @@ class Source:
         element, name = self.geoms[geom]
         if attribute in element.attributes:
             return element
-        main = next(iter(self._defaults.values()), [])  # the first of all
+        main = next(iter(self._defaults.values()), [])  # MJCF's first class counts for all, whatever its name
         for default in self._defaults.get(name, main) if name else main:
             for child in default.sections("geom"):
                 if attribute in child.attributes:
@@ -152,8 +146,8 @@ class Source:
     def option(self, attribute: str = "") -> Element | None:
         """Return the ``<option>`` that says an attribute; any where none does, and None where there is none."""
         options = list(self.root.sections("option")) if self.root and self.root.tag == "mujoco" else []
-        said = [element for element in options if attribute in element.attributes]
-        return (said or options or [None])[-1]
+        authoring = [element for element in options if attribute in element.attributes] or options
+        return authoring[-1] if authoring else None  # of several MuJoCo's reader lets the last count
 
     def pair(self, *names: str) -> Element | None:
         """Return the ``<pair>`` of two geoms, by their names."""

@@ -4,6 +4,7 @@ import contextlib
 import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -15,7 +16,7 @@ from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.rules import DEEP_M
 from newton_lint.scene import Scene, changed
 from newton_lint.scene_rules import WEIGHTLESS
-from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run, starts
+from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of, starts
 from newton_lint.target import Target
 
 THROWN_M_S = 0.5
@@ -47,114 +48,112 @@ Way = tuple[dict[str, float], dict[str, str]]
 
 def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
     """Return what the runs show: what blows up, is thrown, overlaps, is pressed too hard or is not solved."""
-    found: dict[tuple, Finding] = {}
+    findings: dict[tuple, Finding] = {}
     if not runs:
         message = f"move, and more than {MOST_DOFS} are not stepped"
-        return [Finding("unstepped", "", (), "nv", float(scene.model.nv), None, "1", message, "note")]
+        return [Finding("unstepped", "", "nv", float(scene.model.nv), message, severity="note")]
     rules = (_unstable, _tunnels, _overlapping, _sunk, _sagging, _open)
-    for (index, each), rule in itertools.product(enumerate(runs), rules):
-        for finding in rule(scene, target, each, index):
-            found.setdefault((finding.rule, finding.shape, finding.against), finding)
-    return [*found.values(), *_hulls(scene, target, runs[0])]
+    for (index, run), rule in itertools.product(enumerate(runs), rules):
+        for finding in rule(scene, target, run, index):
+            findings.setdefault((finding.rule, finding.shape, finding.against), finding)
+    return [*findings.values(), *_hulls(scene, target, runs[0])]
 
 
 def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> Run:
     name, data = list(starts(model, target))[index]
-    return run(model, data, name, time_s)
+    return run_of(model, data, name, time_s)
 
 
-def _unstable(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     model, opt = scene.model, scene.model.opt
     half = 0.5 * opt.timestep
     more = {"iterations": max(3, 10 * opt.iterations)}
-    ways: list[Way] = [(more, {"iterations": str(more["iterations"])})] if seen.at_limit > LIMITED else []
+    ways: list[Way] = [(more, {"iterations": str(more["iterations"])})] if run.at_limit > LIMITED else []
+    # Euler integrates what depends on velocity explicitly, but for the damping of joints.
     ways += [({"integrator": IMPLICITFAST}, {"integrator": "implicitfast"})] if opt.integrator == EULER else []
     ways += [({"timestep": half}, {"timestep": f"{half:g}"}), ({"timestep": 0.25 * opt.timestep}, {})]
-    fast = float(seen.thrown_m_s.max(initial=0.0))
+    fast = float(run.thrown_m_s.max(initial=0.0))
 
     def mended(good: Callable[[Run], bool]) -> Advice | None:
-        for options, said in ways:
-            if good(_again(target, changed(model, **options), index, seen.time_s)):
-                gain = "measured: that calms it" if said else "a quarter of the time step does: contacts are too stiff"
-                return for_option(scene, said, gain)
+        for options, authored in ways:
+            if good(_again(target, changed(model, **options), index, run.time_s)):
+                stiff = "a quarter of the time step does: contacts are too stiff"
+                return for_option(scene, authored, "measured: that calms it" if authored else stiff)
         return None
 
-    if seen.bad:
+    if run.bad:
         advice = mended(lambda after: not after.bad)
-        message = f"is the engine's warning after {seen.time_s:.3g} s from {seen.start}: the simulation blows up"
+        message = f"is the engine's warning after {run.time_s:.3g} s from {run.start}: the simulation blows up"
         element = advice.changes[0].element if advice and advice.changes else None
-        yield Finding("unstable", "", (), seen.bad, 1.0, None, "1", message, "error", element, advice)
+        yield Finding("unstable", "", run.bad, 1.0, message, severity="error", element=element, advice=advice)
     elif fast > THROWN_M_S and (advice := mended(lambda after: after.thrown_m_s.max() < CALMER * fast)):
-        body = scene.bodies[model.jnt_bodyid[free_joints(model)[int(seen.thrown_m_s.argmax())]]]
-        message = f"is what contacts throw it off with from {seen.start}, and nothing else drives it"
-        yield Finding("thrown", body, (), "speed", fast, None, "m/s", message, "error", None, advice)
-    elif seen.at_limit > LIMITED and opt.iterations:
-        after = _again(target, changed(model, **more), index, seen.time_s)
-        calmer = float(np.max(seen.speeds_m_s - after.speeds_m_s, initial=0.0))
-        if seen.deepest_m - after.deepest_m > DIFFERS_M or calmer > 100.0 * DIFFERS_M:
-            message = f"are used up in {seen.at_limit:.0%} of the steps from {seen.start}, and contacts are not solved"
-            gain = f"deepest contact {M * seen.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
+        body = scene.bodies[model.jnt_bodyid[free_joints(model)[int(run.thrown_m_s.argmax())]]]
+        message = f"is what contacts throw it off with from {run.start}, and nothing else drives it"
+        yield Finding("thrown", body, "speed", fast, message, unit="m/s", severity="error", advice=advice)
+    elif run.at_limit > LIMITED and opt.iterations:
+        after = _again(target, changed(model, **more), index, run.time_s)
+        calmer = float(np.max(run.speeds_m_s - after.speeds_m_s, initial=0.0))
+        if run.deepest_m - after.deepest_m > DIFFERS_M or calmer > 100.0 * DIFFERS_M:
+            message = f"are used up in {run.at_limit:.0%} of the steps from {run.start}, and contacts are not solved"
+            gain = f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
             advice = for_option(scene, ways[0][1], gain)
-            element = scene.source.option("iterations")
-            yield Finding(
-                *("solver", "", (), "iterations", float(opt.iterations), None, "1", message, "warning", element, advice)
-            )
+            element, value = scene.source.option("iterations"), float(opt.iterations)
+            yield Finding("solver", "", "iterations", value, message, element=element, advice=advice)
 
 
-def _overlapping(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     """Yield bodies that overlap at the start: as a warning where they are still jammed or thrown apart by it."""
-    model, body = scene.model, scene.model.geom_bodyid
-    touching = np.sort(body[seen.data.contact.geom], axis=1)
-    forces = contact_forces(model, seen.data, range(len(touching)))[:, 0] * (0.0 if seen.bad else 1.0)
-    fast = dict(zip(model.jnt_bodyid[free_joints(model)].tolist(), seen.thrown_m_s.tolist(), strict=True))
+    model, body_of = scene.model, scene.model.geom_bodyid
+    touching = np.sort(body_of[run.data.contact.geom], axis=1)
+    forces = contact_forces(model, run.data, range(len(touching)))[:, 0] * (0.0 if run.bad else 1.0)
+    fast = dict(zip(model.jnt_bodyid[free_joints(model)].tolist(), run.thrown_m_s.tolist(), strict=True))
     weight = float(model.body_mass.sum() * np.linalg.norm(model.opt.gravity))
     worst: dict[tuple[int, int], tuple[float, tuple[int, int]]] = {}
-    for pair, depth in seen.first.items():
+    for pair, depth in run.first.items():
         sizes = [model.geom_rbound[geom] for geom in pair if model.geom_rbound[geom] > 0.0]
         if depth > max(OVERLAP_M, OVERLAP_SHARE * min(sizes, default=0.0)):
-            bodies = min(body[list(pair)]), max(body[list(pair)])
+            bodies = min(body_of[list(pair)]), max(body_of[list(pair)])
             worst[bodies] = max(worst.get(bodies, (0.0, pair)), (depth, pair))
     for bodies, (depth, pair) in worst.items():
         force = float(forces[(touching == bodies).all(axis=1)].sum())
         jammed = weight > 0.0 and force > FORCE * weight
-        thrown = max(fast.get(int(model.body_weldid[each]), 0.0) for each in bodies)
-        hard = jammed or bool(seen.bad) or thrown > THROWN_M_S
+        thrown = max(fast.get(int(model.body_weldid[body]), 0.0) for body in bodies)
+        hard = jammed or bool(run.bad) or thrown > THROWN_M_S
         one_tree = model.body_rootid[bodies[0]] == model.body_rootid[bodies[1]] or not any(scene.free[list(bodies)])
-        names = [scene.bodies[each] for each in bodies]
+        names = [scene.bodies[body] for body in bodies]
         margin = " with their margin" if model.geom_margin[list(pair)].any() or model.pair_margin.any() else ""
-        message = f"is how deep they overlap{margin} at {seen.start}"
+        message = f"is how deep they overlap{margin} at {run.start}"
         if jammed:
             message += f": {force:.3g} N press them apart, {force / weight:.3g} times the weight of all that moves"
         elif thrown > THROWN_M_S:
             message += f": it throws them apart at {thrown:.2g} m/s"
-        own = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
-        exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), own)
+        gain = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
+        exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), gain)
         advice = exclude if one_tree else Advice((), f"{margin and 'lower it or '}move one by {M * depth:.3g} mm")
-        is_note = not hard or (model.nkey and seen.start == "the start")
-        geoms = [scene.names[geom] for geom in pair]
-        yield Finding(
-            *("overlap", geoms[0], (geoms[1],), "overlap", M * depth, None, "mm", message),
-            severity="note" if is_note else "warning",
-            element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
-            advice=advice,
-        )
+        # Robots come with a keyframe to start from: qpos0 of their links may overlap.
+        severity = "note" if not hard or (model.nkey and run.start == "the start") else "warning"
+        shape, partner = (scene.names[geom] for geom in pair)
+        element, against = scene.source.geom(pair[1]) or scene.source.geom(pair[0]), (partner,)
+        yield Finding("overlap", shape, "overlap", M * depth, message, against, None, "mm", severity, element, advice)
 
 
-def _sunk(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+def _sunk(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     """Yield what lies and is pressed in by a share of its thickness, as what bears far more than its own weight is."""
-    model, data, sizes = scene.model, seen.data, _thin(scene.model)
+    model, data, sizes = scene.model, run.data, _thin(scene.model)
     speeds = np.linalg.norm(data.cvel[:, 3:], axis=1)
-    for index, (pair, distance) in enumerate(zip(data.contact.geom.tolist(), data.contact.dist.tolist(), strict=True)):
-        moves = 0.5 * seen.time_s * max(speeds[model.geom_bodyid[pair]])
-        rests = not seen.bad and min(pair) >= 0 and moves < -distance
-        thin, other = sorted(pair, key=lambda geom: sizes[geom])
-        if rests and -distance > SUNK * sizes[thin] and -distance > 2.0 * seen.first.get(tuple(pair), 0.0):
-            newtons, after = float(contact_forces(model, data, [index])[0, 0]), f"{seen.time_s:.2g} s from {seen.start}"
+    distances = data.contact.dist.tolist()
+    for contact, (pair, distance) in enumerate(zip(data.contact.geom.tolist(), distances, strict=True)):
+        moves = 0.5 * run.time_s * max(speeds[model.geom_bodyid[pair]])
+        rests = not run.bad and min(pair) >= 0 and moves < -distance
+        thin, partner = sorted(pair, key=lambda geom: sizes[geom])
+        if rests and -distance > SUNK * sizes[thin] and -distance > 2.0 * run.first.get(tuple(pair), 0.0):
+            newtons, after = float(contact_forces(model, data, [contact])[0, 0]), f"{run.time_s:.2g} s from {run.start}"
             message = f"is how deep {newtons:.3g} N on a point press it in after {after}: a contact is only as stiff "
-            told = ("depth", scene.names[thin], (scene.names[other],), "depth", -M * distance, None, "mm")
+            message += "as its lighter body is heavy"  # R is of the sum of both body_invweight0
+            against, depth, shape = (scene.names[partner],), -M * distance, scene.names[thin]
             advice = Advice((), "a shorter timeconst, a solimp nearer to 1, or masses nearer to each other")
             element = scene.source.geom(thin)
-            yield Finding(*told, f"{message}as its lighter body is heavy", "note", element, advice)
+            yield Finding("depth", shape, "depth", depth, message, against, None, "mm", "note", element, advice)
 
 
 def _thin(model: mujoco.MjModel) -> np.ndarray:
@@ -164,7 +163,7 @@ def _thin(model: mujoco.MjModel) -> np.ndarray:
     return sizes
 
 
-def _tunnels(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+def _tunnels(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     """Yield what flies or falls through a geom that is too thin to stop it."""
     model, step_s, sizes = scene.model, scene.model.opt.timestep, _thin(scene.model)
     data = list(starts(model, target))[index][1]
@@ -174,100 +173,103 @@ def _tunnels(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Fi
         begin, flies = data.xipos[body], data.cvel[body, 3:]
         way = flies if np.linalg.norm(flies) > THROWN_M_S else weight
         ahead = way / max(float(np.linalg.norm(way)), mujoco.mjMINVAL)
-        far, pair, own, wall = _met(scene, data, body, ahead)
+        far, pair, geom, wall = _met(scene, data, body, ahead)
         first = float(flies @ ahead)
         speed = math.sqrt(max(first**2 + 2.0 * far * float(weight @ ahead), 0.0))
         time_s = 2.0 * far / max(first + speed, mujoco.mjMINVAL)
-        if pair < 0 or time_s > LATEST_S or seen.bad:
+        if pair < 0 or time_s > LATEST_S or run.bad:
             continue
         contact, option = scene.contacts.contact(pair), scene.option
         dmax = clamped(contact.solimp[1])
         stiff = stiffness(contact, option, dmax) ** 0.5
         damped = 0.5 * (math.e - 1.0) * normal_damping(contact, option, dmax)
         deep = speed * max(step_s, 0.5 * step_s + 1.0 / max(stiff + damped, mujoco.mjMINVAL))  # within 2 %
-        if deep > sizes[wall] + sizes[own]:
+        if deep > sizes[wall] + sizes[geom]:
             after = _again(target, model, index, time_s + STOPS_S).data
             moved = after.xipos[body] - begin - after.geom_xpos[wall] + data.geom_xpos[wall]
-            if float(moved @ ahead) > far + 2.0 * sizes[wall] + sizes[own]:
-                message = f"takes it through {M * 2.0 * sizes[wall]:.3g} mm, {time_s:.2g} s after {seen.start}"
-                told = ("tunnel", scene.names[own], (scene.names[wall],), "speed", speed, None, "m/s", message, "error")
-                stops = f"{M * 2.2 * (deep - sizes[own]):.3g} mm stop it, or a shorter time step and timeconst"
-                yield Finding(*told, scene.source.geom(wall), Advice((), stops))
+            if float(moved @ ahead) > far + 2.0 * sizes[wall] + sizes[geom]:
+                message = f"takes it through {M * 2.0 * sizes[wall]:.3g} mm, {time_s:.2g} s after {run.start}"
+                gain = f"{M * 2.2 * (deep - sizes[geom]):.3g} mm stop it, or a shorter time step and timeconst"
+                shape, against, element = scene.names[geom], (scene.names[wall],), scene.source.geom(wall)
+                finding = Finding("tunnel", shape, "speed", speed, message, against, None, "m/s", "error", element)
+                yield replace(finding, advice=Advice((), gain))
 
 
 def _met(scene: Scene, data: mujoco.MjData, body: int, ahead: np.ndarray) -> tuple[float, int, int, int]:
-    """Return how far ahead of a body the first geom is that it can touch, their pair, its own geom and that one."""
+    """Return how far ahead of a body the first geom is that it can touch, their pair, the body's geom and that one."""
     body_of, contacts, hit, far = scene.model.geom_bodyid, scene.contacts, np.zeros(1, dtype=np.int32), 0.0
     for _ in range(MOST_MET if ahead.any() else 0):
         more = mujoco.mj_ray(scene.model, data, data.xipos[body] + far * ahead, ahead, None, 1, body, hit)
         if more < 0.0:
             break
-        far += more + 1e-9
-        for own, other in itertools.permutations((contacts.first, contacts.second)):
-            for pair in np.flatnonzero((other == hit[0]) & (body_of[own] == body)).tolist():
-                return far, pair, int(own[pair]), int(hit[0])
+        far += more + 1e-9  # mj_ray would hit the same surface again
+        for geoms, partners in itertools.permutations((contacts.first, contacts.second)):
+            for pair in np.flatnonzero((partners == hit[0]) & (body_of[geoms] == body)).tolist():
+                return far, pair, int(geoms[pair]), int(hit[0])
     return far, -1, -1, -1
 
 
-def _open(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+def _open(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     """Yield welds and connects that what they hold pulls open."""
-    model, data = scene.model, seen.data
-    held = data.efc_type == EQUALITY
-    for index in () if seen.bad else np.unique(data.efc_id[held]).tolist():
-        open_m = float(np.linalg.norm(data.efc_pos[held & (data.efc_id == index)][:3]))
-        if model.eq_type[index] in WELDS and open_m > DEEP_M:
-            solref = " ".join(f"{each:g}" for each in model.eq_solref[index])
-            message = f"is how far it is open after {seen.time_s:.2g} s from {seen.start}, with a solref of {solref}"
-            told = ("weld", model.eq(index).name or f"equality_{index}", (), "gap", M * open_m, None, "mm", message)
-            yield Finding(*told, "note", None, Advice((), "a shorter timeconst, a solimp nearer to 1"))
+    model, data = scene.model, run.data
+    is_equality = data.efc_type == EQUALITY
+    for equality in () if run.bad else np.unique(data.efc_id[is_equality]).tolist():
+        rows = is_equality & (data.efc_id == equality)
+        open_m = float(np.linalg.norm(data.efc_pos[rows][:3]))  # of a weld's six rows the last three are of rotation
+        if model.eq_type[equality] in WELDS and open_m > DEEP_M:
+            solref = " ".join(f"{entry:g}" for entry in model.eq_solref[equality])
+            message = f"is how far it is open after {run.time_s:.2g} s from {run.start}, with a solref of {solref}"
+            advice = Advice((), "a shorter timeconst, a solimp nearer to 1")
+            name = model.eq(equality).name or f"equality_{equality}"
+            yield Finding("weld", name, "gap", M * open_m, message, unit="mm", severity="note", advice=advice)
 
 
-def _sagging(scene: Scene, target: Target, seen: Run, index: int) -> Iterator[Finding]:
+def _sagging(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     """Yield joints that dry friction holds, and that creep as contacts do."""
     model = scene.model
-    for dof, rate in _sags(model, seen).items():
+    for dof, rate in _sags(model, run).items():
         joint = model.joint(model.dof_jntid[dof])
         unit, scale = ("°/s", math.degrees(1.0)) if joint.type[0] == HINGE else ("mm/s", M)
         advice = Advice((), gain := 'solimpfriction="0.999 0.999 0.001" on the joint slows it 100 times')
         if scene.engine.name == "mujoco":
-            after = _sags(model, _again(target, changed(model, noslip_iterations=10), index, seen.time_s)).get(dof, 0.0)
-            said = f"{scale * rate:.3g} → {scale * after:.3g} {unit}, in MuJoCo C"
-            advice = for_option(scene, {"noslip_iterations": "10"}, f"{said}; or {gain}, in all engines")
-        bears = f"{abs(seen.data.qfrc_bias[dof]):.3g} of the {model.dof_frictionloss[dof]:.3g}"
-        message = f"is how fast it gives way to {bears} that frictionloss can bear, from {seen.start}, at any impratio"
-        told = ("sag", joint.name or f"joint_{joint.id}", (), "speed", scale * rate, None, unit, message)
-        yield Finding(*told, advice=advice)
+            after = _sags(model, _again(target, changed(model, noslip_iterations=10), index, run.time_s)).get(dof, 0.0)
+            slower = f"{scale * rate:.3g} → {scale * after:.3g} {unit}, in MuJoCo C"
+            advice = for_option(scene, {"noslip_iterations": "10"}, f"{slower}; or {gain}, in all engines")
+        bears = f"{abs(run.data.qfrc_bias[dof]):.3g} of the {model.dof_frictionloss[dof]:.3g}"
+        message = f"is how fast it gives way to {bears} that frictionloss can bear, from {run.start}, at any impratio"
+        name = joint.name or f"joint_{joint.id}"
+        yield Finding("sag", name, "speed", scale * rate, message, unit=unit, advice=advice)
 
 
-def _sags(model: mujoco.MjModel, seen: Run) -> dict[int, float]:
+def _sags(model: mujoco.MjModel, run: Run) -> dict[int, float]:
     """Return speeds of joints that move as fast as their friction gives way to less than it can bear [m/s or rad/s]."""
-    data, found = seen.data, {}
-    for row in () if seen.bad else np.flatnonzero(data.efc_type == DRY_FRICTION).tolist():
+    data, speeds = run.data, {}
+    for row in () if run.bad else np.flatnonzero(data.efc_type == DRY_FRICTION).tolist():
         dof, force = int(data.efc_id[row]), max(abs(float(data.efc_force[row])), mujoco.mjMINVAL)
         rate, gives = abs(float(data.qvel[dof])), float(data.efc_R[row]) * force / float(data.efc_KBIP[row, 1])
-        alike = rate / gives, *(abs(float(each[dof])) / force for each in (data.qfrc_bias, data.qfrc_constraint))
+        ratios = rate / gives, *(abs(float(load[dof])) / force for load in (data.qfrc_bias, data.qfrc_constraint))
         is_held = rate > SAG and force < HELD * model.dof_frictionloss[dof] and not data.qfrc_actuator[dof]
-        if is_held and min(alike) > AGREES and max(alike) < 1.0 / AGREES:
-            found[dof] = rate
-    return found
+        if is_held and min(ratios) > AGREES and max(ratios) < 1.0 / AGREES:
+            speeds[dof] = rate
+    return speeds
 
 
-def _hulls(scene: Scene, target: Target, seen: Run) -> Iterator[Finding]:
+def _hulls(scene: Scene, target: Target, run: Run) -> Iterator[Finding]:
     """Yield meshes that collide with more vertices than it takes, and what a step costs with fewer."""
     model = scene.model
     touch = (model.geom_contype | model.geom_conaffinity) != 0
     meshes = sorted({*model.geom_dataid[touch & (model.geom_type == MESH)].tolist()})
-    places = {mesh: model.mesh_graphadr[mesh] for mesh in meshes}
-    counts = {mesh: int(model.mesh_graph[start]) for mesh, start in places.items() if start >= 0}
-    worst = max(counts, key=counts.get, default=-1)
+    graphs = {mesh: model.mesh_graphadr[mesh] for mesh in meshes}
+    counts = {mesh: int(model.mesh_graph[start]) for mesh, start in graphs.items() if start >= 0}  # -1: no hull
+    worst = max(counts, key=lambda mesh: counts[mesh], default=-1)
     if counts.get(worst, 0) < MANY or target.path is None:
         return
     with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
         spec = mujoco.MjSpec.from_file(str(target.path))
         for mesh in spec.meshes:
             mesh.maxhullvert = FEW
-        after = _again(target, spec.compile(), 0, seen.time_s)
-        before_us, after_us = (1e6 * each.cost_s * model.opt.timestep for each in (seen, after))
+        after = _again(target, spec.compile(), 0, run.time_s)
+        before_us, after_us = (1e6 * cost_s * model.opt.timestep for cost_s in (run.cost_s, after.cost_s))
         message = f"vertices has its convex hull: a step takes {before_us:.3g} µs, and with {FEW} {after_us:.3g} µs"
-        told = ("hull", model.mesh(worst).name, (), "hull", counts[worst], None, "1", message, "note")
-        yield Finding(*told, advice=Advice((), f'maxhullvert="{FEW}" on its <mesh>'))
+        name, advice = model.mesh(worst).name, Advice((), f'maxhullvert="{FEW}" on its <mesh>')
+        yield Finding("hull", name, "hull", counts[worst], message, severity="note", advice=advice)

@@ -20,6 +20,7 @@ SELDOM = 4
 MOST_STARTS = 4
 MOST_DOFS = 3000
 """What moves in more ways is not stepped: a step takes seconds."""
+# After one of them mj_checkPos and mj_checkAcc reset the state, which then looks sound: only the count stays.
 BAD = {int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")): f"BAD{name}" for name in ("QPOS", "QVEL", "QACC")}
 
 
@@ -76,11 +77,11 @@ def runs_of(model: mujoco.MjModel, target: Target, time_s: float = STEPPED_S) ->
     """Step a scene from each of its starts; none where a step would take seconds."""
     if model.nv > MOST_DOFS:
         return []
-    return [run(model, data, name, time_s) for name, data in starts(model, target)]
+    return [run_of(model, data, name, time_s) for name, data in starts(model, target)]
 
 
-def run(model: mujoco.MjModel, data: mujoco.MjData, name: str, time_s: float) -> Run:
-    """Step a state and say what was seen."""
+def run_of(model: mujoco.MjModel, data: mujoco.MjData, name: str, time_s: float) -> Run:
+    """Step a state, and return what it did."""
     mujoco.mj_forward(model, data)
     first = overlaps(data)
     free = free_joints(model)
@@ -92,43 +93,43 @@ def run(model: mujoco.MjModel, data: mujoco.MjData, name: str, time_s: float) ->
 
     begin, rise, deepest, late, limited, solved = energy(), np.zeros(len(free)), deepest_of(data), 0.0, 0, 0
     count, most, since = max(1, round(time_s / model.opt.timestep)), model.opt.iterations, time.process_time()
-    for done in range(1, count + 1):
+    for step in range(1, count + 1):
         mujoco.mj_step(model, data)
         now_m = deepest_of(data)
-        deepest, late = max(deepest, now_m), max(late, now_m) if 3 * done > count else late
-        iterations = data.solver_niter
+        deepest, late = max(deepest, now_m), max(late, now_m) if 3 * step > count else late
+        iterations = data.solver_niter  # of each island, those that are not there 0
         limited, solved = limited + (iterations.max() >= most), solved + iterations.sum()
-        if done % SELDOM and done < count:
+        if step % SELDOM and step < count:
             continue
-        if bad := next((said for number, said in BAD.items() if data.warning[number].number), ""):
+        if bad := next((warning for number, warning in BAD.items() if data.warning[number].number), ""):
             break
         rise = np.maximum(rise, energy() - begin)
         if time.process_time() - since > BUDGET_S:
             break
-    reached = done * model.opt.timestep
-    effort, cost = (done + 0.5 * solved) / reached, (time.process_time() - since) / reached
+    reached = step * model.opt.timestep
+    effort, cost = (step + 0.5 * solved) / reached, (time.process_time() - since) / reached
     now = np.linalg.norm(data.qvel[speeds], axis=1)
-    return Run(name, reached, bad, first, deepest, late, rise, now, limited / done, effort, cost, data)
+    return Run(name, reached, bad, first, deepest, late, rise, now, limited / step, effort, cost, data)
 
 
 def deepest_of(data: mujoco.MjData) -> float:
     """Return how deep the deepest contact is [m]; 0 where none is pressed in."""
-    return float(-data.contact.dist.min(initial=0.0)) if data.ncon else 0.0
+    return float(-data.contact.dist.min(initial=0.0)) if data.ncon else 0.0  # dist is below 0 inside
 
 
 def overlaps(data: mujoco.MjData) -> dict[tuple[int, int], float]:
     """Return the deepest contact of each pair of geoms that press each other, from their margin on."""
-    found: dict[tuple[int, int], float] = {}
+    deepest: dict[tuple[int, int], float] = {}
     depths = data.contact.includemargin - data.contact.dist
     for pair, depth in zip(data.contact.geom.tolist(), depths.tolist(), strict=True):
-        if depth > 0.0 <= min(pair):
-            found[tuple(pair)] = max(depth, found.get(tuple(pair), 0.0))
-    return found
+        if depth > 0.0 <= min(pair):  # a flex has the geom -1
+            deepest[tuple(pair)] = max(depth, deepest.get(tuple(pair), 0.0))
+    return deepest
 
 
 def contact_forces(model: mujoco.MjModel, data: mujoco.MjData, contacts: Sequence[int]) -> np.ndarray:
     """Return what contacts bear along their axes, force and torque; zeros of those that bear nothing."""
-    found = np.zeros((len(contacts), 6))
-    for index, force in zip(contacts, found, strict=True):
+    forces = np.zeros((len(contacts), 6))
+    for index, force in zip(contacts, forces, strict=True):
         mujoco.mj_contactForce(model, data, index, force)
-    return found
+    return forces

@@ -45,25 +45,19 @@ class TargetError(Exception):
     """A target that cannot be linted, said in one line."""
 
 
-def found_in(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[str]:
-    """Yield the targets, with folders replaced by the scenes within them that are not hidden.
-
-    Args:
-        exclude: Patterns of paths, or of their names, that are left out of folders.
-
-    Raises:
-        TargetError: A folder has none.
-    """
+def targets_of(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[str]:
+    """Yield the targets, folders replaced by the scenes in them that are not hidden; TargetError where one has none."""
     for name in names:
         if not Path(name).is_dir() or Path(name).suffix.lower() in ENDINGS:
             yield name
             continue
-        seen = (path for path in sorted(Path(name).rglob("*")) if "/." not in f"/{path.relative_to(name).as_posix()}")
-        files = [path for path in seen if path.suffix.lower() in ENDINGS and path.is_file()]
-        left = [path for path in files if not any(fnmatch(str(path), each) or path.match(each) for each in exclude)]
-        scenes = [path for path in left if _is_scene(path)]
+        paths = (path for path in sorted(Path(name).rglob("*")) if "/." not in f"/{path.relative_to(name).as_posix()}")
+        files = [path for path in paths if path.suffix.lower() in ENDINGS and path.is_file()]
+        excluded = {path for path in files for glob in exclude if fnmatch(str(path), glob) or path.match(glob)}
+        scenes = [path for path in files if path not in excluded and _is_scene(path)]
         if not scenes:
             raise TargetError(f"{name}: has no scene")
+        # MJCF that others include has <mujoco> as its root too; what compiles by itself is a scene all the same.
         pieces = {piece for path in scenes for piece in _included(path)}
         yield from (str(path) for path in scenes if path.resolve() not in pieces or _compiles(path))
 
@@ -90,11 +84,7 @@ def _compiles(path: Path) -> bool:
 
 
 def read_target(target: str) -> Target:
-    """Return the model at a target; what is printed meanwhile goes to the standard error.
-
-    Raises:
-        TargetError: There is no such file, module or function, or it gives no model.
-    """
+    """Return the model at a target, or raise TargetError; what is printed meanwhile goes to the standard error."""
     path = Path(target)
     with contextlib.redirect_stdout(sys.stderr):
         if path.suffix.lower() in ENDINGS:
@@ -122,36 +112,27 @@ def _read_file(target: str, path: Path) -> Target:
 
 
 def tried(target: Target, texts: Mapping[Path, bytes]) -> Target:
-    """Return a target as it would be if files held other texts.
-
-    Raises:
-        ValueError: MuJoCo refuses it.
-    """
+    """Return a target as it would be if files held other texts; a ValueError where MuJoCo refuses it."""
+    assert target.path is not None  # only what a file describes is changed
     return replace(target, model=compiled(target.path, texts), texts=texts)
 
 
 def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> mujoco.MjModel:
-    """Compile a file; without sensors and textures, which decide nothing, where those are what is amiss.
-
-    Args:
-        texts: What files are taken to hold in place of what they do.
-
-    Raises:
-        ValueError: MuJoCo refuses it.
-    """
+    """Compile a file, or texts in place of what files hold; a ValueError where MuJoCo refuses it."""
     try:
         return mujoco.MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
     except ValueError:
         if texts:
             raise
-        with contextlib.suppress(Exception):  # of old releases MjSpec has no such function, or cannot delete
+        # Sensors and textures decide nothing, and a scene is often copied without its pictures.
+        with contextlib.suppress(Exception):  # before MuJoCo 3.3.4 MjSpec has no delete
             return _without_pictures(mujoco.MjSpec.from_file(str(path)))
         raise
 
 
 def _without_pictures(spec: Any) -> mujoco.MjModel:
     for material in spec.materials:
-        material.textures = [""] * len(material.textures)
+        material.textures = [""] * len(material.textures)  # or spec.compile asks for what is deleted
     for unread in (*spec.sensors, *spec.textures):
         spec.delete(unread)
     return spec.compile()
@@ -168,33 +149,29 @@ def _returned(target: str) -> Any:
         sys.path.pop(0)
 
 
-def _of(target: str, found: Any) -> Target:
+def _of(target: str, scene: Any) -> Target:
     """Return a target of what a function returns: a model, an MjSpec, or a model with its data, or what has them."""
     data = None
-    if isinstance(found, tuple) and len(found) == 2:
-        found, data = found
-    elif hasattr(found, "model") and hasattr(found, "data"):
-        found, data = found.model, found.data
-    if hasattr(found, "compile") and hasattr(found, "worldbody"):
+    if isinstance(scene, tuple) and len(scene) == 2:
+        scene, data = scene
+    elif hasattr(scene, "model") and hasattr(scene, "data"):
+        scene, data = scene.model, scene.data
+    if hasattr(scene, "compile") and hasattr(scene, "worldbody"):
         try:
-            found = found.compile()
+            scene = scene.compile()
         except ValueError as error:
             raise TargetError(f"{target}: MuJoCo refuses it: {_line(error)}") from error
-    if isinstance(found, mujoco.MjModel):
-        return Target(target, found, data=data if isinstance(data, mujoco.MjData) else None)
-    if "newton" in sys.modules and newtons(target, READER, "is_model", found):
-        return Target(target, None, found)
-    raise TargetError(f"{target}: returns a {type(found).__name__}, and no model of MuJoCo's or Newton's")
+    if isinstance(scene, mujoco.MjModel):
+        return Target(target, scene, data=data if isinstance(data, mujoco.MjData) else None)
+    if "newton" in sys.modules and newtons(target, READER, "is_model", scene):
+        return Target(target, None, scene)
+    raise TargetError(f"{target}: returns a {type(scene).__name__}, and no model of MuJoCo's or Newton's")
 
 
-def newtons(target: str, module: str, function: str, *given: Any) -> Any:
-    """Ask the part for Newton's models, which takes seconds to import, and so is imported where it is needed.
-
-    Raises:
-        TargetError: Newton is not installed, or fails.
-    """
+def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
+    """Ask the part for Newton's models, which takes seconds to import; TargetError where Newton is missing or fails."""
     try:
-        return getattr(importlib.import_module(module), function)(*given)
+        return getattr(importlib.import_module(module), function)(*arguments)
     except ImportError as error:
         raise TargetError(f"{target}: {NEEDS_NEWTON} ({_line(error)})") from error
     except Exception as error:  # whatever the importers meet in a file that is none of theirs
@@ -205,8 +182,9 @@ def _imported(name: str) -> ModuleType:
     if not name.endswith(".py"):
         return importlib.import_module(name)
     spec = importlib.util.spec_from_file_location(f"linted_{Path(name).stem}", name)
+    assert spec and spec.loader  # what ends in .py has both
     module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # as dataclasses ask for
+    sys.modules[spec.name] = module  # dataclasses look annotations up there
     spec.loader.exec_module(module)
     return module
 

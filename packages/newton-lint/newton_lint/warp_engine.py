@@ -10,14 +10,14 @@ import mujoco
 
 @contextlib.contextmanager
 def muted_standard_error() -> Iterator[None]:
-    """Return what Warp's library writes goes nowhere: of a machine without a GPU it warns, and the lint takes none."""
-    kept, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 2)
+    """Mute Warp's library: of a machine without a GPU it warns, and the lint takes none."""
+    terminal, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 2)  # the descriptor: a library in C knows no sys.stderr
     try:
         yield
     finally:
-        os.dup2(kept, 2)
-        os.close(kept)
+        os.dup2(terminal, 2)
+        os.close(terminal)
         os.close(nowhere)
 
 
@@ -31,7 +31,7 @@ def refusal(model: mujoco.MjModel) -> str | None:
     except ImportError:
         return None
     try:
-        with muted_standard_error(), warp.ScopedDevice("cpu"):
+        with muted_standard_error(), warp.ScopedDevice("cpu"):  # a machine without a GPU is to answer too
             engine.put_model(model)
     except Exception as error:  # of several kinds, and all are its words
         return " ".join(str(error).split()) or type(error).__name__

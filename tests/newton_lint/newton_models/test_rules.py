@@ -13,7 +13,7 @@ from newton_lint.newton_models import rules as module
 from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.newton_models.report import report_of
 from newton_lint.newton_models.rules import CONVERTED, Shapes
-from newton_lint.report import Asked
+from newton_lint.report import Request
 from newton_lint.scene import Engine
 from newton_lint.target import Target
 
@@ -48,7 +48,7 @@ def read_mjcf(xml: str) -> newton.Model:
 
 
 def findings_in(model: newton.Model, engine: Engine = ENGINE):
-    return report_of(Target("", None, model), Asked(engine)).findings
+    return report_of(Target("", None, model), Request(engine)).findings
 
 
 def found(model: newton.Model, **options) -> list[tuple]:

@@ -28,12 +28,7 @@ def warp_has_noslip() -> bool:
 
 
 def make_solver(model: newton.Model, *, friction_timeconst_s: float | None = None, **options) -> SolverMuJoCo:
-    """Return a silent ``SolverMuJoCo``.
-
-    Args:
-        friction_timeconst_s: Timeconst [s] for the friction rows of Newton's contacts in place of the release's, or 0
-            to take it from them; None leaves them alone.
-    """
+    """Return a silent ``SolverMuJoCo``; a timeconst [s] is of all friction rows, 0 leaves them that of their solref."""
     with _buffers_on_the_device():
         if friction_timeconst_s is None:
             solver = SolverMuJoCo(model, **options)

@@ -20,8 +20,8 @@ with muted_standard_error():
     wp.init()
 
 
-def is_model(found: Any) -> bool:
-    return isinstance(found, newton.Model)
+def is_model(scene: Any) -> bool:
+    return isinstance(scene, newton.Model)
 
 
 def imported(path: Path) -> newton.Model:
@@ -29,4 +29,4 @@ def imported(path: Path) -> newton.Model:
     builder = newton.ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     getattr(builder, READERS.get(path.suffix.lower(), "add_usd"))(str(path))
-    return builder.finalize(device="cpu")
+    return builder.finalize(device="cpu")  # its arrays are only read, and a GPU may be missing or busy

@@ -1,7 +1,7 @@
 """The rules of Newton's models: those of MuJoCo's on what ``SolverMuJoCo`` compiles, and what only Newton says."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import newton
@@ -9,7 +9,7 @@ import numpy as np
 
 from newton_lint.combined import Contacts, contacts_of, share
 from newton_lint.findings import Finding
-from newton_lint.grouping import Hits, findings_of
+from newton_lint.grouping import Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read, make_solver
 from newton_lint.rules import SAME
@@ -26,17 +26,17 @@ NOT_READ = "is not read by SolverMuJoCo"
 class Shapes(Scene):
     """A Newton model as the rules read it: what the solver compiles, whose geoms go by the names of their shapes."""
 
-    shapes: newton.Model | None = None
+    shapes: newton.Model = field(kw_only=True)
 
     @classmethod
     def of(cls, model: newton.Model, engine: Engine) -> "Shapes":
         """Compile a model that has shapes."""
-        compiled = engine.asked(make_solver(model, use_mujoco_cpu=True).mj_model)
-        return cls(compiled, Source(None, compiled), engine, model)
+        compiled = engine.configured(make_solver(model, use_mujoco_cpu=True).mj_model)
+        return cls(compiled, Source(None, compiled), engine, shapes=model)
 
     @cached_property
     def contacts(self) -> Contacts:
-        return contacts_of(self.model, "warp")
+        return contacts_of(self.model, "warp")  # SolverMuJoCo steps in MuJoCo Warp unless told otherwise
 
     @cached_property
     def index(self) -> np.ndarray:
@@ -50,10 +50,8 @@ class Shapes(Scene):
         labels = [label.rsplit("/", 1)[-1] for label in self.shapes.shape_label]
         bodies = [label.rsplit("/", 1)[-1] for label in self.shapes.body_label]
         owners = [bodies[body] if body >= 0 else "" for body in self.shapes.shape_body.numpy()]
-        names = [
-            label if owner in ("", label) else f"{owner}/{label}" for owner, label in zip(owners, labels, strict=True)
-        ]
-        return [names[shape] for shape in self.index]
+        pairs = [(owners[shape], labels[shape]) for shape in self.index]
+        return [label if owner in ("", label) else f"{owner}/{label}" for owner, label in pairs]
 
     def of_geoms(self, name: str) -> np.ndarray:
         """Return an array of the model's shapes, by geom."""
@@ -63,32 +61,33 @@ class Shapes(Scene):
 def findings_in(scene: Shapes) -> list[Finding]:
     """Return all that ``SolverMuJoCo`` will not use as it was authored; Newton's contacts read kf, MuJoCo's do not."""
     rules = (default_gap, ke_without_kd, friction_gain, restitution)
-    own = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, scene.names)]
-    return own + of_mujoco(scene)
+    findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, scene.names)]
+    return findings + of_mujoco(scene)
 
 
 def default_gap(scene: Shapes) -> Iterator[Hits]:
     """Yield shapes left at the builder's gap although some that they can touch were not. Gaps of a pair add."""
     contacts, gap, default = scene.contacts, scene.of_geoms("shape_gap"), newton.ModelBuilder().rigid_gap
-    is_left, plain = np.isclose(gap, default, rtol=SAME), contacts.named < 0
-    authored, largest = np.where(is_left, -np.inf, gap), np.full(len(gap), -np.inf)
-    for one, other in ((contacts.first, contacts.second), (contacts.second, contacts.first)):
-        np.maximum.at(largest, one[plain], authored[other[plain]])
-    left = np.flatnonzero(is_left & (largest > -np.inf))
+    is_default, plain = np.isclose(gap, default, rtol=SAME), contacts.named < 0  # Newton keeps gaps as float32
+    authored, largest = np.where(is_default, -np.inf, gap), np.full(len(gap), -np.inf)
+    for geoms, partners in ((contacts.first, contacts.second), (contacts.second, contacts.first)):
+        np.maximum.at(largest, geoms[plain], authored[partners[plain]])
+    hit = np.flatnonzero(is_default & (largest > -np.inf))
     message = "is the builder's default although its neighbours' gaps were set; gaps of a pair add"
-    yield Hits("default-gap", "gap", left, None, gap[left], gap[left] + largest[left], message, "m")
+    yield Hits(Wording("default-gap", "gap", message, "m"), hit, gap[hit], gap[hit] + largest[hit])
 
 
 def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
     """Yield ke or kd of which the other is 0: neither is read, and the contact has the default's solref."""
     timeconst_s, ratio = DEFAULT_SOLREF
     mode = getattr(getattr(scene.shapes, "mujoco", None), "solref_mode", None)
-    made = scene.counts & (True if mode is None else mode.numpy()[scene.index] == CONVERTED)
-    both = {name: scene.of_geoms(f"shape_material_{name}") for name in ("ke", "kd")}
-    for name, other, used in (("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2), ("kd", "ke", 2.0 / timeconst_s)):
-        alone = np.flatnonzero(made & (both[name] > 0.0) & (both[other] <= 0.0))
-        message = f"is not read: {other} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is"
-        yield Hits("ke-without-kd", name, alone, None, both[name][alone], used, message)
+    # RAW, as importers of MJCF and USD set it: the authored solref is taken, and ke and kd are not read.
+    converted = scene.counts & (True if mode is None else mode.numpy()[scene.index] == CONVERTED)
+    values = {name: scene.of_geoms(f"shape_material_{name}") for name in ("ke", "kd")}
+    for name, zero, used in (("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2), ("kd", "ke", 2.0 / timeconst_s)):
+        hit = np.flatnonzero(converted & (values[name] > 0.0) & (values[zero] <= 0.0))
+        message = f"is not read: {zero} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is"
+        yield Hits(Wording("ke-without-kd", name, message), hit, values[name][hit], used)
 
 
 def friction_gain(scene: Shapes) -> Iterator[Hits]:
@@ -97,7 +96,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
-        yield Hits("kf", "kf", unread, None, kf[unread], np.nan, f"{NOT_READ} {reason}")
+        yield Hits(Wording("kf", "kf", f"{NOT_READ} {reason}"), unread, kf[unread])
         return
     first, second = contacts.first, contacts.second
     solmix = scene.model.geom_solmix
@@ -105,13 +104,13 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mixed, mu = mix * kf[first] + (1.0 - mix) * kf[second], contacts.friction[:, 0]
     lost = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
     message = "is not read: kf is 0, which takes the friction away"
-    yield Hits("kf", "mu", first[lost], second[lost], mu[lost], np.nan, message)
+    yield Hits(Wording("kf", "mu", message), first[lost], mu[lost], partner=second[lost])
     dmax = contacts.solimp[:, 1]
     most = 1.0 / (opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax))
-    own = authored[first] | authored[second] & ~contacts.outranked
-    hit = np.flatnonzero(own & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME)))
+    counts = authored[first] | authored[second] & ~contacts.outranked
+    hit = np.flatnonzero(counts & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME)))
     message = "asks for a friction timeconst below two steps, which the engine clamps it to"
-    yield Hits("kf", "kf", first[hit], second[hit], mixed[hit], most[hit], message)
+    yield Hits(Wording("kf", "kf", message), first[hit], mixed[hit], most[hit], second[hit])
 
 
 def kf_unread(scene: Scene) -> str:
@@ -127,4 +126,4 @@ def restitution(scene: Shapes) -> Iterator[Hits]:
     """Yield restitution, which no contact reads."""
     values = scene.of_geoms("shape_material_restitution")
     bounces = np.flatnonzero(scene.counts & (values != 0.0))
-    yield Hits("unused", "restitution", bounces, None, values[bounces], np.nan, NOT_READ, severity="note")
+    yield Hits(Wording("unused", "restitution", NOT_READ, severity="note"), bounces, values[bounces])
