@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from measured_report.changes import query
-from measured_report.changes.bisect import first_change, said
+from measured_report.changes.bisect import answer_text, first_change
 from measured_report.changes.query import Query, blind_spots, history, points
 from measured_report.files.config import Changes, Config
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
@@ -49,7 +49,7 @@ def test_a_history_says_numbers_in_four_digits_with_their_noise_and_why_there_is
     releases = {release: chapters(outcome=outcome) for release, outcome in outcomes.items()}
     lines = [" ".join(line.split()) for line in history(releases, Query("s.c", is_claim=True)).splitlines()]
     assert lines[1:] == ["1.0 holds", "2.0 holds", "3.0 cannot tell near", "4.0 fails flipped", "5.0 the opposite"]
-    assert [said(answer) for answer in (None, "holds", 6.36174)] == ["cannot tell", "holds", "6.362"]
+    assert [answer_text(answer) for answer in (None, "holds", 6.36174)] == ["cannot tell", "holds", "6.362"]
 
 
 HIDDEN = "s.slip_mm: threshold {} %, but noise hides changes below {} %"

@@ -16,7 +16,7 @@ from measured_report.measuring.measure import MODULE
 from measured_report.records.code import unchanged_files
 from measured_report.records.columns import units_of
 from measured_report.records.record import Record, load_record
-from measured_report.records.replicas import unlike
+from measured_report.records.replicas import mismatch
 
 SETTINGS = """title = "A report"
 name = "a-report"
@@ -315,8 +315,8 @@ def test_a_carried_record_says_so_and_keeps_its_replicas(answers):
     assert (told.code, told.row_count, told.cell_count) == (old.identity.code, 1, 2)
     assert str(told).endswith("quick runs of both gave the same 1 rows, 2 cells")
     assert after["column_gone"].measured == old.measured and "other_mm" not in after["column_gone"].units
-    assert unlike(after["extracted"], before["extracted"]) == ""
-    assert unlike(before["extracted"], after["extracted"]) == "" and unlike(after["seam"], before["kernel"])
+    assert mismatch(after["extracted"], before["extracted"]) == ""
+    assert mismatch(before["extracted"], after["extracted"]) == "" and mismatch(after["seam"], before["kernel"])
 
 
 def test_runs_that_do_not_repeat_are_compared_by_their_noise():

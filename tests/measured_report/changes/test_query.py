@@ -6,12 +6,12 @@ from types import SimpleNamespace
 import pytest
 
 from measured_report.changes import query
-from measured_report.files.config import Changes, Config, Declared
+from measured_report.files.config import Changes, Columns, Config
 from measured_report.files.errors import ReportError
 
 RULES = Config(
     noise_section="toy",
-    columns=[Declared(names=["slip_mm"], grows_with="dropped")],
+    columns=[Columns(names=["slip_mm"], grows_with="dropped")],
     changes=Changes(
         deciding=["toy"], thresholds={"toy.soft.slip_mm": 0.05}, headlines={"gain": "toy.gain"}, cause="toy.helps"
     ),
@@ -23,10 +23,7 @@ RULES = Config(
     [
         ({}, ""),
         ({"noise_section": "tay"}, "noise_section names tay, which is no section here; near it: toy"),
-        (
-            {"columns": [Declared(names=["slap_mm"])]},
-            "columns names slap_mm, which is no column here; near it: slip_mm",
-        ),
+        ({"columns": [Columns(names=["slap_mm"])]}, "columns names slap_mm, which is no column here; near it: slip_mm"),
         ({"deciding": ["noise"]}, "changes.deciding names noise, which is no section"),
         (
             {"thresholds": {"toy.saft.slip_mm": 1.0}},

@@ -20,7 +20,7 @@ from measured_report.files.errors import UsageError
 
 def test_progress_does_not_run_into_an_answer_for_a_program():
     code = (
-        "import subprocess, sys; from measured_report.commands.upgrade import _apart; answer = _apart();"
+        "import subprocess, sys; from measured_report.commands.upgrade import _answer_file; answer = _answer_file();"
         "print('measuring', flush=True); subprocess.run(['echo', 'compiling']); print('{}', file=answer)"
     )
     done = program("-c", code)

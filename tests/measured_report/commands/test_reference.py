@@ -7,14 +7,14 @@ import pytest
 
 from measured_report.commands.new import SKELETON
 from measured_report.commands.reference import reference
-from measured_report.files.config import Changes, Config, Declared, Told
+from measured_report.files.config import Changes, Columns, ColumnTraits, Config
 from measured_report.files.root import ROOT
 from measured_report.records.columns import units
 
 TEXT = reference()
 
 
-@pytest.mark.parametrize("kind", [Config, Changes, Declared, Told])
+@pytest.mark.parametrize("kind", [Config, Changes, Columns, ColumnTraits])
 def test_every_setting_is_told(kind):
     assert not [each.name for each in fields(kind) if f"- `{each.name}: " not in TEXT]
 

@@ -15,7 +15,7 @@ from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError
 from measured_report.findings.replicas import refused, replicas_of, replicas_text
 from measured_report.records.record import load_record, write_record
-from measured_report.records.replicas import FOLDER, packed, read_replica
+from measured_report.records.replicas import FOLDER, archive_of, read_replica
 
 LABEL = "1.4.0"
 SECTIONS = ("gap", "frames")
@@ -46,14 +46,14 @@ def _moved(cell, by):
 
 def kept(project: Project, *records):
     path = project.root / "sent.tgz"
-    path.write_bytes(packed(records))
+    path.write_bytes(archive_of(records))
     replicate._keep(project, read_replica(path), "sent.tgz")
     return replicas_of(project, {section: load_record(project.record_path(section)) for section in SECTIONS})
 
 
 def test_a_replica_is_read_as_it_was_packed(project):
     records = [again(project, section) for section in SECTIONS]
-    assert packed(records) == packed(records)
+    assert archive_of(records) == archive_of(records)
     (found,) = kept(project, *records).values()
     for record in records:
         assert _floats(found[record.section]) == [float(f"{cell:.9g}") for cell in _floats(record)]
@@ -96,7 +96,7 @@ DAMAGES = {
     "altered": lambda text: text.replace(b'"dropped":false', b'"dropped":true ', 1),
     "cut": lambda text: text[:-20_000],
     "nothing": lambda text: b"",
-    "empty": lambda text: gzip.decompress(packed([])),
+    "empty": lambda text: gzip.decompress(archive_of([])),
     "packed in another way, which may hold anything": bz2.compress,
     "a name that is no UTF-8": lambda text: headed(name=b"\xff") + text,
     "a few bytes that say they are an exabyte": lambda text: headed(size=b"\x80\0\0\0\x10" + bytes(7)) + text,
@@ -117,7 +117,7 @@ def headed(name: bytes = b"x", size: bytes = b"0", kind: bytes = b"0", real_size
 @pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
 def test_one_that_is_not_as_it_was_sealed_is_damaged_and_costs_no_memory(project, damage):
     path = project.root / "sent.tgz"
-    path.write_bytes(gzip.compress(damage(gzip.decompress(packed([again(project, "gap")])))))
+    path.write_bytes(gzip.compress(damage(gzip.decompress(archive_of([again(project, "gap")])))))
     tracemalloc.start()
     with pytest.raises(RecordError, match=r"^[^\n]*sent\.tgz is no[^\n]*$"):
         read_replica(path)

@@ -56,71 +56,73 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
     return _lines(lines, form)
 
 
-def diff_text(found: Comparison, rate: str, form: str, say: Say) -> str:
+def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
     """Return the comparison as text, markdown or json; beside what it counts stands the ``rate`` of false alarms."""
     if form == "json":
-        return _json("diff", found.is_alarm, {"false_alarms": rate, **_diff_data(found, say)})
-    first, counts, *lines = _diff_lines(found, say)
+        return _json("diff", comparison.is_alarm, {"false_alarms": rate, **_diff_data(comparison, say)})
+    first, counts, *lines = _diff_lines(comparison, say)
     return _lines([first, f"{counts}; false alarms: {rate}", *lines], form)
 
 
-def upgrade_text(found: Comparison, verdict: Sequence[str], form: str, say: Say) -> str:
+def upgrade_text(comparison: Comparison, verdict: Sequence[str], form: str, say: Say) -> str:
     """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
     if form == "json":
-        return _json("upgrade", found.is_alarm, {"verdict": list(verdict), **_diff_data(found, say)})
-    return _lines(verdict if form == "text" else [*verdict, "", *_diff_lines(found, say)], form)
+        return _json("upgrade", comparison.is_alarm, {"verdict": list(verdict), **_diff_data(comparison, say)})
+    return _lines(verdict if form == "text" else [*verdict, "", *_diff_lines(comparison, say)], form)
 
 
-def _diff_lines(found: Comparison, say: Say) -> list[str]:
+def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
     counts: dict[str, Sequence] = {
-        "can't be trusted": found.faults,
-        "what matters": found.alarms,
-        "claims that flipped": found.flips,
-        "values that changed": found.moves,
+        "can't be trusted": comparison.faults,
+        "what matters": comparison.alarms,
+        "claims that flipped": comparison.flips,
+        "values that changed": comparison.moves,
     }
-    lines = [" → ".join(f"{config().edition} {release}" for release in found.releases) + f": {summary(found)}"]
-    lines += ["; ".join(f"{words}: {len(those)}" for words, those in counts.items())]
-    lines += [*(fault.text for fault in found.faults), f"settings: {settings_text(found.settings)}", *largest(found)]
-    lines.append(f"would have shown: {power(found)}")
-    for flip in found.flips:
+    editions = " → ".join(f"{config().edition} {release}" for release in comparison.releases)
+    count_texts = (f"{label}: {len(items)}" for label, items in counts.items())
+    lines = [f"{editions}: {summary(comparison)}", "; ".join(count_texts), *(fault.text for fault in comparison.faults)]
+    lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
+    lines.append(f"would have shown: {power(comparison)}")
+    for flip in comparison.flips:
         lines += [f"{flip.claim}: {flip.outcomes}", *(f"  {say(flip.section, claim)}" for claim in flip.ends)]
-    for section, sums in _sums(found).items():
-        lines.append(f"{section}: {', '.join(f'{count} {word}' for word, count in sums.items() if count)}")
-    lines += ["FORMAT=json lists them"] if found.moves else []
-    lines += ["", *(f"not compared: {note}" for note in found.notes)]
-    lines += [f"missing in one of them, so that no alarm says: {', '.join(found.missing)}"] if found.missing else []
+    for section, sums in _sums(comparison).items():
+        lines.append(f"{section}: {', '.join(f'{count} {direction}' for direction, count in sums.items() if count)}")
+    lines += ["FORMAT=json lists them"] if comparison.moves else []
+    lines += ["", *(f"not compared: {note}" for note in comparison.notes)]
+    if comparison.missing:
+        lines.append(f"missing in one of them, so that no alarm says: {', '.join(comparison.missing)}")
     return lines
 
 
-def _sums(found: Comparison) -> dict[str, Counter]:
+def _sums(comparison: Comparison) -> dict[str, Counter]:
     sums: dict[str, Counter] = {}
-    for move in found.moves:
+    for move in comparison.moves:
         sums.setdefault(move.section, Counter(moved=0, better=0, worse=0)).update(
             filter(None, ("moved", move.direction))
         )
     return sums
 
 
-def _diff_data(found: Comparison, say: Say) -> dict[str, Any]:
+def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
     flips = [
         {"section": flip.section, "claim": flip.name}
         | {
             end: _claim_data(flip.section, claim, say)
             for end, claim in zip(("before", "after"), flip.ends, strict=True)
         }
-        for flip in found.flips
+        for flip in comparison.flips
     ]
     return {
-        "a": found.releases[0],
-        "b": found.releases[1],
-        "faults": list(map(vars, found.faults)),
+        "a": comparison.releases[0],
+        "b": comparison.releases[1],
+        "faults": list(map(vars, comparison.faults)),
         "flips": flips,
-        "settings": [_move_data(move) for move in found.settings],
-        "alarms": [move.name for move in found.alarms],
-        "largest": largest(found),
-        "moved": _sums(found),
-        "moves": [_move_data(move) for move in found.moves],
-        "notes": found.notes,
+        "settings": [_move_data(move) for move in comparison.settings],
+        "alarms": [move.name for move in comparison.alarms],
+        "largest": largest(comparison),
+        "moved": _sums(comparison),
+        "moves": [_move_data(move) for move in comparison.moves],
+        "notes": comparison.notes,
     }
 
 
@@ -144,32 +146,32 @@ def _move_data(move: Move) -> dict[str, Any]:
     }
 
 
-def summary(found: Comparison) -> str:
+def summary(comparison: Comparison) -> str:
     """Say how many numbers changed, and whether that matters."""
-    count = sum(cell.chance is not None for cell in found.cells)
-    changed = sum(move.chance is not None for move in found.moves)
+    count = sum(cell.chance is not None for cell in comparison.cells)
+    changed = sum(move.chance is not None for move in comparison.moves)
     if not changed:
         return f"none of {count} numbers changed by more than chance makes"
-    matters = len(found.alarms) or "none"
+    matters = len(comparison.alarms) or "none"
     return f"{changed} of {count} numbers changed; by more than its threshold: {matters}"
 
 
-def largest(found: Comparison) -> list[str]:
+def largest(comparison: Comparison) -> list[str]:
     """Tell the largest changes in a line each, one of each column and in how many rows it changed; alarms first."""
     columns: dict[str, list[Move]] = {}
-    for move in sorted(filter(_is_told, found.moves), key=_rank, reverse=True):
+    for move in sorted(filter(_may_lead, comparison.moves), key=_rank, reverse=True):
         columns.setdefault(move.column, []).append(move)
     lines = []
-    for lead, *others in list(columns.values())[:LINES]:
+    for lead, *more in list(columns.values())[:LINES]:
         share = "" if lead.share is None or math.isinf(lead.share) else f", {100 * lead.share:+.2g} %"
-        place = f"{lead.section} {lead.place.get('case', '')}".strip()
-        place += f"; and {len(others)} more" if others else ""
+        location = f"{lead.section} {lead.place.get('case', '')}".strip()
+        location += f"; and {len(more)} more" if more else ""
         text = f"{'alarm: ' if lead.exceeds_threshold else ''}{column_of(lead.column).words} {lead.ends}{share}"
-        lines.append(f"{text} {lead.direction}".rstrip() + f" ({place})")
+        lines.append(f"{text} {lead.direction}".rstrip() + f" ({location})")
     return lines
 
 
-def _is_told(move: Move) -> bool:
+def _may_lead(move: Move) -> bool:
     """Tell whether it may lead: a number that changed or is gone, or an alarm; settings are told by themselves."""
     is_setting = move.is_setting or column_of(move.column).is_setting
     is_lost = move.is_gone and move.after is None
@@ -187,23 +189,23 @@ def settings_text(settings: Sequence[Move]) -> str:
     """Name the settings that changed, alarms first, and those that only one edition has."""
     changed = [move for move in settings if None not in (move.before, move.after)]
     changed.sort(key=lambda move: not move.exceeds_threshold)
-    told = [few([f"{move.place['case']} {move.ends}" for move in changed], 2 * NAMED)] if changed else []
-    for word, side in (("new", "before"), ("gone", "after")):
+    texts = [few([f"{move.place['case']} {move.ends}" for move in changed], 2 * NAMED)] if changed else []
+    for label, side in (("new", "before"), ("gone", "after")):
         if lone := [move.place["case"] for move in settings if getattr(move, side) is None]:
-            told.append(f"{word}: {', '.join(lone)}")
-    return "; ".join(told) or "all as they were"
+            texts.append(f"{label}: {', '.join(lone)}")
+    return "; ".join(texts) or "all as they were"
 
 
-def power(found: Comparison) -> str:
+def power(comparison: Comparison) -> str:
     """Say the least change of each named number that would have rung, and which were not measured in both."""
     least: dict[str, float] = {}
-    for cell in found.cells:
+    for cell in comparison.cells:
         threshold = config().changes.thresholds.get(cell.name)
         if threshold is not None and cell.share is not None and cell.before:
-            words = column_of(cell.column).words
-            least[words] = max(least.get(words, threshold), found.alone(cell) / abs(cell.before))
-    told = ", ".join(f"{words} from {100 * share:.2g} %" for words, share in least.items()) or "nothing that is named"
-    return told + (f"; not measured in both: {', '.join(found.missing)}" if found.missing else "")
+            label = column_of(cell.column).words
+            least[label] = max(least.get(label, threshold), comparison.alone(cell) / abs(cell.before))
+    shares = ", ".join(f"{label} from {100 * share:.2g} %" for label, share in least.items()) or "nothing that is named"
+    return shares + (f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else "")
 
 
 COUNTED = ("comparisons", "told", "numbers", "moves")
@@ -212,17 +214,17 @@ COUNTED = ("comparisons", "told", "numbers", "moves")
 
 def rate_of(edition: Edition) -> Counter[str]:
     """Count what each measurement of an edition says against its others; nothing where no section has three."""
-    pairs = [pair for each in edition.measurements.evidence.values() for pair in each.changed if pair[0]]
+    pairs = [pair for evidence in edition.measurements.evidence.values() for pair in evidence.changed if pair[0]]
     counts = len(pairs), sum(moves > 0 for _, moves in pairs), *map(sum, zip(*pairs, strict=True))
     return Counter(dict(zip(COUNTED, counts, strict=True))) if pairs else Counter()
 
 
 def rate_values(edition: Edition) -> dict[str, Value]:
     """Return the counts for a page, by name; none where there was nothing to compare."""
-    place = f"{config().edition_folder(edition.project.release)}/{VALUES_FILE}#/{FOLDER}"
+    prefix = f"{config().edition_folder(edition.project.release)}/{VALUES_FILE}#/{FOLDER}"
     formula = "each measurement left out in turn and compared with the others: "
     return {
-        name: Value(count, "1", f"{place}/{name}", noise=0.0, formula=formula + name)
+        name: Value(count, "1", f"{prefix}/{name}", noise=0.0, formula=formula + name)
         for name, count in rate_of(edition).items()
     }
 
@@ -231,5 +233,5 @@ def rate_text(rate: Mapping[str, int]) -> str:
     """Say how often nothing had changed and a change was told."""
     if not rate:
         return "not known: no section has been measured three times"
-    words = "in {told} of {comparisons} comparisons in which nothing changed, and of {moves} of {numbers} numbers"
-    return words.format_map(rate)
+    text = "in {told} of {comparisons} comparisons in which nothing changed, and of {moves} of {numbers} numbers"
+    return text.format_map(rate)

@@ -31,7 +31,7 @@ class Bisection:
         answer, noise = self._measured(release, [self.query.section]), config().noise_section
         if answer is None and noise in all_sections(self.project.root):  # without which most differences can't be told
             answer = self._measured(release, [self.query.section, noise])
-        print(f"{release}: {self.query.text} {said(answer)}", flush=True)
+        print(f"{release}: {self.query.text} {answer_text(answer)}", flush=True)
         return answer
 
     def _measured(self, release: Release, sections: Sequence[str]) -> Answer | None:
@@ -40,14 +40,14 @@ class Bisection:
         if lacking := _lacking(side, sections):
             side = measure(side, release, lacking, self.device)
         edition = editions_of(side, among=[side.release])[side.release]
-        known = [*self.query.names(edition.chapters)]
-        if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in known:
-            raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, known)}")
+        names = [*self.query.names(edition.chapters)]
+        if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in names:
+            raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, names)}")
         return self.query.answer(edition.chapters)
 
     def _side(self, release: Release, sections: Sequence[str]) -> Project:
-        own = self.project.of(str(release))
-        return replace(own, aside=ASIDE) if _lacking(own, sections) else own
+        side = self.project.of(str(release))
+        return replace(side, aside=ASIDE) if _lacking(side, sections) else side
 
     def packages(self, release: Release) -> Mapping[str, str]:
         section = self.query.section
@@ -60,29 +60,29 @@ def _lacking(project: Project, sections: Sequence[str]) -> list[str]:
     return [state.section for state in states if not state.record or "packages" in state.summary]
 
 
-def said(answer: Answer | None) -> str:
+def answer_text(answer: Answer | None) -> str:
     return "cannot tell" if answer is None else answer if isinstance(answer, str) else f"{answer:.4g}"
 
 
 def first_change(points: Sequence, is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list]:
     """Return the neighbours between which the answer changes, which first and last differ in, and what can't tell."""
     low, high, skipped = 0, len(points) - 1, set[int]()
-    while inner := [place for place in range(low + 1, high) if place not in skipped]:
+    while inner := [index for index in range(low + 1, high) if index not in skipped]:
         middle = inner[len(inner) // 2]
-        found = is_first(points[middle])
-        if found is None:
+        is_old = is_first(points[middle])
+        if is_old is None:
             skipped.add(middle)
-        elif found:
+        elif is_old:
             low = middle
         else:
             high = middle
-    return points[low], points[high], [points[place] for place in sorted(skipped) if low < place < high]
+    return points[low], points[high], [points[index] for index in sorted(skipped) if low < index < high]
 
 
 def points_between(first: Release, last: Release) -> list[str]:
     """Name what a search may look at, as a command would: commits of one local repository, or else releases."""
-    (path, _, old), (other, _, new) = (release.asked.rpartition("@") for release in (first, last))
-    if path and path == other and Path(path).is_dir():
+    (path, _, old), (new_path, _, new) = (release.asked.rpartition("@") for release in (first, last))
+    if path and path == new_path and Path(path).is_dir():
         commits = git(Path(path), "rev-list", "--reverse", "--first-parent", f"{old}..{new}").split()
         return [first.asked, *(f"{path}@{commit}" for commit in commits[:-1]), last.asked]
     return [first.asked, *map(str, releases_between(first, last)), last.asked]
@@ -93,7 +93,7 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
     a, b = search.answer(first), search.answer(last)
     if a is None or b is None or a == b:
         hint = "; PROFILE=full looks closer" if search.project.profile == "quick" else ""
-        raise UsageError(f"{search.query.text} is {said(a)} at A and {said(b)} at B{hint}")
+        raise UsageError(f"{search.query.text} is {answer_text(a)} at A and {answer_text(b)} at B{hint}")
 
     def is_first(release: Release) -> bool | None:
         try:
@@ -103,12 +103,12 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
             return None
         return None if answer is None else search.query.is_first(answer, a, b)
 
-    names = first_change(points_between(first, last), lambda asked: is_first(release_of(asked)))
+    names = first_change(points_between(first, last), lambda name: is_first(release_of(name)))
     before, after = map(release_of, names[:2])
-    told = [f"{search.query.text} changes between {before} and {after}: {said(a)} → {said(b)}"]
+    lines = [f"{search.query.text} changes between {before} and {after}: {answer_text(a)} → {answer_text(b)}"]
     if names[2]:  # each may be the one that differs
-        told += [f"no answer from {', '.join(names[2])}: the first that answers otherwise is one of these and {after}"]
-    return "\n".join([*told, _which_package(search, before, after, is_first)])
+        lines += [f"no answer from {', '.join(names[2])}: the first that answers otherwise is one of these and {after}"]
+    return "\n".join([*lines, _which_package(search, before, after, is_first)])
 
 
 def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable) -> str:
@@ -121,6 +121,6 @@ def _which_package(search: Bisection, before: Release, after: Release, is_first:
     ways = [sum(map(len, groups[:count])) for count in range(1, len(groups) + 1)]
     steps = [before, *(release_of(before.asked, " ".join(pins[:count])) for count in ways), after]
     low, high, skipped = first_change(steps, is_first)
-    found = [*groups, (config().edition,)][steps.index(low) : steps.index(high)]
-    names = " or ".join(" and ".join(names) for names in found)
+    changed = [*groups, (config().edition,)][steps.index(low) : steps.index(high)]
+    names = " or ".join(" and ".join(names) for names in changed)
     return f"it is one of {names}" if skipped else f"{names} did it: {low} is as before, {high} is not"

@@ -28,7 +28,7 @@ class Flip:
     name: str
     label: str
     page: Page
-    said: Sequence[tuple[Sequence[str], Claim]]
+    answers: Sequence[tuple[Sequence[str], Claim]]
     """Neighbouring editions that agree, and the claim as one of them words it; oldest first."""
 
     @property
@@ -39,7 +39,7 @@ class Flip:
     @property
     def ends(self) -> tuple[Claim, Claim]:
         """Return the claim as the oldest and as the newest of them have it."""
-        return self.said[0][1], self.said[-1][1]
+        return self.answers[0][1], self.answers[-1][1]
 
     @property
     def outcomes(self) -> str:
@@ -48,28 +48,28 @@ class Flip:
     @property
     def is_decided(self) -> bool:
         """Tell whether one edition upholds it and another doesn't; or else one of them can't tell."""
-        return len({claim.outcome.name for _, claim in self.said} - {"unknown"}) > 1
+        return len({claim.outcome.name for _, claim in self.answers} - {"unknown"}) > 1
 
 
-def flips(releases: Releases, shown: str) -> Iterator[Flip]:
+def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
     """Yield the claims that editions answer differently, as the page's own says it, ``shown``, or else the newest."""
     sections = set().union(*releases.values())
-    asked: dict[tuple[str, str], dict[str, Claim]] = {}
+    claims: dict[tuple[str, str], dict[str, Claim]] = {}
     for release, chapters in releases.items():
         for section, chapter in chapters.items():
             for claim in chapter.section.claims:
                 # That one can't tell says nothing where it lacks a section, unless it is for being near the noise.
                 if claim.outcome.name != "unknown" or claim.outcome.is_inconclusive or len(chapters) == len(sections):
-                    asked.setdefault((section, claim.name), {})[release] = claim
-    for (section, name), answers in asked.items():
+                    claims.setdefault((section, claim.name), {})[release] = claim
+    for (section, name), answers in claims.items():
         terms = {release: _terms_of(section, claim, releases[release]) for release, claim in answers.items()}
-        here = terms.get(shown, next(iter(terms.values())))
-        outcomes = {release: claim.outcome.name for release, claim in answers.items() if terms[release] == here}
+        page_terms = terms.get(page_release, next(iter(terms.values())))
+        outcomes = {release: claim.outcome.name for release, claim in answers.items() if terms[release] == page_terms}
         groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
         if len(groups) > 1:
-            said = [(group, answers[shown if shown in group else group[-1]]) for group in groups]
+            answered = [(group, answers[page_release if page_release in group else group[-1]]) for group in groups]
             chapter = releases[next(iter(answers))][section]
-            yield Flip(section, name, chapter.results.label, chapter.page, said)
+            yield Flip(section, name, chapter.results.label, chapter.page, answered)
 
 
 def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
@@ -83,15 +83,15 @@ def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple
 def cells(pointers: Collection[str], chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
     """Return record, row and column of each pointer to a cell of the edition's own records."""
     records = {chapter.results.source: chapter.results.record for chapter in chapters.values()}
-    found = [pointer for pointer in map(Pointer, sorted(pointers)) if pointer.cell and pointer.file in records]
-    return [(record := records[each.file], record.rows[each.cell[0]], each.cell[1]) for each in found if each.cell]
+    places = ((pointer.file, pointer.cell) for pointer in map(Pointer, sorted(pointers)) if pointer.file in records)
+    return [(record := records[file], record.rows[cell[0]], cell[1]) for file, cell in places if cell]
 
 
 def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
     """Return the claims that one of two editions upholds and the other doesn't, or, if both are whole, can't tell."""
     is_whole = set(before) == set(after)
-    found = flips({"before": before, "after": after}, "after")
-    near = (flip for flip in found if not any(claim.outcome.is_inconclusive for _, claim in flip.said))
+    all_flips = flips({"before": before, "after": after}, "after")
+    near = (flip for flip in all_flips if not any(claim.outcome.is_inconclusive for _, claim in flip.answers))
     return [flip for flip in near if flip.is_decided or is_whole]
 
 
@@ -101,14 +101,14 @@ def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
     for move in compared:
         for row in move.rows:
             of_rows.setdefault(row.source, []).append(move)
-    found = []
+    backed_flips = []
     for flip in flips:
-        read = {pointer for _, claim in flip.said for pointer in claim.outcome.reads if Pointer(pointer).cell}
+        read = {pointer for _, claim in flip.answers for pointer in claim.outcome.reads if Pointer(pointer).cell}
         read = {pointer for pointer in read if f"/{config().noise_section}.json#" not in pointer}
         moved = (_moved(of_rows.get(row), column) for row, _, column in (pointer.rpartition("/") for pointer in read))
-        is_untold = any(".csv.gz" in claim.outcome.reason for _, claim in flip.said)
-        found += [flip] if not is_untold and (not read or any(moved)) else []
-    return found
+        is_untold = any(".csv.gz" in claim.outcome.reason for _, claim in flip.answers)
+        backed_flips += [flip] if not is_untold and (not read or any(moved)) else []
+    return backed_flips
 
 
 def _moved(row: Sequence[Move] | None, column: str) -> bool:
@@ -127,8 +127,8 @@ class FlipList:
 
     def of(self, releases: Releases) -> "FlipList":
         """Return the same with the flips, whose words are of each time and are not kept."""
-        found = flips({release: releases[release] for release in self.seen}, self.shown)
-        return replace(self, flips=[flip for flip in found if flip.is_decided])
+        all_flips = flips({release: releases[release] for release in self.seen}, self.shown)
+        return replace(self, flips=[flip for flip in all_flips if flip.is_decided])
 
     def __html__(self) -> Markup:
         return macros().turns(self.flips, self.shown, self.sections)
@@ -146,8 +146,8 @@ class Fault:
 
     @property
     def text(self) -> str:
-        place = f"{self.section}.{self.claim}".rstrip(".")
-        return f"{self.kind}: {config().edition} {self.release}, {place}: {self.reason}"
+        subject = f"{self.section}.{self.claim}".rstrip(".")
+        return f"{self.kind}: {config().edition} {self.release}, {subject}: {self.reason}"
 
 
 @dataclass(frozen=True)
@@ -167,7 +167,7 @@ class Comparison:
 
     def alone(self, cell: Move) -> float:
         """Return the least difference of a cell that would count if no other changed."""
-        count = sum(each.chance is not None for each in self.cells)
+        count = sum(move.chance is not None for move in self.cells)
         return replace(cell, limit=FALSE_SHARE / max(1, count)).noise or 0.0
 
     @cached_property
@@ -183,8 +183,8 @@ class Comparison:
     @property
     def missing(self) -> list[str]:
         """Name the numbers with a threshold that are not in both: they can raise no alarm."""
-        there = {cell.name for cell in self.cells}
-        return [name for name in config().changes.thresholds if name not in there]
+        names = {cell.name for cell in self.cells}
+        return [name for name in config().changes.thresholds if name not in names]
 
     @property
     def is_alarm(self) -> bool:
@@ -198,51 +198,52 @@ def compare(before: Edition, after: Edition, timed: Sequence[Edition] = ()) -> C
     pairs = {name: (sides[0][name], sides[1][name]) for name in sides[0] if name in sides[1]}
     for name in set.intersection(*(set(edition.chapters) for edition in timed)) if timed else ():
         pairs[name] = timed[0].chapters[name], timed[1].chapters[name]
-    found = [cell for pair in pairs.values() for cell in cells_between(*pair)]
-    chances = [cell.chance for cell in found if cell.chance is not None]
+    compared = [cell for pair in pairs.values() for cell in cells_between(*pair)]
+    chances = [cell.chance for cell in compared if cell.chance is not None]
     limit = max(discoveries(chances), FALSE_SHARE / max(1, len(chances)))
-    found = [replace(cell, limit=limit) if (cell.chance or 0.0) <= FALSE_SHARE else cell for cell in found]
+    compared = [replace(cell, limit=limit) if (cell.chance or 0.0) <= FALSE_SHARE else cell for cell in compared]
     return Comparison(
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)])),
-        flips=backed(flips_between(*sides), found),
-        cells=found,
+        flips=backed(flips_between(*sides), compared),
+        cells=compared,
         notes=[*_uncompared(before, after)],
     )
 
 
 def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
-    for side, other in ((before, after), (after, before)):
+    for side, opposite in ((before, after), (after, before)):
         for state in side.left_out:
-            if state.kind == "missing" and state.section in other.chapters:
+            if state.kind == "missing" and state.section in opposite.chapters:
                 yield f"{state.section}: {config().edition} {side.project.release} has no results of it"
-    apart: dict[str, list[str]] = {}
+    sections_by_machines: dict[str, list[str]] = {}
     for section in (name for name in before.chapters if name in after.chapters):
         records = [side.chapters[section].results.record for side in (before, after)]
         has_costs = any("cost" in column_of(name).kinds for name in records[0].units)
         if has_costs and len({record.machine_for_speed for record in records}) > 1:
-            apart.setdefault(" and on ".join(record.machine_in_full for record in records), []).append(section)
-    for machines, names in apart.items():
+            machines = " and on ".join(record.machine_in_full for record in records)
+            sections_by_machines.setdefault(machines, []).append(section)
+    for machines, names in sections_by_machines.items():
         yield f"speed and cost in {', '.join(names)}: measured on {machines}"
 
 
 def faults_of(edition: Edition) -> list[Fault]:
     """Return what an edition's own results say against it: records that fail, claims that a broken run leaves open."""
     release, manifest, sections = edition.project.release, edition.project.manifest, edition.chapters
-    found = []
+    faults = []
     for state in edition.left_out:
         if state.kind != "missing":
             kind = "damaged" if state.kind == "damaged" else "not shown"
-            found.append(Fault(release, state.section, kind, state.words))
+            faults.append(Fault(release, state.section, kind, state.words))
         elif manifest and state.section in manifest.sections:
-            found.append(Fault(release, state.section, "missing", "it was measured, and its results are gone"))
+            faults.append(Fault(release, state.section, "missing", "it was measured, and its results are gone"))
     for name, chapter in sections.items():
         for claim in chapter.section.claims:
             if claim.outcome.name == "unknown" and not claim.outcome.is_inconclusive:
                 lost = (row for _, row, column in cells(claim.outcome.reads, sections) if row.get(column) is None)
                 broken = next(filter(None, map(_breakdown, lost)), "")
-                found += [Fault(release, name, "cannot tell", broken, claim.name)] if broken else []
-    return found
+                faults += [Fault(release, name, "cannot tell", broken, claim.name)] if broken else []
+    return faults
 
 
 def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
@@ -258,8 +259,8 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
         broken = [list(filter(None, map(_breakdown, side))) for side in rows]
         for edition, reasons in zip((before, after), broken, strict=True):
             if reasons and not all(broken):
-                others = f", and {len(reasons) - 1} more" if reasons[1:] else ""
-                yield Fault(edition.project.release, section, "broken", reasons[0] + others)
+                more = f", and {len(reasons) - 1} more" if reasons[1:] else ""
+                yield Fault(edition.project.release, section, "broken", reasons[0] + more)
 
 
 def _breakdown(row: Mapping[str, Any]) -> str:

@@ -148,11 +148,11 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
     pairs = list(_means_between(before, after))
     moves, mean_cells = [], {(pair.move["place"]["case"], pair.column) for pair in pairs}
     for key in dict.fromkeys((*old, *new)):
-        place, a, b = dict(key), old.get(key), new.get(key)
+        row_key, a, b = dict(key), old.get(key), new.get(key)
         if a is None or b is None:
-            if place.get("kind") in rules.settings:
+            if row_key.get("kind") in rules.settings:
                 values = a and a.plain["value"], b and b.plain["value"]
-                moves.append(Move("value", *values, section=before.name, place=place))
+                moves.append(Move("value", *values, section=before.name, place=row_key))
             continue
         # Where repeats of a run end in different classes it is chance which one the row is about.
         if a.names[0] in edges or any(
@@ -162,22 +162,22 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
         is_other_card = a.card != b.card
         for column in _comparable((a.plain, b.plain), records):
             ends = a.plain[column], b.plain[column]
-            move: dict[str, Any] = {"section": before.name, "place": place, "rows": (a, b)}
+            move: dict[str, Any] = {"section": before.name, "place": row_key, "rows": (a, b)}
             if not (is_number(ends[0]) and is_number(ends[1])):
                 moves.append(Move(column, *ends, **move))
-            elif (place["case"], column) not in mean_cells:
+            elif (row_key["case"], column) not in mean_cells:
                 estimates = [a.estimate(column), b.estimate(column)]
                 if is_absolute(column):
                     if is_other_card and not _knows_cards(estimates):
                         continue
-                    estimates = [each and (each if each.is_again else _of_process(each)) for each in estimates]
+                    estimates = [time if time is None or time.is_again else _of_process(time) for time in estimates]
                 pairs.append(Pair(move, column, estimates, ends, edge_share))
     return [*judged(pairs), *moves]
 
 
 def _knows_cards(estimates: Sequence[Estimate | None]) -> bool:
     """Tell whether somebody knows how far absolute times of two cards of one kind are apart."""
-    return any(each and each.is_of_cards for each in estimates)
+    return any(estimate and estimate.is_of_cards for estimate in estimates)
 
 
 def _of_process(time: Estimate) -> Estimate:
@@ -209,22 +209,22 @@ def judged(pairs: Sequence[Pair]) -> list[Move]:
 
     if not pairs:
         return []
-    known = [_both(pair) for pair in pairs]
-    ends = [(before.value, after.value) for (before, after), _, _ in known]
-    sides = np.array([[(each.variance / each.count, each.freedom) for each in sides] for sides, _, _ in known])
+    estimated = [_estimates_of(pair) for pair in pairs]
+    ends = [(before.value, after.value) for (before, after), _, _ in estimated]
+    sides = np.array([[(side.variance / side.count, side.freedom) for side in sides] for sides, _, _ in estimated])
     errors, freedoms = welch(sides[:, :, 0], sides[:, :, 1])
-    leasts = np.array([least for _, least, _ in known])
+    leasts = np.array([least for _, least, _ in estimated])
     distance = np.maximum(0.0, abs(np.array([after - before for before, after in ends])) - leasts)
     arrays = chance_of(distance, errors, freedoms), errors.tolist(), freedoms.tolist(), leasts.tolist()
     return [
         Move(pair.column, before, after, max(chance, pair.edge_share), error, freedom, least, is_chosen, **pair.move)
         for pair, (before, after), (_, _, is_chosen), chance, error, freedom, least in zip(
-            pairs, ends, known, *arrays, strict=True
+            pairs, ends, estimated, *arrays, strict=True
         )
     ]
 
 
-def _both(pair: Pair) -> tuple[list[Estimate], float, bool]:
+def _estimates_of(pair: Pair) -> tuple[list[Estimate], float, bool]:
     """Return what is known of both sides, the least difference that counts, and whether nobody knows any of that."""
     bare = [each or Estimate(end) for each, end in zip(pair.estimates, pair.ends, strict=True)]
     size, resolution = max(abs(each.value) for each in bare), column_of(pair.column).resolution
@@ -243,7 +243,7 @@ def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
     return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
 
 
-def _unlike(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
+def _changed_settings(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
     """Return the kinds of columns in which two runs were not set alike."""
     names = (name for name in a if None not in (a[name], b.get(name)) and a[name] != b[name])
     return [kinds for name in names if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
@@ -251,7 +251,7 @@ def _unlike(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
 
 def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterator[str]:
     has_same_terms = len(set(map(cost_terms, records, cells))) == 1
-    lost, unlike = [is_lost(cell) for cell in cells], _unlike(*cells)
+    lost, changed = [is_lost(cell) for cell in cells], _changed_settings(*cells)
     for column, before in cells[0].items():
         if column not in cells[1] or not _may_differ(column):
             continue
@@ -262,7 +262,7 @@ def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterat
             is_so = False
         else:  # of runs that were not set alike nothing, and of those that ran for longer or shorter rates alone
             is_rate = about.unit.endswith(("/s", "/cycle"))
-            is_so = not unlike or about.is_setting or (is_rate and all("setting" in kinds for kinds in unlike))
+            is_so = not changed or about.is_setting or (is_rate and all("setting" in kinds for kinds in changed))
         if is_so:
             yield column
 

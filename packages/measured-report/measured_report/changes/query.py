@@ -51,8 +51,8 @@ class Query:
         if self.is_claim:
             claim = self.claim(chapters)
             return claim.outcome.name if claim and claim.outcome.name != "unknown" else None
-        found = self.quantity(chapters)
-        value: Any = getattr(found, "value", found)  # yes and no are plain, and so are texts, which nothing is told of
+        quantity = self.quantity(chapters)
+        value: Any = getattr(quantity, "value", quantity)  # yes and no are plain, and texts, of which nothing is told
         return None if isinstance(value, str) else value
 
     def quantity(self, chapters: Chapters) -> Quantity | bool | str | None:
@@ -64,8 +64,8 @@ class Query:
 
     def cell(self, chapters: Chapters, release: str = "") -> Quantity:
         """Return what a row of the edition ``release`` has; no number, and a reason, when that has nothing."""
-        same = config().changes.same_runs
-        sections = (self.section, *(same if self.section in same else ()))
+        alike = config().changes.same_runs
+        sections = (self.section, *(alike if self.section in alike else ()))
         rows = (self._row(chapters[section].results) for section in sections if section in chapters)
         row = next(filter(None, rows), None)
         if row and self.column in row:
@@ -86,8 +86,8 @@ class Query:
     def names(self, chapters: Chapters) -> Iterator[str]:
         """Yield what an edition can be asked: claims, or else values and, of the section meant, numbers of rows."""
         for name, chapter in chapters.items():
-            found = [claim.name for claim in chapter.section.claims] if self.is_claim else chapter.results.derived
-            yield from (f"{name}.{each}" for each in found)
+            names = [claim.name for claim in chapter.section.claims] if self.is_claim else chapter.results.derived
+            yield from (f"{name}.{label}" for label in names)
         for name in [] if self.is_claim else get_close_matches(self.section, chapters, n=1):
             for case, row in chapters[name].results.row.items():
                 numbers = (column for column in row.plain if isinstance(row[column], Quantity))
@@ -105,39 +105,39 @@ class Point:
     release: str
     answer: Answer  # of this edition
     noise: float | None  # how far the truth may be from it; None where nobody knows, or where it is no number
-    said: str
+    text: str
     mark: str = ""  # against the answer before: better, worse, moved or flipped; empty where it is the same, or first
 
 
 def points(releases: Releases, query: Query) -> list[Point]:
     """Return what the editions answer that can, oldest first."""
-    found: list[Point] = []
+    answered: list[Point] = []
     for release, chapters in releases.items():
         answer, claim = query.answer(chapters), query.claim(chapters)
         if claim and answer is not None:
-            mark = "flipped" if found and found[-1].answer != answer else ""
-            found.append(Point(release, answer, None, claim.outcome.said, mark))
+            mark = "flipped" if answered and answered[-1].answer != answer else ""
+            answered.append(Point(release, answer, None, claim.outcome.said, mark))
         elif answer is not None:
             noise = getattr(query.quantity(chapters), "noise", None)
-            mark = _mark(query.column, found[-1], answer, noise) if found else ""
-            found.append(Point(release, answer, noise, f"{answer:.4g}" + (f" ± {noise:.2g}" if noise else ""), mark))
-    return found
+            mark = _mark(query.column, answered[-1], answer, noise) if answered else ""
+            answered.append(Point(release, answer, noise, f"{answer:.4g}" + (f" ± {noise:.2g}" if noise else ""), mark))
+    return answered
 
 
 def _mark(column: str, before: Point, answer: Answer, noise: float | None) -> str:
     """Say how a number differs from the one before; nothing where it may be the same, as far as is known."""
-    distance, known = abs(float(answer) - float(before.answer)), math.hypot(before.noise or 0.0, noise or 0.0)
-    is_same = distance <= max(known, column_of(column).resolution)
+    distance, doubt = abs(float(answer) - float(before.answer)), math.hypot(before.noise or 0.0, noise or 0.0)
+    is_same = distance <= max(doubt, column_of(column).resolution)
     return Move(column, before.answer, answer, chance=float(is_same), limit=0.5).mark
 
 
 def history(releases: Releases, query: Query) -> str:
     """Return a line for each edition that answers or says why it can't, oldest first."""
-    found = {point.release: point for point in points(releases, query)}
+    answered = {point.release: point for point in points(releases, query)}
     lines = [
-        (release, found[release].said, found[release].mark) if release in found else (release, "cannot tell", why)
+        (release, point.text, point.mark) if (point := answered.get(release)) else (release, "cannot tell", why)
         for release, chapters in releases.items()
-        if (why := _reason(query, chapters)) or release in found
+        if (why := _reason(query, chapters)) or release in answered
     ]
     return "\n".join([query.text, aligned(lines) or "no edition can tell"])
 
@@ -149,31 +149,31 @@ def _reason(query: Query, chapters: Chapters) -> str:
     return number.reason if isinstance(number, Quantity) and number.source else ""
 
 
-def flip_history(releases: Releases, shown: str) -> str:
+def flip_history(releases: Releases, page_release: str) -> str:
     """Return a line for each claim that flips, with what each edition says to it; none where that can't compare."""
     lines = []
-    for flip in (flip for flip in flips(releases, shown) if flip.is_decided):
-        said = {release: claim.outcome.said for names, claim in flip.said for release in names}
-        lines.append((flip.claim, *(said.get(release, "") for release in releases)))
+    for flip in (flip for flip in flips(releases, page_release) if flip.is_decided):
+        answers = {release: claim.outcome.said for names, claim in flip.answers for release in names}
+        lines.append((flip.claim, *(answers.get(release, "") for release in releases)))
     return "\n".join(["claims that flip", aligned([("", *releases), *lines])]) if lines else "no claim flips"
 
 
-def refuse_unknown_names(editions: Mapping[str, Edition], own: Edition | None) -> None:
+def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | None) -> None:
     """Raise ReportError, one line, for the first name of nothing; what was not measured yet is not asked for."""
-    if own is None or own.project.profile != "full" or own.project.root != report().root:
+    if edition is None or edition.project.profile != "full" or edition.project.root != report().root:
         return
-    rules, known = config().changes, sections(own.project.root)
-    _refuse("noise_section", [config().noise_section], "section", known)
-    _refuse("changes.deciding", rules.deciding, "section", known)
-    _refuse("changes.same_runs", rules.same_runs, "section", known)
-    asked = [("thresholds", Query(name)) for name in rules.thresholds]
-    asked += [("headlines", Query(name)) for name in rules.headlines.values()]
-    for setting, query in [*asked, *([("cause", Query(rules.cause, is_claim=True))] if rules.cause else [])]:
-        _refuse(f"changes.{setting}", [query.section], "section", known)
-        found = query.claim(own.chapters) if query.is_claim else query.quantity(own.chapters)
-        if query.section in own.chapters and not (found and (not isinstance(found, Quantity) or found.source)):
-            _refuse(f"changes.{setting}", [query.text], "value", [*query.names(own.chapters)])
-    if not own.left_out:
+    rules, section_names = config().changes, sections(edition.project.root)
+    _refuse("noise_section", [config().noise_section], "section", section_names)
+    _refuse("changes.deciding", rules.deciding, "section", section_names)
+    _refuse("changes.same_runs", rules.same_runs, "section", section_names)
+    queries = [("thresholds", Query(name)) for name in rules.thresholds]
+    queries += [("headlines", Query(name)) for name in rules.headlines.values()]
+    for setting, query in [*queries, *([("cause", Query(rules.cause, is_claim=True))] if rules.cause else [])]:
+        _refuse(f"changes.{setting}", [query.section], "section", section_names)
+        answer = query.claim(edition.chapters) if query.is_claim else query.quantity(edition.chapters)
+        if query.section in edition.chapters and not (answer and (not isinstance(answer, Quantity) or answer.source)):
+            _refuse(f"changes.{setting}", [query.text], "value", [*query.names(edition.chapters)])
+    if not edition.left_out:
         rows = (chapter.results.record.rows for each in editions.values() for chapter in each.chapters.values())
         columns = {column for each in rows for column in columns_of(each)} | {*parameters()}
         for each in config().columns:
@@ -183,10 +183,10 @@ def refuse_unknown_names(editions: Mapping[str, Edition], own: Edition | None) -
         _refuse("cost_terms", config().cost_terms, "column", columns)
 
 
-def _refuse(setting: str, names: Iterable[str], kind: str, known: Collection[str]) -> None:
+def _refuse(setting: str, names: Iterable[str], kind: str, existing: Collection[str]) -> None:
     for name in names:
-        if name and name not in known:
-            raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, known)}")
+        if name and name not in existing:
+            raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, existing)}")
 
 
 def blind_spots(edition: Edition) -> list[str]:
@@ -195,8 +195,8 @@ def blind_spots(edition: Edition) -> list[str]:
     for chapter in edition.chapters.values():
         for column in chapter.results.record.units:
             is_asked = column_of(column).kinds.isdisjoint(("chance", "cost", "parameter", "setting"))
-            found = (row[column] for row in chapter.results.rows if is_asked and row.plain.get(column) is not None)
-            unknown |= {column: None} if any(each.noise is None for each in found if each.value is not None) else {}
+            cells = (row[column] for row in chapter.results.rows if is_asked and row.plain.get(column) is not None)
+            unknown |= {column: None} if any(cell.noise is None for cell in cells if cell.value is not None) else {}
     late = []
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)
@@ -204,6 +204,6 @@ def blind_spots(edition: Edition) -> list[str]:
             late.append(f"{name} never rings: {number.reason}")
         elif isinstance(number, Quantity) and number.value:
             least = CHOSEN_SHARE if number.noise is None else math.sqrt(2) * number.noise / abs(number.value)
-            told = f"{name}: threshold {100 * threshold:.2g} %, but noise hides changes below {100 * least:.2g} %"
-            late += [told] if least > threshold else []
+            text = f"{name}: threshold {100 * threshold:.2g} %, but noise hides changes below {100 * least:.2g} %"
+            late += [text] if least > threshold else []
     return ([f"no noise is known of {few(list(unknown), 8)}"] if unknown else []) + late

@@ -21,8 +21,8 @@ def run(project: Project, arguments: Arguments) -> int:
     names = sections(project.root)
     if arguments.section and arguments.section not in names:
         raise UsageError(f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}")
-    asked, reasons = [arguments.section] if arguments.section else names, {}
-    for name, reason in carried(project, arguments.release, asked, arguments.device or "cpu"):
+    chosen, reasons = [arguments.section] if arguments.section else names, {}
+    for name, reason in carried(project, arguments.release, chosen, arguments.device or "cpu"):
         reasons[name] = reason
         print(f"{name}: {f'not carried: {reason}' if reason else 'carried'}", flush=True)
     if not reasons:

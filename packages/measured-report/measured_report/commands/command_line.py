@@ -61,7 +61,7 @@ def _open_closed() -> None:
     os.close(free)
 
 
-def _run(name: str, *given: str) -> int:
+def _run(name: str, *typed: str) -> int:
     names = commands()
     if name not in names:
         raise UsageError(f"{name} is no command{suggestion(name, names)}; use one of: {', '.join(names)}")
@@ -70,10 +70,10 @@ def _run(name: str, *given: str) -> int:
     parser.set_defaults(edition="", pins="", profile="full")
     for option, settings in options_of(module).items():
         parser.add_argument(_flag(option), **settings)
-    arguments = parser.parse_args([*_typed(module), *given])
-    own = own_release()
-    arguments.release = release_of(arguments.edition or own, arguments.pins)
-    project = Project(str(arguments.release), arguments.profile, own_release=own)
+    arguments = parser.parse_args([*_typed(module), *typed])
+    release = own_release()
+    arguments.release = release_of(arguments.edition or release, arguments.pins)
+    project = Project(str(arguments.release), arguments.profile, own_release=release)
     damages = recover(project.results.parent, load_record)
     for line in damages:
         _say(line)

@@ -17,7 +17,8 @@ def run(project: Project, arguments: Arguments) -> int:
         print("\n\n".join([*texts, flip_history(releases, project.release)]))
         return 0
     query = query_of(arguments)
-    if not any(query.answer(each) is not None or query.text in query.names(each) for each in releases.values()):
+    editions = releases.values()
+    if not any(query.answer(edition) is not None or query.text in query.names(edition) for edition in editions):
         hint = suggestion(query.text, query.names(releases[project.release]))
         raise UsageError(f"no edition has {query.text}{hint}")
     print(history(releases, query))

@@ -45,25 +45,27 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
         raise UsageError(f"{folder} is not empty; name a folder that is not there")
     if any(mark in title for mark in '"\\\n{}') or UNPRINTABLE.search(title):
-        said = UNPRINTABLE.sub("?", title)
-        raise UsageError(f"--title={said} has a quote, a brace, a break or what can't be printed, which no title takes")
+        title = UNPRINTABLE.sub("?", title)
+        raise UsageError(
+            f"--title={title} has a quote, a brace, a break or what can't be printed, which no title takes"
+        )
     name, _, version = (package or PACKAGE).partition("==")
     if is_name := re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
         version = version or next((str(release) for release in releases_of(name)[-1:]), "")
     if not (is_name and VERSION.fullmatch(version)):
         raise UsageError(f"--package={package} is no package of the index; numpy==2.3.0 names one with its release")
     kind = "importing" if package else "pendulum"
-    told = {"@PACKAGE@": name, "@VERSION@": version, "@OPTION@": Config(edition=name).option}
+    marks = {"@PACKAGE@": name, "@VERSION@": version, "@OPTION@": Config(edition=name).option}
     folder.mkdir(parents=True, exist_ok=True)
-    _write(folder, kind, {**told, "@TITLE@": title or KINDS[kind].format(name)})
+    _write(folder, kind, {**marks, "@TITLE@": title or KINDS[kind].format(name)})
     (folder / FILE).write_text(reference(), encoding="utf-8")
     print(f"wrote {folder}; cd {shlex.quote(folder.name)} && make report measures, and builds site/index.html")
 
 
-def _write(folder: Path, kind: str, told: Mapping[str, str]) -> None:
+def _write(folder: Path, kind: str, marks: Mapping[str, str]) -> None:
     source = _source(folder)
-    said = {
-        **told,
+    replacements = {
+        **marks,
         "@NAME@": re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "report",
         "@AUTHOR@": git(folder, "config", "user.name") or "Its authors",
         f'"{GENERATOR}"': f'"{GENERATOR}"' if source else f'"{GENERATOR}=={metadata.version(GENERATOR)}"',
@@ -74,25 +76,25 @@ def _write(folder: Path, kind: str, told: Mapping[str, str]) -> None:
         if first not in KINDS or first == kind:
             name = "/".join(below if first == kind else [first, *below]).replace("dot.", ".")
             text = template.read_text(encoding="utf-8")
-            for mark, word in said.items():
-                text = text.replace(mark, word)
+            for mark, replacement in replacements.items():
+                text = text.replace(mark, replacement)
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8")
 
 
 def _source(folder: Path) -> str:
     """Return the line of pyproject.toml that says where this generator is from; a wheel is copied into the report."""
-    told = json.loads(metadata.distribution(GENERATOR).read_text("direct_url.json") or "{}")
-    url, place = told.get("url", ""), Path(unquote(urlparse(told.get("url", "")).path))
-    if "vcs_info" in told:
-        said = {"git": url, "rev": told["vcs_info"]["commit_id"], "subdirectory": told.get("subdirectory")}
+    origin = json.loads(metadata.distribution(GENERATOR).read_text("direct_url.json") or "{}")
+    url, path = origin.get("url", ""), Path(unquote(urlparse(origin.get("url", "")).path))
+    if "vcs_info" in origin:
+        fields = {"git": url, "rev": origin["vcs_info"]["commit_id"], "subdirectory": origin.get("subdirectory")}
     elif not url.startswith("file:"):
-        said = {"url": url}
+        fields = {"url": url}
     else:
-        said = {"path": str(place)}
-        if place.suffix == ".whl":
-            said = {"path": f"wheels/{place.name}"}
+        fields = {"path": str(path)}
+        if path.suffix == ".whl":
+            fields = {"path": f"wheels/{path.name}"}
             (folder / "wheels").mkdir(exist_ok=True)
-            shutil.copy(place, folder / "wheels")
-    parts = ", ".join(f"{name} = {json.dumps(word)}" for name, word in said.items() if word)
+            shutil.copy(path, folder / "wheels")
+    parts = ", ".join(f"{name} = {json.dumps(value)}" for name, value in fields.items() if value)
     return f"{GENERATOR} = {{ {parts} }}" if parts else ""

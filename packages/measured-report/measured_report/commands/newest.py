@@ -13,15 +13,16 @@ from measured_report.files.errors import ReportError
 def run(project: Project, arguments: Arguments) -> int:
     package = config().edition
     sides = (replace(project, profile=profile) for profile in PROFILES)
-    known = [side.of(release) for side in sides for release in side.releases]
-    newest = max((each.named for each in known), key=lambda release: release.order)
+    projects = [side.of(release) for side in sides for release in side.releases]
+    newest = max((edition.named for edition in projects), key=lambda release: release.order)
     releases = releases_of(package)
     if not releases:
         raise ReportError(f"the index says of no release of {package}; this takes the network")
     new = [(str(releases[-1]), "")] if releases[-1].order > newest.order else []
-    for other, *_ in config().changes.together:
-        used = {record.identity.packages[other] for each in known for record in records_of(each)}
-        new += [(newest.version, f"{other}=={newer}") for newer in releases_of(other)[-1:] if str(newer) not in used]
+    for partner, *_ in config().changes.together:
+        used = {record.identity.packages[partner] for edition in projects for record in records_of(edition)}
+        last = [str(release) for release in releases_of(partner)[-1:]]
+        new += [(newest.version, f"{partner}=={version}") for version in last if version not in used]
     for release, pins in new[:1]:  # under the package's name, and for a workflow that knows none
         print(f"{package}={release}\nwith={pins}\noption={config().flag}\nrelease={release}")
     return 0

@@ -16,10 +16,10 @@ Arguments = Namespace  # what a command is given: its options by their names, an
 SCHEDULER = re.compile(r"(tcp|tls)://[^\s/]+:[0-9]{1,5}")
 
 
-def read_cluster(asked: str) -> str:
-    if asked != "local" and not SCHEDULER.fullmatch(asked):
-        raise UsageError(f"CLUSTER={asked:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
-    return asked
+def read_cluster(cluster: str) -> str:
+    if cluster != "local" and not SCHEDULER.fullmatch(cluster):
+        raise UsageError(f"CLUSTER={cluster:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
+    return cluster
 
 
 def read_address(address: str) -> str:
@@ -55,12 +55,12 @@ def shared(*names: str) -> dict[str, dict[str, Any]]:
     return {option: SHARED[option] for option in options}
 
 
-def refuse_unmeasured(project: Project, asked: str) -> None:
+def refuse_unmeasured(project: Project, name: str) -> None:
     """Refuse an edition without results where nothing is to be measured, but for the project's own."""
     if not project.is_own and not any(project.record_path(section).exists() for section in sections(project.root)):
-        there = ", ".join(release for release in project.releases if release != project.release) or "none"
-        asked = f"{config().option}={asked}"
-        raise UsageError(f"{asked} has no results (there are: {there}); make upgrade {asked} measures what decides")
+        measured = ", ".join(release for release in project.releases if release != project.release) or "none"
+        name = f"{config().option}={name}"
+        raise UsageError(f"{name} has no results (there are: {measured}); make upgrade {name} measures what decides")
 
 
 def refuse_itself(before: str, after: str) -> None:

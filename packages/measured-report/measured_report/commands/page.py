@@ -27,11 +27,11 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     releases = build(project, address)
     built, measurable = releases[project.release], sections(project.root)
     missing = [state.section for state in built.left_out if state.kind == "missing"]
-    others = [state.section for state in built.left_out if state.kind not in ("missing", NOT_SHOWN)]
-    lacking = [name for name in (*missing, *others, *built.stale) if name in measurable]
-    for words, names in (("not measured", missing), ("stale", built.stale)):
+    damaged = [state.section for state in built.left_out if state.kind not in ("missing", NOT_SHOWN)]
+    lacking = [name for name in (*missing, *damaged, *built.stale) if name in measurable]
+    for label, names in (("not measured", missing), ("stale", built.stale)):
         if names:
-            print(f"{words}: {', '.join(names)}")
+            print(f"{label}: {', '.join(names)}")
     if lacking:
         # A CPU's results never stand with those of a GPU.
         takes_gpu = needs_gpu(lacking[0], project.root) and any(machines_besides(project, "cpu"))

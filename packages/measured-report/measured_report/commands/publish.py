@@ -30,15 +30,15 @@ def run(project: Project, arguments: Arguments) -> int:
 
 def publish(site: Path, target: str) -> str:
     """Put a checked copy of ``site`` at ``dir:PATH`` or ``git:REMOTE#BRANCH``, whole, and return where it lies."""
-    scheme, _, place = (target or DEFAULT).partition(":")
+    scheme, _, location = (target or DEFAULT).partition(":")
     option = f"TARGET={without_password(target)}"
-    if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
+    if scheme not in TARGETS or not location or location.startswith("-") or "\0" in location:
         raise UsageError(f"{option!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE")
     try:
         (site.parent / ASIDE).mkdir(exist_ok=True)
         with staging_folder(site.parent / ASIDE / "copy") as folder:  # what a killed one has left goes now
             copy = _checked_copy(site, folder / "site")
-            return without_password(TARGETS[scheme](copy, place, site))
+            return without_password(TARGETS[scheme](copy, location, site))
     except UsageError as error:
         raise UsageError(without_password(str(error))) from None
     except OSError as error:
@@ -69,11 +69,11 @@ def _checked_copy(site: Path, copy: Path) -> Path:
     return copy
 
 
-def _to_folder(copy: Path, place: str, site: Path) -> str:
+def _to_folder(copy: Path, location: str, site: Path) -> str:
     # Path.expanduser would raise for a user that does not exist.
-    path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
+    path = Path(os.path.abspath(os.path.expanduser(location)))  # noqa: PTH111
     if not path.name or not path.parent.is_dir():
-        raise UsageError(f"TARGET=dir:{place}: there is no folder to put it into")
+        raise UsageError(f"TARGET=dir:{location}: there is no folder to put it into")
     is_free = not path.exists() or (path.is_dir() and not any(path.iterdir()))
     if path.is_symlink() or not (is_free or (path / MARK).is_file()):
         raise UsageError(f"{path} holds something that was not published here; it was left alone")
@@ -83,9 +83,9 @@ def _to_folder(copy: Path, place: str, site: Path) -> str:
     return str(path)
 
 
-def _to_branch(copy: Path, place: str, site: Path) -> str:
+def _to_branch(copy: Path, location: str, site: Path) -> str:
     """Publish to a branch of a remote, as its one commit, made in a repository of its own and pushed by address."""
-    remote, _, branch = place.partition("#")
+    remote, _, branch = location.partition("#")
     branch = branch or BRANCH
     ref, git, aside = f"refs/heads/{branch}", ["git", "-C", str(site.parent)], copy.with_name("git")
     if Path(_run([*git, "rev-parse", "--show-toplevel"])) != site.parent.resolve():
@@ -117,13 +117,15 @@ def _run(command: Sequence[str], **settings: str) -> str:
     quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
     env = {**os.environ, **quiet, **settings}
     try:
-        done = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=env, check=False)
+        ended = subprocess.run(
+            command, input="", capture_output=True, text=True, errors="replace", env=env, check=False
+        )
     except FileNotFoundError:
         raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None
-    if done.returncode:
-        lines = [*filter(None, map(str.strip, done.stderr.splitlines())), f"exit status {done.returncode}"]
+    if ended.returncode:
+        lines = [*filter(None, map(str.strip, ended.stderr.splitlines())), f"exit status {ended.returncode}"]
         raise UsageError(f"not published: {name}: {lines[0]}")
-    return done.stdout.strip()
+    return ended.stdout.strip()
 
 
 TARGETS = {"dir": _to_folder, "git": _to_branch}

@@ -10,8 +10,8 @@ from measured_report.records.columns import units
 
 FILE = "REFERENCE.md"
 GENERATOR = Path(__file__).parents[1]
-TOLD = {
-    "files/config": "Config Page Declared Told Changes",
+NAMES = {
+    "files/config": "Config Page Columns ColumnTraits Changes",
     "measuring/measurement": "Conditions Measurement absent",
     "measuring/batch": "Batch",
     "values/results": "Results Row",
@@ -34,11 +34,11 @@ def run(project: Project, arguments: Arguments) -> int:
 
 def reference() -> str:
     parts = ["# Reference", "Made from what the generator says of itself; `make reference` makes it anew."]
-    for module, names in TOLD.items():
+    for module, names in NAMES.items():
         text = (GENERATOR / f"{module}.py").read_text(encoding="utf-8")
         tree = ast.parse(text)
-        title, _, words = (ast.get_docstring(tree) or "").partition("\n")
-        parts += [f"## {title}", words.strip(), *_entries(text.splitlines(), tree.body, names.split())]
+        title, _, description = (ast.get_docstring(tree) or "").partition("\n")
+        parts += [f"## {title}", description.strip(), *_entries(text.splitlines(), tree.body, names.split())]
     ends = ", ".join(f"`_{end}` {unit}" for end, unit in units().items())
     return "\n\n".join(filter(None, [*parts, "## Units by the end of a column's name", ends]))
 
@@ -49,8 +49,8 @@ def _entries(lines: Sequence[str], body: Sequence[ast.stmt], names: Collection[s
         if isinstance(node, ast.AnnAssign) and not names:
             value = getattr(below, "value", None)  # what a field is stands behind it or, where that is long, below it
             long = value.value if isinstance(below, ast.Expr) and isinstance(value, ast.Constant) else ""
-            if said := " ".join(str(long).split()) or lines[(node.end_lineno or 0) - 1].partition("  # ")[2]:
-                yield f"- `{ast.unparse(node)}` {said}"
+            if description := " ".join(str(long).split()) or lines[(node.end_lineno or 0) - 1].partition("  # ")[2]:
+                yield f"- `{ast.unparse(node)}` {description}"
         elif isinstance(node, ast.ClassDef) and node.name in names:
             yield f"### {node.name}\n\n{ast.get_docstring(node)}"
             yield from _entries(lines, node.body)

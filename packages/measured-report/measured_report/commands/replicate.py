@@ -14,7 +14,7 @@ from measured_report.files.errors import ReportError, UsageError
 from measured_report.findings.replicas import reasons_text, refused
 from measured_report.measuring.machine import NO_CUDA, machine_of, needs_gpu
 from measured_report.measuring.measure import measure
-from measured_report.records.replicas import FOLDER, Records, packed, read_replica
+from measured_report.records.replicas import FOLDER, Records, archive_of, read_replica
 
 ASIDE = "replicate"  # the folder below `results` of what is being measured again: what is there is not measured twice
 FILE = {"default": "", "help": "somebody else's replica, a .tgz; without one it is measured here"}
@@ -44,13 +44,13 @@ def _keep(project: Project, records: Records, source: str) -> None:
         left_out = refused(project, records)
     except ReportError as error:
         raise ReportError(f"{source} is no replica of {project.release}: {error}") from None
-    kept = [record for name, record in records.items() if name not in left_out]
-    content = packed(kept)
-    machine = max(map(machine_of, kept), key=[*map(machine_of, kept)].count)
-    day = min(record.measured["date"] for record in kept)[:10]
+    accepted = [record for name, record in records.items() if name not in left_out]
+    content = archive_of(accepted)
+    machine = max(map(machine_of, accepted), key=[*map(machine_of, accepted)].count)
+    day = min(record.measured["date"] for record in accepted)[:10]
     path = project.results / FOLDER / f"{machine}-{day}-{sha256(content).hexdigest()[:8]}.tgz"
-    with atomic_file(path) as part:
-        part.write_bytes(content)
-    print(f"{len(kept)} sections of {project.release}, measured on {machine} on {day}: {path}")
+    with atomic_file(path) as temporary:
+        temporary.write_bytes(content)
+    print(f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {path}")
     if left_out:
         print(f"left out: {reasons_text(left_out)}")

@@ -67,10 +67,10 @@ class Server(ThreadingHTTPServer):
 
 def stamp(folders: Iterable[Path]) -> dict[Path, tuple[int, int]]:
     """Return when each file in some folders was changed, and its size."""
-    found = {}
-    walked = (place for folder in folders for place in os.walk(folder))  # which passes over what vanishes meanwhile
-    for path in (Path(place, name) for place, *names in walked for name in chain(*names)):
+    stamps = {}
+    walked = chain.from_iterable(map(os.walk, folders))  # which passes over what vanishes meanwhile
+    for path in (Path(folder, name) for folder, *names in walked for name in chain(*names)):
         if "__pycache__" not in path.parts:
             with suppress(OSError):  # it was removed just now
-                found[path] = path.stat().st_mtime_ns, path.stat().st_size
-    return found
+                stamps[path] = path.stat().st_mtime_ns, path.stat().st_size
+    return stamps

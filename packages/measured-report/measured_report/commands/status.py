@@ -14,10 +14,10 @@ OPTIONS = shared("edition", "profile")
 
 def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
-    own = (import_module(place) for place in commands().values() if place.startswith(OWN))
-    made = [module.state(project) for module in own if hasattr(module, "state")]
+    modules = (import_module(name) for name in commands().values() if name.startswith(OWN))
+    states = [module.state(project) for module in modules if hasattr(module, "state")]
     replicas = replicas_text(project)
-    print("\n".join([status_matrix(project), *replicas, *(f"{state.section}: {state.summary}" for state in made)]))
-    if changed := changes_text([*states_of(project), *made]):
+    print("\n".join([status_matrix(project), *replicas, *(f"{state.section}: {state.summary}" for state in states)]))
+    if changed := changes_text([*states_of(project), *states]):
         print(f"\n{config().edition} {project.release}\n{changed}")
     return 0

@@ -28,19 +28,19 @@ def run(project: Project, arguments: Arguments) -> int:
 def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> str:
     """Return the provenance of ``section.name``, ``section.case.column``, or a page's pointer to either, in lines."""
     chapters = editions[project.release].chapters
-    records = {each.results.source: each for edition in editions.values() for each in edition.chapters.values()}
+    records = {owner.results.source: owner for edition in editions.values() for owner in edition.chapters.values()}
     values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
-    found = _found(project, chapters, records, values, name)
-    lines = [f"{name}: {_text(found)}"]
-    if isinstance(found, Value):
-        lines.append(f"  is          {found.formula}")
-        for value in (values[pointer] for pointer in found.sources if pointer in values):
+    quantity = _quantity(project, chapters, records, values, name)
+    lines = [f"{name}: {_text(quantity)}"]
+    if isinstance(quantity, Value):
+        lines.append(f"  is          {quantity.formula}")
+        for value in (values[pointer] for pointer in quantity.sources if pointer in values):
             lines.append(f"  made of     {'.'.join(value.source.split('/')[2:])}, {_text(value)}: {value.formula}")
-    lines += [f"  printed at  {anchor}" for anchor in dict.fromkeys(_printed(project, found.source)) or ["no page"]]
+    lines += [f"  printed at  {anchor}" for anchor in dict.fromkeys(_printed(project, quantity.source)) or ["no page"]]
     for section, chapter in chapters.items():
-        claims = (claim for claim in chapter.section.claims if found.source in claim.outcome.reads)
+        claims = (claim for claim in chapter.section.claims if quantity.source in claim.outcome.reads)
         lines += [f"  decides     {section}.{claim.name}: {claim.outcome.said}" for claim in claims]
-    cells = [Pointer(pointer) for pointer in sorted(found.reads) if VALUES_FILE not in pointer]
+    cells = [Pointer(pointer) for pointer in sorted(quantity.reads) if VALUES_FILE not in pointer]
     for file, cells_of_file in groupby(cells, key=lambda cell: cell.file):
         chapter = records.get(file) or records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
         lines += ["", f"from {file}", *_of_record(project, chapter, list(cells_of_file))]
@@ -48,16 +48,16 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
 
 
 def _printed(project: Project, source: str) -> Iterator[str]:
-    own = project.own_release or project.release
+    release = project.own_release or project.release
     for path in sorted((project.site if project.is_own else project.site / project.results.name).glob("*.html")):
         anchor = ""
         for match in ANCHOR.finditer(path.read_text(encoding="utf-8")):
             anchor = match[1] or anchor
-            if match[2] and local(source, own) in match[2].split():
+            if match[2] and local(source, release) in match[2].split():
                 yield f"{path.name}#{anchor}"
 
 
-def _found(
+def _quantity(
     project: Project, chapters: Chapters, records: Mapping[str, Chapter], values: Mapping[str, Value], name: str
 ) -> Quantity:
     query, package = Query(name), config().edition
@@ -78,7 +78,7 @@ def _cell(records: Mapping[str, Chapter], pointer: Pointer) -> Quantity | None:
 
 def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> Iterator[str]:
     record = chapter.results.record
-    for index, column, cell in sorted((*each.cell, each) for each in cells if each.cell):
+    for index, column, cell in sorted((*pointer.cell, pointer) for pointer in cells if pointer.cell):
         row = record.rows[index]
         changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
         case = f"{row['case']} ({config().baseline}{f', but for {changed}' if changed else ''})"
@@ -87,7 +87,7 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
     release, commit = record.origin.release, record.measured["commit"]
     measured = f"{record.machine_text}, {record.time_text}, {config().edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
-    yield from (f"  carried     {each}" for each in record.carried)
+    yield from (f"  carried     {pointer}" for pointer in record.carried)
     if chapter.state.notes:
         yield f"  stale:      {chapter.state.words}"
     yield f"  again by    {project.of(release).rerun(record.section, record.machine['device'])}"

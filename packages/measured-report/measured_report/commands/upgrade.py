@@ -27,7 +27,7 @@ from measured_report.pages.editions import sentences_of
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import package_changes
 from measured_report.records.identity import sections as all_sections
-from measured_report.records.replicas import FOLDER, packed
+from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.values.evidence import is_absolute
 
 TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
@@ -40,7 +40,7 @@ def run(project: Project, arguments: Arguments) -> int:
     device = measuring_device(arguments.device, project.profile)
     base = arguments.since or release_of(base_of(project) or project.own_release)
     refuse_itself(str(base), project.release)
-    answer = sys.stdout if arguments.format == "text" else _apart()
+    answer = sys.stdout if arguments.format == "text" else _answer_file()
     # What may not install goes first: a base would be measured for nothing.
     after = _with_deciding(project, arguments.release, device, renews=True)
     before = _with_deciding(project, base, device, renews=False)
@@ -48,17 +48,17 @@ def run(project: Project, arguments: Arguments) -> int:
     editions = editions_of(project, among=names)
     compared = [editions[name] for name in names]
     timed = timed_in_turn([before, after], [base, arguments.release], device)
-    found = compare(compared[0], compared[1], timed)
+    comparison = compare(compared[0], compared[1], timed)
     absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
-    found = replace(found, faults=[*absent, *found.faults])
+    comparison = replace(comparison, faults=[*absent, *comparison.faults])
     say = sentences_of(project)
-    print(upgrade_text(found, verdict(found, say, *compared), arguments.format, say), file=answer, flush=True)
+    print(upgrade_text(comparison, verdict(comparison, say, *compared), arguments.format, say), file=answer, flush=True)
     if arguments.format == "text":  # the front page stays that of the project's own edition
         build_site(project.of(project.own_release or project.release))
-    return int(found.is_alarm)
+    return int(comparison.is_alarm)
 
 
-def _apart():
+def _answer_file():
     """Return where the answer for a program goes; all else that is printed from now on, by others too, is no part."""
     sys.stdout.flush()
     answer = os.fdopen(os.dup(1), "w", encoding="utf-8")
@@ -88,15 +88,15 @@ def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device:
         return []
     timed = [replace(side, aside=TIMED) for side in sides]
     for again in (False, True):
-        for place, release in enumerate(releases):
+        for index, release in enumerate(releases):
             print(f"{config().edition} {release}: timing {', '.join(sections)}, in turn", flush=True)
-            timed[place], is_done = measure_what_can(timed[place], release, sections, device)
+            timed[index], is_done = measure_what_can(timed[index], release, sections, device)
             if not is_done:
                 return []
             if not again:
-                records = [record for record in records_of(timed[place]) if record.section in sections]
-                with atomic_file(timed[place].results / FOLDER / "first.tgz") as part:
-                    part.write_bytes(packed(records))
+                records = [record for record in records_of(timed[index]) if record.section in sections]
+                with atomic_file(timed[index].results / FOLDER / "first.tgz") as temporary:
+                    temporary.write_bytes(archive_of(records))
     return list(map(derive_edition, timed))
 
 
@@ -118,44 +118,44 @@ def lacking(project: Project) -> list[str]:
     return [section for section in deciding(project) if not project.record_path(section).exists()]
 
 
-def verdict(found: Comparison, say: Say, before: Edition, after: Edition) -> list[str]:
+def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -> list[str]:
     """Return at most a dozen lines, worst first."""
-    a, b = found.releases
+    a, b = comparison.releases
     names = deciding(after.project)
     pair = [[chapter for name, chapter in side.chapters.items() if name in names] for side in (before, after)]
     old, new = ([chapter.results.record for chapter in chapters] for chapters in pair)
     changed = package_changes(old[0].identity.packages, new[0].identity.packages) if old and new else []
-    others = ", ".join(change for change in changed if not change.startswith(f"{config().edition} "))
+    packages = ", ".join(change for change in changed if not change.startswith(f"{config().edition} "))
     machines = " and ".join(sorted({record.machine_text for record in new}))
     measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
-    flips = [f"{flip.claim} {flip.outcomes}" for flip in found.flips]
+    flips = [f"{flip.claim} {flip.outcomes}" for flip in comparison.flips]
     query, why = Query(config().changes.cause, is_claim=True), "the sections that were measured do not say"
     if (cause := query.claim(after.chapters)) and cause.outcome == HOLDS:
         why = say(query.section, cause)
-    asks_why = flips or any(not move.is_setting for move in found.alarms)
+    asks_why = flips or any(not move.is_setting for move in comparison.alarms)
     return [
-        f"{config().edition_name} {b} against {a}{f' ({others})' if others else ''}: {summary(found)}",
+        f"{config().edition_name} {b} against {a}{f' ({packages})' if packages else ''}: {summary(comparison)}",
         f"measured: {measured}",
-        *([f"can't be trusted: {few([fault.text for fault in found.faults])}"] if found.faults else []),
-        f"settings: {settings_text(found.settings)}",
+        *([f"can't be trusted: {few([fault.text for fault in comparison.faults])}"] if comparison.faults else []),
+        f"settings: {settings_text(comparison.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
-        *(largest(found) or ["changed: nothing"]),
-        f"would have shown: {power(found)}",
+        *(largest(comparison) or ["changed: nothing"]),
+        f"would have shown: {power(comparison)}",
         *([f"why: {why}"] if asks_why else []),
-        f"what to do: {_advice(found, before.project, after.project)}",
+        f"what to do: {_advice(comparison, before.project, after.project)}",
     ]
 
 
-def _advice(found: Comparison, before: Project, after: Project) -> str:
-    if found.faults:
+def _advice(comparison: Comparison, before: Project, after: Project) -> str:
+    if comparison.faults:
         return "look at what can't be trusted first; nothing else can be said"
     profile = "" if after.profile == "full" else f" PROFILE={after.profile}"
     lists = f"make diff A={before.release} B={after.release} FORMAT=json{profile} lists it"
-    values = [f"VALUE={move.name}" for move in found.alarms if not move.is_gone]  # else there is no middle
-    if queries := [*(f"CLAIM={flip.claim}" for flip in found.flips), *values]:
+    values = [f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone]  # else there is no middle
+    if queries := [*(f"CLAIM={flip.claim}" for flip in comparison.flips), *values]:
         ends = shlex.join([f"A={before.asked}", f"B={after.asked}"])
         return f"make bisect {queries[0]} {ends} finds which change did it; {lists}"
-    if found.moves:
+    if comparison.moves:
         return f"see whether what changed was meant to: {lists}"
     return "nothing; make report measures the rest"

@@ -44,15 +44,15 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
     if release.is_installed_with(package_versions()):
         return Path(sys.executable)
     if not release.requirement:
-        place = f"a path or git+https://HOST/{package}.git@COMMIT"
-        raise UsageError(f"{option}={release} does not say where its code is; {place} does")
+        example = f"a path or git+https://HOST/{package}.git@COMMIT"
+        raise UsageError(f"{option}={release} does not say where its code is; {example} does")
     folder = environment_of(release, root)
     if release.checkout or not (folder / READY).exists():
-        others = {name: version for name, version in packages.items() if name != package}
-        rest = requirements(root, {package: MISSING, **others, **dict(release.pins)})
+        versions = {name: version for name, version in packages.items() if name != package}
+        installs = requirements(root, {package: MISSING, **versions, **dict(release.pins)})
         edits = (release.checkout / "pyproject.toml").read_text(encoding="utf-8") if release.checkout else ""
         pins = [f"{name}=={version}" for name, version in release.pins]
-        _make(folder, f"{option}={release.asked}", _asked_for(release, rest), pins, edits)
+        _make(folder, f"{option}={release.asked}", _asked_for(release, installs), pins, edits)
     _lend(folder)
     return folder / "bin" / "python"
 
@@ -84,7 +84,7 @@ def environment_of(release: Release, root: Path) -> Path:
     """Name the folder of a release's environment; that of a checkout serves all that is edited in it."""
     name = str(replace(release, machine=""))
     if release.checkout:
-        pins = "".join(f"+{part}" for part in name.split("+")[2:])
+        pins = "".join(f"+{pin}" for pin in name.split("+")[2:])
         name = f"{release.checkout.name}-{hashlib.sha256(str(release.checkout).encode()).hexdigest()[:7]}{pins}"
     return root / f".venv-{config().edition_folder(name)}"
 
@@ -94,30 +94,30 @@ def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
     for name, version in packages.items():
         if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
             raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
-    asked = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
-    known = {name: version for name, version in packages.items() if version != MISSING}
-    other = {*known, config().edition}.union(*config().changes.together)
-    own = [requirement for requirement in asked if NAME.sub("", requirement) not in other]
-    return own + [f"{config().requirement_of(name)}=={version}" for name, version in known.items()]
+    dependencies = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
+    pinned = {name: version for name, version in packages.items() if version != MISSING}
+    replaced = {*pinned, config().edition}.union(*config().changes.together)
+    remaining = [requirement for requirement in dependencies if NAME.sub("", requirement) not in replaced]
+    return remaining + [f"{config().requirement_of(name)}=={version}" for name, version in pinned.items()]
 
 
-def _asked_for(release: Release, rest: Sequence[str]) -> list[str]:
+def _asked_for(release: Release, installs: Sequence[str]) -> list[str]:
     """Write what ``uv pip install`` is told: packages that nobody named are those of the day on which it came out."""
     options = []
-    named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
+    named = [requirement.partition("==")[0] for requirement in installs if "==" in requirement]
     if not os.environ.get(FILTER) and (day := release_date(release)):
         lifted = f"{FILTER}={date.today()} takes later ones"
         print(f"{config().option}={release.asked} came out on {day}; its packages are of that day, and {lifted}")
         options += ["--exclude-newer", (date.fromisoformat(day) + timedelta(days=1)).isoformat()]
-        options += [word for name in named for word in ("--exclude-newer-package", f"{name}=2100-01-01")]
+        options += [argument for name in named for argument in ("--exclude-newer-package", f"{name}=2100-01-01")]
     extras = config().requirement.removeprefix(config().edition)
-    asked = ["--editable", f"{release.checkout}{extras}"] if release.checkout else [release.requirement]
-    return [*options, *rest, *asked]
+    target = ["--editable", f"{release.checkout}{extras}"] if release.checkout else [release.requirement]
+    return [*options, *installs, *target]
 
 
-def _make(folder: Path, name: str, asked: Sequence[str], pins: Sequence[str] = (), edits: str = "") -> None:
+def _make(folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str] = (), edits: str = "") -> None:
     """Make an environment of what is asked for, unless it is there; ``pins`` count whatever other packages ask for."""
-    digest, ready = hashlib.sha256("\n".join([edits, *asked, *pins]).encode()).hexdigest(), folder / READY
+    digest, ready = hashlib.sha256("\n".join([edits, *arguments, *pins]).encode()).hexdigest(), folder / READY
     install, overrides = ["pip", "install", "--python", f"{folder}/bin/python"], folder / "overrides.txt"
     with locked(folder.parent):
         if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
@@ -125,7 +125,7 @@ def _make(folder: Path, name: str, asked: Sequence[str], pins: Sequence[str] = (
         try:
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
             overrides.write_text("\n".join(pins), encoding="utf-8")
-            _run([*install, "--overrides", str(overrides), *asked], name)
+            _run([*install, "--overrides", str(overrides), *arguments], name)
             ready.write_text(digest, encoding="utf-8")
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
@@ -140,7 +140,7 @@ def _run(arguments: Sequence[str], name: str) -> None:
         raise UsageError(f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it")
     if sys.stdout.isatty():  # a log has the one line that says why it failed
         print(f"{name}: uv {' '.join(arguments[:2])} …", flush=True)
-    done = subprocess.run([uv, *arguments], stdout=-1, stderr=-2, text=True, errors="replace", check=False)
-    if done.returncode:
-        lines = [*filter(None, (line.strip(" ×╰─▶\t") for line in done.stdout.splitlines()))]
+    process = subprocess.run([uv, *arguments], stdout=-1, stderr=-2, text=True, errors="replace", check=False)
+    if process.returncode:
+        lines = [*filter(None, (line.strip(" ×╰─▶\t") for line in process.stdout.splitlines()))]
         raise UsageError(f"{name} cannot be installed: {lines[-1] if lines else 'no reason was given'}")

@@ -143,8 +143,8 @@ def own_release(root: Path | None = None) -> str:
     """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
     requirement = config().requirement_of(config().edition)
     text = ((root or report().root) / "pyproject.toml").read_text(encoding="utf-8")
-    found = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
-    if not found:
+    match = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
+    if not match:
         line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
         raise ReportError(f"pyproject.toml has no line {line}")
-    return found[1]
+    return match[1]

@@ -65,15 +65,15 @@ def read_label(text: str) -> Release | None:
     rules = config()
     names = {rules.short_names.get(package, package): package for package in rules.packages[1:]}
     version = VERSION.pattern
-    found = re.fullmatch(
+    match = re.fullmatch(
         rf"({version})(?:\+([a-z][0-9a-f]{{7}}(?:\.edited)?))?"
         rf"((?:\+(?:{'|'.join(map(re.escape, names)) or '(?!)'})-{version})*)(?:@([a-z0-9][a-z0-9-]{{0,60}}))?",
         text,
     )
-    if not found:
+    if not match:
         return None
-    version, source, told, machine = found.groups(default="")
-    version, pins = full_version(version), (part.rpartition("-") for part in told.split("+")[1:])
+    version, source, pinned, machine = match.groups(default="")
+    version, pins = full_version(version), (pin_text.rpartition("-") for pin_text in pinned.split("+")[1:])
     requirement = "" if source else f"{rules.requirement_of(rules.edition)}=={version}"
     named = tuple(sorted((names[name], pin) for name, _, pin in pins))
     return Release(version, source, named, machine, requirement, text)
@@ -81,42 +81,42 @@ def read_label(text: str) -> Release | None:
 
 def full_version(version: str) -> str:
     """Write a version with three numbers at least."""
-    return re.sub(r"[0-9]+(?:\.[0-9]+)*", lambda found: found[0] + ".0" * (2 - found[0].count(".")), version, count=1)
+    return re.sub(r"[0-9]+(?:\.[0-9]+)*", lambda match: match[0] + ".0" * (2 - match[0].count(".")), version, count=1)
 
 
 @cached_in_report  # a repository or an index is asked once
-def release_of(asked: str, pins: str = "", option: str = "") -> Release:
+def release_of(spec: str, pins: str = "", option: str = "") -> Release:
     """Find what is asked for, with ``pins`` as WITH= says them; UsageError, one line, when it means nothing."""
-    release = _found(asked, option or config().option)
+    release = _resolved(spec, option or config().option)
     return replace(release, pins=tuple(sorted({**dict(release.pins), **dict(_read_pins(pins))}.items())))
 
 
-def _found(asked: str, option: str) -> Release:
+def _resolved(spec: str, option: str) -> Release:
     requirement, package = config().requirement_of(config().edition), config().edition
-    if label := read_label(asked):
+    if label := read_label(spec):
         return label
-    if not asked:
+    if not spec:
         raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.2.3 does")
-    address, _, reference = asked.rpartition("@")
-    path, repository = (Path(text).expanduser().resolve() for text in (asked, address))
+    address, _, reference = spec.rpartition("@")
+    path, repository = (Path(spec).expanduser().resolve() for spec in (spec, address))
     wheel = WHEEL.fullmatch(path.name)
     if wheel and path.is_file() and wheel["package"].replace("_", "-").lower() == package:
         version = full_version(wheel["version"])
         return Release(version, wheel_source(path), requirement=f"{requirement} @ {path.as_uri()}", asked=str(path))
-    if asked.startswith("git+") and ADDRESS.fullmatch(address[4:]) and REFERENCE.fullmatch(reference):
-        return _commit(address[4:], reference, asked, option)
+    if spec.startswith("git+") and ADDRESS.fullmatch(address[4:]) and REFERENCE.fullmatch(reference):
+        return _commit(address[4:], reference, spec, option)
     if (path / "pyproject.toml").is_file():
         source = ".".join(checkout_source(path).split(".")[:2])
-        version = _own_version((path / "pyproject.toml").read_text(encoding="utf-8"), asked, option)
+        version = _own_version((path / "pyproject.toml").read_text(encoding="utf-8"), spec, option)
         date = git(path, "show", "-s", "--format=%cs", "HEAD")
         return Release(version, source, (), "", str(path), str(path), date, path)
     if address and repository.is_dir() and REFERENCE.fullmatch(reference):
         return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
     kinds = "release number, checkout, wheel or git+https://…@ref"
-    raise UsageError(f"{option}={asked} is no {kinds}; {option}=1.2.3 is one")
+    raise UsageError(f"{option}={spec} is no {kinds}; {option}=1.2.3 is one")
 
 
-def _commit(address: str, reference: str, asked: str, option: str) -> Release:
+def _commit(address: str, reference: str, spec: str, option: str) -> Release:
     """Find a commit of a repository, of which no more is fetched than it takes to say its version and date."""
     with tempfile.TemporaryDirectory() as folder:
         fetched = Path(folder)
@@ -126,22 +126,22 @@ def _commit(address: str, reference: str, asked: str, option: str) -> Release:
         git(fetched, "fetch", "--quiet", "--depth", "1", "--", address, commit or reference)
         commit, date = git(fetched, "show", "-s", "--format=%H %cs", "FETCH_HEAD").partition(" ")[::2]
         if not commit:
-            raise UsageError(f"{option}={asked} cannot be fetched; git fetch {address} {reference} says why")
-        version = _own_version(git(fetched, "show", f"{commit}:pyproject.toml"), asked, option)
+            raise UsageError(f"{option}={spec} cannot be fetched; git fetch {address} {reference} says why")
+        version = _own_version(git(fetched, "show", f"{commit}:pyproject.toml"), spec, option)
     requirement = f"{config().requirement_of(config().edition)} @ git+{address}@{commit}"
-    return Release(version, f"g{commit[:SHORT_COMMIT]}", requirement=requirement, asked=asked, date=date)
+    return Release(version, f"g{commit[:SHORT_COMMIT]}", requirement=requirement, asked=spec, date=date)
 
 
-def _own_version(project: str, asked: str, option: str) -> str:
-    found, package = OWN_VERSION.search(project), config().edition
-    if not found or f'name = "{package}"' not in project or not VERSION.fullmatch(found[1]):
+def _own_version(project: str, spec: str, option: str) -> str:
+    match, package = OWN_VERSION.search(project), config().edition
+    if not match or f'name = "{package}"' not in project or not VERSION.fullmatch(match[1]):
         lacking = f"its pyproject.toml names no {package} with a version"
-        raise UsageError(f"{option}={asked} is no checkout of {config().edition_name}: {lacking}")
-    return full_version(found[1])
+        raise UsageError(f"{option}={spec} is no checkout of {config().edition_name}: {lacking}")
+    return full_version(match[1])
 
 
 def _read_pins(text: str) -> Sequence[tuple[str, str]]:
-    pins = [word.partition("==")[::2] for word in text.split()]
+    pins = [pin.partition("==")[::2] for pin in text.split()]
     if not all(package in config().packages[1:] and VERSION.fullmatch(version) for package, version in pins):
         example = " ".join(f"{package}==1.2.3" for package in config().packages[1:3])
         raise UsageError(f'WITH={text} is no list of versions; WITH="{example}" is one')
@@ -157,7 +157,7 @@ def release_date(release: Release) -> str:
 
 
 def releases_between(older: Release, newer: Release) -> list[Release]:
-    return [each for each in releases_of(config().edition) if older.order < each.order < newer.order]
+    return [release for release in releases_of(config().edition) if older.order < release.order < newer.order]
 
 
 def releases_of(package: str) -> list[Release]:
@@ -169,8 +169,8 @@ def releases_of(package: str) -> list[Release]:
 @cache
 def _index_dates(package: str) -> Mapping[str, str]:
     """Return the day of each version in the index, as PEP 700 has it; none where it can't be reached."""
-    told = filter(None, map(os.environ.get, ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")))
-    address = f"{next(told, INDEX).rstrip('/')}/{package}/"
+    indexes = filter(None, map(os.environ.get, ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")))
+    address = f"{next(indexes, INDEX).rstrip('/')}/{package}/"
     request = urllib.request.Request(address, headers={"Accept": "application/vnd.pypi.simple.v1+json"})
     try:
         with urllib.request.urlopen(request, timeout=30) as answer:
@@ -178,5 +178,5 @@ def _index_dates(package: str) -> Mapping[str, str]:
     except (OSError, ValueError, KeyError):
         return {}
     wheels = [file for file in files if file["filename"].endswith(".whl") and not file.get("yanked")]
-    found = [(file["filename"].split("-")[1], file.get("upload-time", "")[:10]) for file in wheels]
-    return {full_version(version): day for version, day in found if VERSION.fullmatch(version)}
+    days = [(file["filename"].split("-")[1], file.get("upload-time", "")[:10]) for file in wheels]
+    return {full_version(version): day for version, day in days if VERSION.fullmatch(version)}

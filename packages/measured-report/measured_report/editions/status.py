@@ -35,9 +35,9 @@ class State:
         """Write its notes in one line, with each kind, as code, said once."""
         kinds: dict[str, list[str]] = {}
         for note in self.notes:
-            kind, _, what = note.partition(": ")
-            kinds.setdefault(kind, []).extend([what] if what else [])
-        return "; ".join(f"{kind}: {', '.join(found)}" if found else kind for kind, found in kinds.items())
+            kind, _, subject = note.partition(": ")
+            kinds.setdefault(kind, []).extend([subject] if subject else [])
+        return "; ".join(f"{kind}: {', '.join(subjects)}" if subjects else kind for kind, subjects in kinds.items())
 
 
 def states_of(project: Project) -> list[State]:
@@ -65,10 +65,10 @@ def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mappi
     release, installed = project.named, package_versions()
     if release.is_installed_with(installed):
         return installed
-    kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
-    newest = max(kept, key=lambda record: record.time, default=None)
-    others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**others, **dict(release.pins), config().edition: package_version(project)}
+    readable = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
+    newest = max(readable, key=lambda record: record.time, default=None)
+    packages = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
+    return {**packages, **dict(release.pins), config().edition: package_version(project)}
 
 
 def package_version(project: Project) -> str:
@@ -91,7 +91,7 @@ def records_of(project: Project) -> Iterator[Record]:
 def status_matrix(project: Project) -> str:
     with unchanged_files():
         states = {release: states_of(project.of(release)) for release in project.releases}
-    rows = zip(*([state.summary for state in found] for found in states.values()), strict=True)
+    rows = zip(*([state.summary for state in release_states] for release_states in states.values()), strict=True)
     lines = [(name, *row) for name, row in zip(sections(project.root), rows, strict=True)]
     return aligned([("section", *(f"{config().edition} {release}" for release in states)), *lines])
 

@@ -67,8 +67,8 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
     with locked(record.parent.parent), staging_folder(record.with_suffix("")) as new:
         shutil.rmtree(whole, ignore_errors=True)  # of a process that was killed
         for name, content in files.items():
-            with atomic_file(new / name) as part:
-                part.write_bytes(content)
+            with atomic_file(new / name) as temporary:
+                temporary.write_bytes(content)
         os.rename(new, whole)
         _put_in_place(whole, list(files))
 
@@ -76,9 +76,9 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
 def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
     """Finish what killed processes were putting in place; set aside, and say, what ``load`` finds no whole record."""
     messages = []
-    for left in results.glob(f"*/.*{NEW}"):
+    for remnant in results.glob(f"*/.*{NEW}"):
         with locked(results):
-            shutil.rmtree(left, ignore_errors=True)
+            shutil.rmtree(remnant, ignore_errors=True)
     for whole in sorted(results.glob(f"*/.*{WHOLE}")):
         section = whole.name[1 : -len(WHOLE)]
         with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
@@ -100,8 +100,8 @@ def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
 def _put_in_place(whole: Path, names: Sequence[str]) -> None:
     """Copy files to where they belong, the last of them last; they wait until all are there."""
     for name in names:
-        with atomic_file(whole.with_name(name)) as part:
-            shutil.copyfile(whole / name, part)
+        with atomic_file(whole.with_name(name)) as temporary:
+            shutil.copyfile(whole / name, temporary)
     used = whole.with_name(whole.stem + NEW)
     os.rename(whole, used)
     shutil.rmtree(used)

@@ -16,22 +16,23 @@ class Cache:
     @property
     def folder(self) -> Path:
         """Return where it lies; RuntimeError where there is no home."""
-        told = Path(os.environ.get("XDG_CACHE_HOME", ""))  # which counts only as a whole path: others lie in a checkout
+        base = Path(os.environ.get("XDG_CACHE_HOME", ""))  # which counts only as a whole path: others lie in a checkout
         name = f"{self.root.resolve().name}-{sha256(str(self.root.resolve()).encode()).hexdigest()[:12]}"
-        return (told if told.is_absolute() else Path.home() / ".cache") / "measured-report" / name
+        return (base if base.is_absolute() else Path.home() / ".cache") / "measured-report" / name
 
     def get(self, name: str, key: Any) -> Any:
         """Return what is kept as ``name`` and was made from ``key``; None when there is nothing whole."""
         with suppress(Exception), (self.folder / name).open("rb") as file:  # it may name code that is no more
-            return pickle.load(file) if pickle.load(file) == key else None
+            is_current = pickle.load(file) == key  # the key stands before the value, which may be large
+            return pickle.load(file) if is_current else None
         return None
 
     def put(self, name: str, key: Any, value: Any) -> None:
         """Keep ``value``, made from ``key``; where nothing can be written it is not kept."""
         with suppress(OSError, RuntimeError):
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            part = self.folder / f".{name}.{os.getpid()}"
-            with part.open("wb") as file:
+            temporary = self.folder / f".{name}.{os.getpid()}"
+            with temporary.open("wb") as file:
                 pickle.dump(key, file, pickle.HIGHEST_PROTOCOL)
                 pickle.dump(value, file, pickle.HIGHEST_PROTOCOL)
-            os.replace(part, self.folder / name)
+            os.replace(temporary, self.folder / name)

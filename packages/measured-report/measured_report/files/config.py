@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class Told:
+class ColumnTraits:
     """Describes what ``report.toml`` may tell of a column."""
 
     better: str = ""  # `less` or `more`
@@ -36,7 +36,7 @@ class Told:
 
 
 @dataclass(frozen=True)
-class Declared(Told):
+class Columns(ColumnTraits):
     """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
 
     names: Collection[str] = ()  # the columns that it is of
@@ -98,7 +98,7 @@ class Config:
     """Rows with one of these values are deterministic: noise 0, except times."""
     units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
     cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
-    columns: Sequence[Declared] = ()  # what is to be known of columns besides their units
+    columns: Sequence[Columns] = ()  # what is to be known of columns besides their units
     baseline: str = "the baseline"  # what people call the case that all others are changed from
     changes: Changes = field(default_factory=Changes)  # the table of that name
     title: str = "A report"  # what its data are of, where nothing else of it is at hand
@@ -168,19 +168,19 @@ class Report:
         try:
             settings = read_toml(path) if path.is_file() else {}
             tables: list[tuple] = [("", settings, Config), ("changes.", settings.get("changes", {}), Changes)]
-            for place, kind in (("columns", Declared), ("pages", Page)):
-                tables += [(f"{place}.", table, kind) for table in settings.get(place, ())]
-            for place, table, kind in tables:
+            for table_name, kind in (("columns", Columns), ("pages", Page)):
+                tables += [(f"{table_name}.", table, kind) for table in settings.get(table_name, ())]
+            for table_name, table, kind in tables:
                 names = {field.name for field in fields(kind)}
                 for name in table if isinstance(table, dict) else ():
                     if name not in names:
-                        raise ValueError(f"there is no setting {place}{name}{suggestion(name, names)}")
-            found = msgspec.convert(settings, Config)
+                        raise ValueError(f"there is no setting {table_name}{name}{suggestion(name, names)}")
+            config = msgspec.convert(settings, Config)
         except (OSError, ValueError, TypeError) as error:  # which msgspec's are
             raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
-        if not (package := found.edition):
-            return found
-        return replace(found, packages=[package, *found.packages], edition_name=found.edition_name or package)
+        if not (package := config.edition):
+            return config
+        return replace(config, packages=[package, *config.packages], edition_name=config.edition_name or package)
 
     def __enter__(self) -> "Report":
         self._follow(report())
@@ -188,18 +188,18 @@ class Report:
         return self
 
     def __exit__(self, *_: object) -> None:
-        left = _entered.pop()
-        report()._follow(left)
+        exited = _entered.pop()
+        report()._follow(exited)
 
-    def _follow(self, other: "Report") -> None:
+    def _follow(self, former: "Report") -> None:
         """Put its root and modules in the place of another's, which are kept for when that is entered again."""
-        if self is other:
+        if self is former:
             return
-        there = [name for name in sys.modules if name.partition(".")[0] in ROOMS]
-        other._path, other._modules = sys.path[:], {name: sys.modules.pop(name) for name in there}
+        names = [name for name in sys.modules if name.partition(".")[0] in ROOMS]
+        former._path, former._modules = sys.path[:], {name: sys.modules.pop(name) for name in names}
         # The other's root would be found first, where a package here has no __init__.py.
-        others = (place for place in sys.path if Path(place).resolve() != other.root)
-        sys.path[:] = self._path or [str(self.root), *map(str, sorted(self.root.glob("packages/*"))), *others]
+        paths = (path for path in sys.path if Path(path).resolve() != former.root)
+        sys.path[:] = self._path or [str(self.root), *map(str, sorted(self.root.glob("packages/*"))), *paths]
         sys.modules.update(self._modules)
         root.ROOT = self.root
         for function in _cached:

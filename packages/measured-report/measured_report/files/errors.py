@@ -24,8 +24,8 @@ class UsageError(ReportError):
 
 def suggestion(name: str, names: Iterable[str]) -> str:
     """Say ``; near it: `` and the names that are like a mistyped one; nothing where none is."""
-    found = get_close_matches(name, list(names), n=4, cutoff=0.5)
-    return f"; near it: {', '.join(found)}" if found else ""
+    matches = get_close_matches(name, list(names), n=4, cutoff=0.5)
+    return f"; near it: {', '.join(matches)}" if matches else ""
 
 
 def bug_of(error: BaseException) -> str:
@@ -33,13 +33,13 @@ def bug_of(error: BaseException) -> str:
     generator = Path(__file__).parents[1]
     frames = [(Path(frame.filename), frame.lineno) for frame in extract_tb(error.__traceback__)]
     installed = (generator, Path(sys.base_prefix), Path(sys.prefix))
-    own = [(file, line) for file, line in frames if not any(map(file.is_relative_to, installed))]
+    own_frames = [(file, line) for file, line in frames if not any(map(file.is_relative_to, installed))]
     kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "
-    said = f"{kind}{' '.join(str(error).split())}"
-    for file, line in own[-1:]:
-        rooms = [place for place, part in enumerate(file.parts) if part in ("report", "experiments")]
-        return f"{'/'.join(file.parts[max(rooms, default=-1) :])}:{line}: {said}"
-    return said
+    text = f"{kind}{' '.join(str(error).split())}"
+    for file, line in own_frames[-1:]:
+        rooms = [index for index, folder in enumerate(file.parts) if folder in ("report", "experiments")]
+        return f"{'/'.join(file.parts[max(rooms, default=-1) :])}:{line}: {text}"
+    return text
 
 
 def _say(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:

@@ -35,7 +35,7 @@ def workers(count: int, method: str, then: Callable[[], None] | None = None) -> 
         pool.shutdown(cancel_futures=True)
 
 
-_made: list[Callable[[int], Any]] = []  # what forks of this process are asked to make: it need not be pickled
+_task: list[Callable[[int], Any]] = []  # what forks of this process are asked to make: it need not be pickled
 
 
 def forked(make: Callable[[int], T], count: int) -> list[T]:
@@ -44,13 +44,13 @@ def forked(make: Callable[[int], T], count: int) -> list[T]:
     process_count = min(len(os.sched_getaffinity(0)), count) if sys.platform == "linux" else 1
     if process_count < 2:
         return [*map(make, range(count))]
-    _made[:] = [make]
+    _task[:] = [make]
     with workers(process_count, "fork", gc.disable) as pool:  # all that a process makes fits into memory together
         return [*pool.map(_make, range(count))]
 
 
-def _make(place: int) -> Any:
-    return _made[0](place)
+def _make(number: int) -> Any:
+    return _task[0](number)
 
 
 def begin(then: Callable[[], None] | None) -> None:

@@ -15,7 +15,7 @@ from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
-from measured_report.records.replicas import FOLDER, Records, is_copy, read_replica, unlike
+from measured_report.records.replicas import FOLDER, Records, is_copy, mismatch, read_replica
 from measured_report.values.evidence import Evidence, evidence_of, repeats_of
 
 
@@ -90,7 +90,7 @@ def replicas_text(project: Project) -> list[str]:
 
 
 def _alike(tracked: Records, records: Records) -> Records:
-    return {name: each for name, each in records.items() if name in tracked and not unlike(tracked[name], each)}
+    return {name: each for name, each in records.items() if name in tracked and not mismatch(tracked[name], each)}
 
 
 def refused(project: Project, records: Records) -> Mapping[str, str]:
@@ -98,7 +98,7 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
     tracked = {record.section: record for record in records_of(project)}
     there, found = [tracked, *replicas_of(project, tracked).values()], {}
     for name, each in records.items():
-        if reason := unlike(tracked[name], each) if name in tracked else "not measured here":
+        if reason := mismatch(tracked[name], each) if name in tracked else "not measured here":
             found[name] = reason
         elif any(is_copy(other[name], each) for other in there if name in other):
             raise ReportError(f"its section {name} is a copy of one that is there")

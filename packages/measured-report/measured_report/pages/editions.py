@@ -35,9 +35,9 @@ class WordedChapter(Chapter):
         for package, function in (("experiments", "measure"), ("report.sections", "derive")):
             if file := file_of(package, self.name):
                 lines = file.read_text(encoding="utf-8").splitlines()
-                found = (number for number, line in enumerate(lines, 1) if line.startswith(f"def {function}("))
+                numbers = (number for number, line in enumerate(lines, 1) if line.startswith(f"def {function}("))
                 inside = file.parts[-2:] if file.name == "__init__.py" else file.parts[-1:]
-                yield "/".join([*package.split("."), *inside]), next(found, 1)
+                yield "/".join([*package.split("."), *inside]), next(numbers, 1)
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,8 @@ class WordedEdition(Edition):
     def pages(self) -> dict[Page, list[WordedChapter]]:
         """Return its pages with what each shows; one that would show nothing is not there."""
         chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
-        shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in config().pages}
-        return {page: found for page, found in shown.items() if found or page == config().front}
+        by_page = {page: [chapter for chapter in chapters if chapter.page == page] for page in config().pages}
+        return {page: members for page, members in by_page.items() if members or page == config().front}
 
     @cached_property
     def plugins(self) -> Plugins:
@@ -63,43 +63,43 @@ class WordedEdition(Edition):
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """Put a page's own texts into words; what can't be said is said as if nothing had been measured."""
-        found = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
+        texts = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
         releases = {link.release: link.edition.uncompared for link in names["releases"]}
-        told = {anchor: _worded(anchor, text, self.story(anchor, releases)) for anchor, text in found.items()}
-        said: list[Prose] = []
-        for anchor, text in found.items():
-            level = 2 if said else 1  # the first has the title of the page
+        stories = {anchor: _worded(anchor, text, self.story(anchor, releases)) for anchor, text in texts.items()}
+        prose: list[Prose] = []
+        for anchor, text in texts.items():
+            level = 2 if prose else 1  # the first has the title of the page
             try:
-                said.append(self._prose(level, anchor, text, told, names))
+                prose.append(self._prose(level, anchor, text, stories, names))
             except ReportError as error:
                 is_lacking = any(state.kind in ("damaged", NOT_SHOWN) for state in self.left_out)
                 if not (is_lacking or isinstance(error, ResultsError)):
                     raise
                 if all(state.section != anchor for state in self.left_out):
                     self.left_out.append(State(anchor, NOT_SHOWN, notes=(str(error),)))
-                bare = {**told, anchor: _worded(anchor, text, Section())}
-                said.append(replace(self, chapters={})._prose(level, anchor, text, bare, names))
-        return said
+                bare = {**stories, anchor: _worded(anchor, text, Section())}
+                prose.append(replace(self, chapters={})._prose(level, anchor, text, bare, names))
+        return prose
 
     def _prose(
-        self, level: int, anchor: str, text: Text, told: Mapping[str, Section], names: Mapping[str, Any]
+        self, level: int, anchor: str, text: Text, stories: Mapping[str, Section], names: Mapping[str, Any]
     ) -> Prose:
-        section, sections = told[anchor], {name: chapter.section for name, chapter in self.chapters.items()}
+        section, sections = stories[anchor], {name: chapter.section for name, chapter in self.chapters.items()}
         # A text that tells nothing of its own is no stand-in for the section of its name.
-        asked = {name: each for name, each in told.items() if each.claims or each.unmeasured}
-        known = {
+        story_sections = {name: story for name, story in stories.items() if story.claims or story.unmeasured}
+        text_names = {
             "release": self.project.release,
             "sections": _Names({name: chapter.names for name, chapter in self.chapters.items()}),
-            **_things(anchor, section, {**asked, **sections}),
+            **_names_for(anchor, section, {**story_sections, **sections}),
             "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
         }
-        return text.prose(anchor, {**known, **self.plugins.names(section), **names}, level)
+        return text.prose(anchor, {**text_names, **self.plugins.names(section), **names}, level)
 
 
 def _worded(anchor: str, text: Text, section: Section) -> Section:
     """Give what a text tells its words; where what it is about was not measured there is nothing to tell."""
     if not section.claims:
-        section = replace(section, unmeasured=[word for _, word in text.words])
+        section = replace(section, unmeasured=[name for _, name in text.words])
     return section.worded(anchor, text.name, text.words)
 
 
@@ -116,16 +116,17 @@ def worded_editions(
 ) -> dict[str, WordedEdition]:
     """Derive what the results of every release make, oldest first, and put it into words."""
     editions = {release: give_words(edition, templates) for release, edition in editions_of(project, derived).items()}
-    releases, found = {release: edition.chapters for release, edition in editions.items()}, {}
+    releases, results = {release: edition.chapters for release, edition in editions.items()}, {}
 
     def say(state: State, chapters: Chapters) -> WordedChapter:
         return _say(chapters[state.section], chapters, releases, templates)
 
     for release, edition in editions.items():
         worded = WordedEdition(**vars(edition), root="" if release == project.release else "../")
-        found[release] = worded.with_chapters([each.state for each in edition.chapters.values()], say)
-        refuse_contradictions(templates.pairs, {name: each.section for name, each in found[release].chapters.items()})
-    return found
+        results[release] = worded.with_chapters([chapter.state for chapter in edition.chapters.values()], say)
+        chapters = results[release].chapters.items()
+        refuse_contradictions(templates.pairs, {name: chapter.section for name, chapter in chapters})
+    return results
 
 
 def give_words(edition: Edition, templates: Templates) -> Edition:
@@ -135,7 +136,7 @@ def give_words(edition: Edition, templates: Templates) -> Edition:
         chapter, text = chapters[state.section], templates.text(f"sections/{state.section}.md.j2")
         return replace(chapter, section=chapter.section.worded(chapter.name, text.name, text.words))
 
-    return edition.with_chapters([each.state for each in edition.chapters.values()], worded)
+    return edition.with_chapters([chapter.state for chapter in edition.chapters.values()], worded)
 
 
 def sentences_of(project: Project) -> Callable[[str, Claim], str]:
@@ -153,48 +154,50 @@ def sentences_of(project: Project) -> Callable[[str, Claim], str]:
 def _say(chapter: Chapter, chapters: Chapters, releases: Releases, templates: Templates) -> WordedChapter:
     """Put a section into words, which may rest on claims of others; its tables may show what other releases say."""
     # Its passages may rest on what stands before it; what compares releases sees all.
-    name, known = chapter.name, chapters if chapter.compares else before(chapter.name, chapters)
+    name, chapters_before = chapter.name, chapters if chapter.compares else before(chapter.name, chapters)
     text, tables = templates.text(f"sections/{chapter.name}.md.j2"), chapter.section.tables
-    tables = {key: thing.of(releases) if hasattr(thing, "of") else thing for key, thing in tables.items()}
+    tables = {key: table.of(releases) if hasattr(table, "of") else table for key, table in tables.items()}
     section = replace(chapter.section, tables=tables)
+    sections = {name: section, **{key: earlier.section for key, earlier in chapters_before.items()}}
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
         "release": chapter.results.record.origin.release,
         "row": chapter.results.row,
         "rows": chapter.results.rows,
         "value": chapter.results.derived,
-        **_things(name, section, {name: section, **{other: each.section for other, each in known.items()}}),
+        **_names_for(name, section, sections),
         "claim": _finder(name, "claim", unmeasured | {claim.name: claim.html(name) for claim in section.claims}),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
     return WordedChapter(**{**vars(chapter), "section": section}, names=names, prose=text.prose(name, names))
 
 
-def _things(own: str, section: Section, sections: Mapping[str, Section]) -> dict[str, Callable[..., Any]]:
+def _names_for(section_name: str, section: Section, sections: Mapping[str, Section]) -> dict[str, Callable[..., Any]]:
     """Find tables and figures of the section ``own`` for its words, say its passages, and which claims hold."""
 
     def find(name: str, claim: str) -> Claim | None:
         if name not in sections:
             outline_of(name)  # for a name that no section has
             return None
-        claims = {each.name: each for each in sections[name].claims}
+        claims = {item.name: item for item in sections[name].claims}
         if claim not in claims and claim not in sections[name].unmeasured:
             raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
         return claims.get(claim)
 
-    def holds(asked: str) -> bool:
-        name, _, claim = asked.rpartition(".")
-        found = find(name or own, claim)
-        return found is not None and found.outcome == HOLDS
+    def holds(query: str) -> bool:
+        name, _, claim = query.rpartition(".")
+        needed = find(name or section_name, claim)
+        return needed is not None and needed.outcome == HOLDS
 
-    finders = {"table": _finder(own, "table", section.tables), "figure": _finder(own, "figure", section.figures)}
+    drawn = {"table": section.tables, "figure": section.figures}
+    finders = {kind: _finder(section_name, kind, parts) for kind, parts in drawn.items()}
     return {"holds": holds, "passage": teller(find), **finders}
 
 
-def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:
+def _finder(section: str, kind: str, parts: Mapping[str, Any]) -> Callable[[str], Any]:
     def find(name: str) -> Any:
-        if name not in things:
-            raise ReportError(f"{section} has no {kind} {name!r}; it has: {', '.join(things) or 'none'}")
-        return things[name]
+        if name not in parts:
+            raise ReportError(f"{section} has no {kind} {name!r}; it has: {', '.join(parts) or 'none'}")
+        return parts[name]
 
     return find

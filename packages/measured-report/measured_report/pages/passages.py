@@ -13,7 +13,8 @@ passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` 
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -45,8 +46,8 @@ class Need(NamedTuple):
 
     def is_met(self, claim: Claim | None) -> bool:
         """Tell whether the claim, None where there is none, has this outcome."""
-        found = claim.outcome if claim else None
-        return bool(found and (found.is_opposite if self.outcome == "opposite" else found.name == self.outcome))
+        outcome = claim.outcome if claim else None
+        return bool(outcome and (outcome.is_opposite if self.outcome == "opposite" else outcome.name == self.outcome))
 
     def __str__(self) -> str:
         return f"{self.section}.{self.claim} {self.outcome}"
@@ -54,10 +55,10 @@ class Need(NamedTuple):
 
 def needs_of(text: str) -> list[Need]:
     """Read what a passage needs; ValueError for what is none."""
-    found = [(part.strip(), NEED.fullmatch(part.strip())) for part in text.split(",")]
-    if wrong := [part for part, need in found if not need]:
+    matches = [(entry.strip(), NEED.fullmatch(entry.strip())) for entry in text.split(",")]
+    if wrong := [entry for entry, need in matches if not need]:
         raise ValueError(f"{wrong[0]!r} is no need of a passage; one is section.claim")
-    return [Need(need[1], need[2], (need[3] or "holds").strip()) for _, need in found if need]
+    return [Need(need[1], need[2], (need[3] or "holds").strip()) for _, need in matches if need]
 
 
 class PassageTag(Extension):
@@ -73,21 +74,21 @@ class PassageTag(Extension):
             needs = needs_of(text)
         except ValueError as error:
             parser.fail(str(error), line)
-        body, other = parser.parse_statements(("name:otherwise", "name:endpassage")), []
+        body, otherwise = parser.parse_statements(("name:otherwise", "name:endpassage")), []
         end = next(parser.stream)
         if has_other := end.value == "otherwise":
-            other = parser.parse_statements(("name:endpassage",))
+            otherwise = parser.parse_statements(("name:endpassage",))
             end = next(parser.stream)
         sections = sorted({need.section for need in needs})
-        whole = nodes.Template(body)
-        whole.set_environment(self.environment)
-        if strange := sorted(find_undeclared_variables(whole) - {*sections, *NAMED, "passage"}):
+        template = nodes.Template(body)
+        template.set_environment(self.environment)
+        if strange := sorted(find_undeclared_variables(template) - {*sections, *NAMED, "passage"}):
             parser.fail(f"the passage names {strange[0]}, which is no section that it needs", line)
         name = f"otherwise_{line}_{end.lineno}"
-        macro = nodes.Macro(name, [], [], other, lineno=line)
-        said = nodes.Name(name, "load") if has_other else nodes.Const(None)
-        given = [*map(nodes.Const, (text, answer, end.lineno == line)), said]
-        call = nodes.Call(nodes.Name("passage", "load"), given, [], None, None)
+        macro = nodes.Macro(name, [], [], otherwise, lineno=line)
+        alternative = nodes.Name(name, "load") if has_other else nodes.Const(None)
+        call_arguments = [*map(nodes.Const, (text, answer, end.lineno == line)), alternative]
+        call = nodes.Call(nodes.Name("passage", "load"), call_arguments, [], None, None)
         arguments = [nodes.Name(section, "param") for section in sections]
         return [macro, nodes.CallBlock(call, arguments, [], body, lineno=line)]
 
@@ -104,35 +105,49 @@ def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
     @jinja2.pass_context
     def passage(context: Context, text: str, answer: str, is_inline: bool, otherwise: Any, caller: Any) -> str:
         printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
-        there = {need: claim for need, claim in claims.items() if claim}
-        said, start, is_told = None, len(printed), len(there) == len(claims)
-        if is_told:  # rendered as well where another story is told: with other numbers it is this
-            said = caller(*_numbers(there))
-            is_lost = any(isinstance(each, Markup) and LOST.search(each) for each in printed[start:])
-            if is_lost or not all(need.is_met(claim) for need, claim in claims.items()):
-                said = None
-                del printed[start:]
-        stands, count = said is not None, len(printed)
+        measured = {need: claim for need, claim in claims.items() if claim}
+        are_met = all(need.is_met(claim) for need, claim in claims.items())
+        body = None
+        if len(measured) == len(claims):  # rendered as well where another story is told: with other numbers it is this
+            body = _rendered(
+                partial(caller, *_numbers(measured)), printed, lambda items: are_met and not _is_lost(items)
+            )
+        stands = body is not None
         if otherwise:
-            other = otherwise()
-            if not stands:
-                return other
-            del printed[count:]
-        elif is_told and not stands:  # what was not measured is listed on the page, and is no other answer
-            own = [claim.html(need.section) for need, claim in there.items()]
-            said = token(printed, Markup(" ").join([*own, macros().other_data()]))
-        if not said:
+            alternative = _rendered(otherwise, printed, lambda _: not stands)
+            if alternative is not None:
+                return alternative
+        elif (
+            len(measured) == len(claims) and not stands
+        ):  # what was not measured is listed on the page: no other answer
+            sentences = [claim.html(need.section) for need, claim in measured.items()]
+            body = token(printed, Markup(" ").join([*sentences, macros().other_data()]))
+        if not body:
             return Markup("")
         element, edge = ("span", "") if is_inline else ("div", "\n\n")
         opened = macros().passage(element, ", ".join(map(str, claims)), stands, answer)
         before, behind = (token(printed, end) for end in (opened, Markup(f"</{element}>")))
-        return Markup(edge.join(["", before, said.strip(), behind, "" if is_inline else "\n"]))
+        return Markup(edge.join(["", before, body.strip(), behind, "" if is_inline else "\n"]))
 
     return passage
 
 
+def _rendered(render: Callable[[], str], printed: list[Any], is_kept: Callable[[list[Any]], bool]) -> str | None:
+    """Render a text; None, with what it printed taken back, where that is not to be kept."""
+    start = len(printed)
+    text = render()
+    if is_kept(printed[start:]):
+        return text
+    del printed[start:]  # the places of tokens are counted: what nobody shows may not stand among them
+    return None
+
+
+def _is_lost(items: Iterable[Any]) -> bool:
+    return any(isinstance(item, Markup) and LOST.search(item) for item in items)
+
+
 def _numbers(claims: Mapping[Need, Claim]) -> list[SimpleNamespace]:
-    found: dict[str, dict[str, Any]] = {}
+    numbers: dict[str, dict[str, Any]] = {}
     for need, claim in claims.items():
-        found.setdefault(need.section, {})[need.claim] = SimpleNamespace(**claim.numbers)
-    return [SimpleNamespace(**found[section]) for section in sorted(found)]
+        numbers.setdefault(need.section, {})[need.claim] = SimpleNamespace(**claim.numbers)
+    return [SimpleNamespace(**numbers[section]) for section in sorted(numbers)]

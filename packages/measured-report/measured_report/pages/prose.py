@@ -46,16 +46,17 @@ class Prose:
 
     @property
     def figures(self) -> list[Figure]:
-        return [thing for thing in self.printed if isinstance(thing, Figure)]
+        return [item for item in self.printed if isinstance(item, Figure)]
 
     @property
     def marks(self) -> list[str]:
         """List the anchors of links and citations, whose places the page fills."""
-        return [thing.anchor for thing in self.printed if isinstance(thing, Mark)]
+        return [item.anchor for item in self.printed if isinstance(item, Mark)]
 
-    def html(self, shown: Mapping[str, Any]) -> Markup:
+    def html(self, replacements: Mapping[str, Any]) -> Markup:
         """Put in what it prints: as ``shown`` has them by their anchors its figures, and links and marks of sources."""
-        printed = [shown.get(each.anchor, each) if isinstance(each, Figure | Mark) else each for each in self.printed]
+        anchored = Figure | Mark
+        printed = [replacements.get(item.anchor, item) if isinstance(item, anchored) else item for item in self.printed]
         return _put_back(self.body, printed)
 
 
@@ -88,8 +89,8 @@ class Templates:
     """Find the templates of one project; a name that does not exist is an error."""
 
     def __init__(self, folder: Path):
-        own, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
-        self._loader = jinja2.ChoiceLoader([own, base, jinja2.PrefixLoader({"layout": base})])
+        project, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
+        self._loader = jinja2.ChoiceLoader([project, base, jinja2.PrefixLoader({"layout": base})])
         self._layout = jinja2.Environment(
             loader=self._loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
         )
@@ -114,8 +115,8 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return _put_back(" ".join(text.split()), printed)
 
-        wordings: Any = self._prose
-        words = {what: replace(each, render=render) for what, each in wordings.wordings[name].items()}
+        tags: Any = self._prose
+        words = {key: replace(wording, render=render) for key, wording in tags.wordings[name].items()}
         return Text(name, template, words)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
@@ -142,8 +143,8 @@ def _named(template: str) -> Iterator[None]:
     except jinja2.TemplateError as error:
         # What is asked of a text or of nothing, as if it were a number, a record has otherwise than was thought.
         kind = ResultsError if PLAIN.match(error.message or "") else ReportError
-        own = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
-        raise kind(f"templates/{template}{f':{own[-1]}' if own else ''}: {error.message}") from None
+        lines = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
+        raise kind(f"templates/{template}{f':{lines[-1]}' if lines else ''}: {error.message}") from None
 
 
 @jinja2.pass_context

@@ -8,7 +8,7 @@ from importlib import import_module
 from itertools import chain
 from typing import Any, TypeGuard
 
-from measured_report.files.config import Told, cached_in_report, config
+from measured_report.files.config import ColumnTraits, cached_in_report, config
 from measured_report.files.errors import UNPRINTABLE
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
@@ -27,7 +27,7 @@ TEXT_LIMIT = 4096
 
 
 @dataclass(frozen=True, kw_only=True)
-class Column(Told):
+class Column(ColumnTraits):
     """Describes a column; what ``report.toml`` says of it is told there."""
 
     name: str
@@ -68,7 +68,7 @@ def column_of(name: str) -> Column:
     largest = LARGEST.get(unit, 1e18)
     signed = next((table.signed for table in declared if table.signed is not None), unit not in NEVER_NEGATIVE)
     kinds = {table.kind for table in declared if table.kind} | ({"parameter"} if name in parameters() else set())
-    names = [field.name for field in fields(Told)]
+    names = [field.name for field in fields(ColumnTraits)]
     said = {field: value for table in reversed(declared) for field in names if (value := getattr(table, field))}
     least = -largest if signed else 0.0
     return Column(name=name, unit=unit, least=least, largest=largest, kinds=frozenset(kinds), **said)

@@ -18,7 +18,7 @@ WHOLE = 0.9  # chosen: so large a share of the numbers is there again; runs at a
 Records = Mapping[str, Record]
 
 
-def packed(records: Iterable[Record]) -> bytes:
+def archive_of(records: Iterable[Record]) -> bytes:
     """Pack records without their traces; the same records are the same bytes."""
     files = {f"{record.section}.json": record_text(replace(record, traces={})).encode() for record in records}
     content = io.BytesIO()
@@ -58,10 +58,10 @@ def measurements_beside(path: Path, read: Callable[[Path], Records]) -> list[Rec
     """Return the record at ``path``, and those of the replicas beside it, as ``read``, that measured the same."""
     tracked = read_record(read_own_file(path, BYTE_LIMIT), path)
     found = (read(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
-    return [tracked, *(record for record in found if record and not unlike(tracked, record))]
+    return [tracked, *(record for record in found if record and not mismatch(tracked, record))]
 
 
-def unlike(tracked: Record, other: Record) -> str:
+def mismatch(tracked: Record, other: Record) -> str:
     """Say what keeps a record from being a replica of the tracked one; empty where nothing does."""
     if tracked.identity.packages != other.identity.packages:
         return "other packages"

@@ -40,12 +40,12 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     """Write the site, which may be known to lie at ``address``, whole or not at all; say what it lacks, by release."""
     cache = Cache(project.root)
     with project.report, staging_folder(project.site) as fresh:
-        digest, there = inputs_digest(project, address), digests_below(project.site)
-        if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
+        digest, digests = inputs_digest(project, address), digests_below(project.site)
+        if project.site.is_symlink() and SUMS not in digests and any(project.site.iterdir()):
             elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
-        if kept := cache.get(BUILT, (digest, there)):
-            return kept
+        if previous := cache.get(BUILT, (digest, digests)):
+            return previous
         with unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = worded_editions(project, templates, derived)
@@ -66,15 +66,15 @@ def inputs_digest(project: Project, address: str = "") -> str:
     # The last two are often the same, but for the results.
     roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
-    place = (project.release, project.profile, project.own_release)  # and not where the folder lies
+    selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
     # A checkout may be edited, and lie elsewhere.
     checkouts = [package_version(project.of(release)) for release in project.releases]
-    made_from = (place, address, package_versions(), installed(), versions, checkouts, digests)
+    made_from = (selection, address, package_versions(), installed(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 
 def _inputs(root: Path, folders: Sequence[str]) -> list[Path]:
     below = (path for folder in folders for path in (root / folder).rglob("*") if "__pycache__" not in path.parts)
-    there = (path for path in (*map(root.joinpath, OTHER_INPUTS), *below) if path.is_file())
-    return [path for path in there if path.stat().st_size <= BYTE_LIMIT]  # larger ones are refused by their readers
+    files = (path for path in (*map(root.joinpath, OTHER_INPUTS), *below) if path.is_file())
+    return [path for path in files if path.stat().st_size <= BYTE_LIMIT]  # larger ones are refused by their readers

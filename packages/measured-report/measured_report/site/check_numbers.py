@@ -112,16 +112,16 @@ class Data:
     def number(self, source: str) -> tuple[float | int | None, float | None]:
         """Return a number and its noise; an error where the pointer leads to none."""
         name, _, pointer = source.partition("#")
-        kept = _resolve(self.file(name), pointer)
+        cell = _resolve(self.file(name), pointer)
         if name.endswith(VALUES_FILE):
-            return kept["value"], kept["noise"]
+            return cell["value"], cell["noise"]
         if not pointer.startswith("/rows/"):
-            return kept, None
-        place, _, column = pointer.rpartition("/")
-        row = _resolve(self.file(name), place)
-        kept = number_of(column, row)
-        known = self._evidence(name).estimate(column, row)
-        return kept, known.written_noise if known else None
+            return cell, None
+        row_pointer, _, column = pointer.rpartition("/")
+        row = _resolve(self.file(name), row_pointer)
+        cell = number_of(column, row)
+        estimate = self._evidence(name).estimate(column, row)
+        return cell, estimate.written_noise if estimate else None
 
     def _evidence_of(self, name: str) -> Evidence:
         return evidence_of(measurements_beside(self.folder / name, self._replica), self._repeats(Path(name).parent))
@@ -161,7 +161,7 @@ def check_numbers(page: PageReader, data: Data) -> list[str]:
 
 def _check_written(page: PageReader, data: Data) -> Iterator[str]:
     for element in page.of("data"):
-        source, shown = element.attributes.get("data-src", ""), element.text
+        source, printed = element.attributes.get("data-src", ""), element.text
         try:
             value, noise = data.number(source)
             write = WRITES[element.attributes.get("data-as", "")]
@@ -170,8 +170,8 @@ def _check_written(page: PageReader, data: Data) -> Iterator[str]:
             yield f"{source} resolves to nothing"
             continue
         stated = json.loads(element.attributes.get("value") or "null")
-        if stated != value or shown != text:
-            yield f"{source} is {value}, but {shown} ({stated}) is shown"
+        if stated != value or printed != text:
+            yield f"{source} is {value}, but {printed} ({stated}) is shown"
         elif value and noise and (rounded := read_number(text)) is not None and abs(float(rounded) - value) > noise:
             yield f"{source} is {value} within {noise}, and rounded to {text}"
 
@@ -182,7 +182,7 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
         label = element.attributes.get("aria-label") or element.attributes.get("alt")
         if element.tag != "text" and not (element.tag in PICTURES and label):
             continue
-        rest = text = element.text if element.tag == "text" else str(label)
+        remaining = text = element.text if element.tag == "text" else str(label)
         for source in element.attributes.get("data-src", "").split():
             try:
                 value, noise = data.number(source)
@@ -191,11 +191,11 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
             except UNRESOLVED:
                 yield f"{source} resolves to nothing"
                 continue
-            if pattern := next((pattern for pattern in map(whole, written) if pattern.search(rest)), None):
-                rest = pattern.sub("", rest, count=1)
+            if pattern := next((pattern for pattern in map(whole, written) if pattern.search(remaining)), None):
+                remaining = pattern.sub("", remaining, count=1)
             else:
                 yield f"{source} is {value}, which is not said by: {text}"
-        if not (element.tag == "text" and "tick" in element.around) and (number := _unnamed(rest, data)):
+        if not (element.tag == "text" and "tick" in element.around) and (number := _unnamed(remaining, data)):
             yield f"the number {number} leads nowhere in: {text}"
 
 
@@ -206,6 +206,6 @@ def _unnamed(text: str, data: Data) -> str:
 
 
 def _resolve(data: Any, pointer: str) -> Any:
-    for part in pointer.removeprefix("/").split("/"):
-        data = data[int(part)] if isinstance(data, list) else data[part]
+    for key in pointer.removeprefix("/").split("/"):
+        data = data[int(key)] if isinstance(data, list) else data[key]
     return data

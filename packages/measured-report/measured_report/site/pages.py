@@ -40,9 +40,9 @@ AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-n
 def citation() -> dict[str, Any]:
     """Read how the report is cited, ``CITATION.cff``, with names as people write them."""
     text = (report().root / "CITATION.cff").read_text(encoding="utf-8")
-    said = {name: value.strip("\"' ") for name, value in FIELD.findall(text)}
-    people = ((name or f"{given} {family}") for name, family, given in AUTHOR.findall(text))
-    return {"license": "", **said, "authors": [name.strip("\"' ") for name in people]}
+    fields = {name: value.strip("\"' ") for name, value in FIELD.findall(text)}
+    people = ((name or f"{first_name} {last_name}") for name, last_name, first_name in AUTHOR.findall(text))
+    return {"license": "", **fields, "authors": [name.strip("\"' ") for name in people]}
 
 
 @dataclass(frozen=True)
@@ -59,13 +59,13 @@ class Content:
 
     @property
     def figures(self) -> list[Figure]:
-        return [figure for part in self.parts for figure in part.figures]
+        return [figure for prose in self.parts for figure in prose.figures]
 
     @property
     def ids(self) -> set[str]:
         """Collect the ids of its parts, but for the first, which is the page, and of what is in them."""
-        inner = {name for part in self.parts for name in ID.findall(part.body)}
-        return inner | {figure.anchor for figure in self.figures} | {part.anchor for part in self.parts[1:]}
+        inner = {name for prose in self.parts for name in ID.findall(prose.body)}
+        return inner | {figure.anchor for figure in self.figures} | {prose.anchor for prose in self.parts[1:]}
 
 
 @dataclass(frozen=True)
@@ -121,14 +121,14 @@ class Site:
         pictures = _draw(contents, self.cache)
         self._write_once()
         origins = {}
-        for results in (each.results for edition in self.editions.values() for each in edition.chapters.values()):
+        for results in (chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()):
             release = config().name_of(results.record.origin.release)
             origins[results.source] = ", ".join((release, results.record.machine_text, results.record.time_text))
-        told = json.dumps(origins, ensure_ascii=False)
+        origins_json = json.dumps(origins, ensure_ascii=False)
         for release, edition in self.editions.items():
-            names = {"contents": contents[release], "links": links[release], "origins": told}
-            own = {anchor: pair for (each, anchor), pair in pictures.items() if each == release}
-            self._write_pages(places[release], edition, own, names)
+            names = {"contents": contents[release], "links": links[release], "origins": origins_json}
+            own_pictures = {anchor: pair for (owner, anchor), pair in pictures.items() if owner == release}
+            self._write_pages(places[release], edition, own_pictures, names)
         printed = self._printed()
         for edition in self.editions.values():
             self._write_data(edition, printed)
@@ -136,20 +136,20 @@ class Site:
     def _printed(self) -> set[str]:
         """Collect the pointers of all pages and drawings to values, as other releases have them."""
         texts = (path.read_text(encoding="utf-8") for end in ("html", "svg") for path in self.folder.rglob(f"*.{end}"))
-        pointers = {pointer for text in texts for found in POINTERS.findall(text) for pointer in found.split()}
-        own = f"{self.editions[self.shown].project.results.name}/"
-        return {own + pointer if pointer.startswith(VALUES_FILE) else pointer for pointer in pointers}
+        pointers = {pointer for text in texts for match in POINTERS.findall(text) for pointer in match.split()}
+        folder = f"{self.editions[self.shown].project.results.name}/"
+        return {folder + pointer if pointer.startswith(VALUES_FILE) else pointer for pointer in pointers}
 
     def _write_pages(
-        self, place: str, edition: WordedEdition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]
+        self, folder: str, edition: WordedEdition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]
     ) -> None:
         root, chapters = edition.project.root, edition.chapters.values()
         icon = root / "assets" / ICON
-        known = {
+        shared = {
             "edition": edition,
             "measurable": sections(root),
             "site_address": self.address,
-            "address": self.address and f"{self.address}{place}",
+            "address": self.address and f"{self.address}{folder}",
             "root": edition.root,
             "folder": self.editions[self.shown].project.results.name,
             "icon": ICON if icon.is_file() else "",
@@ -161,39 +161,39 @@ class Site:
         }
         pages = dict(edition.plugins.pages(self.templates))
         for content in names["contents"]:
-            figures = self._drawn(content, place, pictures, edition.root)
-            cited = dict.fromkeys(mark for part in content.parts for mark in part.marks if not mark.startswith("#"))
+            figures = self._drawn(content, folder, pictures, edition.root)
+            cited = dict.fromkeys(mark for prose in content.parts for mark in prose.marks if not mark.startswith("#"))
             marks = {mark: macros().cited(number) for number, mark in enumerate(cited, 1)}
             shown = {**figures, **marks, **_addresses(content, names["contents"], edition)}
             references = [self.templates.references[mark.partition(" ")[2]] for mark in cited]
-            own = {"content": content, "shown": shown, "references": references}
-            pages[content.page.file] = self.templates.layout("base.html.j2", {**known, **own})
+            content_names = {"content": content, "shown": shown, "references": references}
+            pages[content.page.file] = self.templates.layout("base.html.j2", {**shared, **content_names})
         for file, html in pages.items():
-            self._write(f"{place}{file}", local(html, self.shown))
-        self._write(f"{place}style.css", stylesheet(root))
+            self._write(f"{folder}{file}", local(html, self.shown))
+        self._write(f"{folder}style.css", stylesheet(root))
         static = {path.relative_to(root).as_posix(): path for path in (root / "static").rglob("*")}
         for name, path in {"page.js": LAYOUT / "page.js", ICON: icon, **static}.items():
             if path.is_file():
-                self._write(f"{place}{name}", path)
+                self._write(f"{folder}{name}", path)
         for download in chain.from_iterable(chapter.section.downloads for chapter in chapters):
-            self._write(f"{place}download/{download.name}", download.text)
+            self._write(f"{folder}download/{download.name}", download.text)
 
-    def _drawn(self, content: Content, place: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
+    def _drawn(self, content: Content, folder: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
         """Show the figures of a page by their ids: the first is a part of it, and those behind it are files."""
-        found: dict[str, Markup] = {}
+        drawings: dict[str, Markup] = {}
         has_drawing = False
         for figure in content.figures:
             drawn = pictures.get(figure.anchor)
             if has_drawing and drawn and all(drawn):
                 address = f"figures/{figure.anchor}"
-                found[figure.anchor] = figure.html(drawn, address, root)
+                drawings[figure.anchor] = figure.html(drawn, address, root)
                 for end, picture in zip(("", "-narrow"), drawn, strict=True):
                     svg = macros().drawing_file(picture) if isinstance(picture, Picture) else picture
-                    self._write(f"{place}{address}{end}.svg", local(svg, self.shown))
+                    self._write(f"{folder}{address}{end}.svg", local(svg, self.shown))
             else:
-                found[figure.anchor] = figure.html(drawn, root=root)
+                drawings[figure.anchor] = figure.html(drawn, root=root)
                 has_drawing = has_drawing or bool(drawn and all(drawn))
-        return found
+        return drawings
 
     def _write(self, name: str, content: str | bytes | Path) -> None:
         data = content.read_bytes() if isinstance(content, Path) else content
@@ -209,25 +209,25 @@ class Site:
 
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"
-        files = {f"{folder}{file.name}": file for file in edition.plugins.data} | {**edition.plugins.files}
-        files |= {f"{folder}{FOLDER}/{file.name}": file for file in replica_files(edition.project)}
+        files = {f"{folder}{source.name}": source for source in edition.plugins.data} | {**edition.plugins.files}
+        files |= {f"{folder}{FOLDER}/{source.name}": source for source in replica_files(edition.project)}
         for chapter in edition.chapters.values():
             path = chapter.results.path
             self._write(f"{folder}{path.stem}.csv", rows_csv(chapter.results.record.rows))
-            files |= {f"{folder}{file.name}": file for file in (path, *traces_of(path, chapter.results.record))}
-        for name, file in files.items():
-            self._write(name, file)
+            files |= {f"{folder}{source.name}": source for source in (path, *traces_of(path, chapter.results.record))}
+        for name, source in files.items():
+            self._write(name, source)
         # Of means of measurements it has those that are printed, or that other values are made of.
         derived = {name: dict(chapter.results.derived) for name, chapter in edition.chapters.items()}
-        asked = printed.union(*(value.sources for values in derived.values() for value in values.values()))
+        wanted = printed.union(*(value.sources for values in derived.values() for value in values.values()))
         means: dict[str, list[str]] = {}
-        for place, _, name in (pointer.rpartition("/") for pointer in asked):
-            means.setdefault(place, []).extend([name] if name.startswith(f"{MEANS}.") else [])
+        for values_file, _, name in (pointer.rpartition("/") for pointer in wanted):
+            means.setdefault(values_file, []).extend([name] if name.startswith(f"{MEANS}.") else [])
         for name, chapter in edition.chapters.items():
             derived[name] |= chapter.results.means(means.get(chapter.results.values_file, ()))
         if rates := rate_values(edition):  # how often it rings for nothing
             derived[FOLDER] = dict(rates)
-        entries = {name: {each: value.entry for each, value in values.items()} for name, values in derived.items()}
+        entries = {name: {label: value.entry for label, value in values.items()} for name, values in derived.items()}
         text = json.dumps(entries, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
         self._write(local(f"{folder}{VALUES_FILE}", self.shown), local(text, self.shown))
 
@@ -243,25 +243,25 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
     return text.getvalue()
 
 
-def links_of(editions: Mapping[str, WordedEdition], places: Mapping[str, str], shown: str) -> list[Link]:
-    up = "../" if places[shown] else ""
-    bases = {release: f"{up}{place}" for release, place in places.items()} | {shown: ""}
-    return [Link(edition, bases[release], release == shown) for release, edition in editions.items()]
+def links_of(editions: Mapping[str, WordedEdition], places: Mapping[str, str], home: str) -> list[Link]:
+    up = "../" if places[home] else ""
+    bases = {release: f"{up}{folder}" for release, folder in places.items()} | {home: ""}
+    return [Link(edition, bases[release], release == home) for release, edition in editions.items()]
 
 
 def contents_of(edition: WordedEdition, templates: Templates, links: Sequence[Link]) -> list[Content]:
     """Put the pages of a release into words; nothing is drawn yet."""
     names = {"releases": links, "false_alarms": rate_values(edition)}
-    return [Content(page, edition.texts(page, templates, names), found) for page, found in edition.pages.items()]
+    return [Content(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
 
 
 def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dict[tuple[str, str], Pictures]:
-    shown = ((release, content.figures) for release, found in contents.items() for content in found)
-    placed = {(release, figure.anchor): figure for release, figures in shown for figure in figures}
-    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
+    figures_of = {release: [figure for page in pages for figure in page.figures] for release, pages in contents.items()}
+    placed = {(release, figure.anchor): figure for release, figures in figures_of.items() for figure in figures}
+    pictures = {key: figure.pictures for key, figure in placed.items() if figure.pictures}
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     wanted = cache.figures | placed
-    to_draw = [place for place, figure in wanted.items() if figure.is_there and place not in pictures]
+    to_draw = [key for key, figure in wanted.items() if figure.is_there and key not in pictures]
     pictures |= zip(to_draw, forked(lambda number: wanted[to_draw[number]].drawn(), len(to_draw)), strict=True)
     cache.keep(pictures)
     return pictures
@@ -269,11 +269,11 @@ def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dic
 
 def _addresses(content: Content, contents: Sequence[Content], edition: WordedEdition) -> dict[str, str]:
     """Find where a page's links to ids lead: to the page that has it, or to the front, which names what is left out."""
-    files = {anchor: each.page.file for each in reversed(contents) for anchor in each.ids}
+    files = {anchor: target.page.file for target in reversed(contents) for anchor in target.ids}
     lost = config().front.file if edition.left_out else ""
-    found = {}
-    for link in (mark for part in content.parts for mark in part.marks if mark.startswith("#")):
+    addresses = {}
+    for link in (mark for prose in content.parts for mark in prose.marks if mark.startswith("#")):
         file = files.get(link[1:], "")
         elsewhere = f"{file}{link}" if file else lost or link
-        found[link] = link if file == content.page.file else elsewhere
-    return found
+        addresses[link] = link if file == content.page.file else elsewhere
+    return addresses
