@@ -13,7 +13,7 @@ from markupsafe import Markup, escape
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
-from measured_report.values.quantities import Quantity, mixed, noise_of, samples_of
+from measured_report.values.quantities import Quantity, combined, mixed
 
 NEAR_NOISE = 2.0  # chosen: up to so many times the noise a difference can't tell: some other pair may differ more
 
@@ -143,7 +143,7 @@ def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "")
     if noise is None:
         quantities = [number for number in (a, b) if isinstance(number, Quantity)]
         known = [number for number in quantities if number.value is not None]
-        apart = noise_of(_difference, known, samples_of(_difference, known)) if known else None
+        apart = combined(_difference, *known, unit=quantities[0].unit).noise if known else None
         noise = Quantity(apart, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
     return decreases([a, b], noise=noise, why=why)
 

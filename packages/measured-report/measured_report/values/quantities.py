@@ -2,18 +2,23 @@
 
 import json
 import math
+import operator
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import zip_longest
 from typing import Any
 
 from markupsafe import Markup, escape
 
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError
+from measured_report.records.columns import PLAIN
 from measured_report.records.record import Origin
 from measured_report.values.format import format_code, format_least, format_most, format_number, unit_label
 from measured_report.values.noise import WRITTEN_SHARE, derived_noise, sampled_noise
+from measured_report.values.units import product_unit
 
 VALUES_FILE = "values.json"
 MOST, LEAST = "most", "least"
@@ -42,9 +47,24 @@ class Pointer:
         return (int(found[1]), found[2]) if found else None
 
 
+def _operator(function: Callable[[Any, Any], Any], power: int = 0) -> "Callable[[Quantity, Quantity | float], Term]":
+    """Return what an operator makes of two quantities, or one and a number; ``power``: of the second in a product."""
+
+    def operate(a: "Quantity", b: "Quantity | float") -> "Term":
+        if not isinstance(b, Quantity | int | float):
+            return NotImplemented
+        b = b if isinstance(b, Quantity) else constant(b)
+        return combined(function, a, b, unit=product_unit(a.unit, b.unit, power) if power else "")
+
+    return operate
+
+
 @dataclass(frozen=True)
 class Quantity:
-    """Holds a measured number, shown with a pointer to the file that holds it."""
+    """Holds a measured number, shown with a pointer to the file that holds it.
+
+    Arithmetic makes a ``Term`` of it, whose unit, noise and sources are worked out.
+    """
 
     value: float | int | None
     unit: str
@@ -60,6 +80,25 @@ class Quantity:
     """Words for how it is computed; of what was measured more than once between what."""
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
     """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
+
+    __add__, __sub__ = _operator(operator.add), _operator(operator.sub)
+    __mul__, __truediv__ = _operator(operator.mul, 1), _operator(operator.truediv, -1)
+    __rmul__ = __mul__
+
+    def __radd__(self, number: float) -> "Quantity":
+        return self + number if number else self  # sum() begins with 0
+
+    def __rsub__(self, number: float) -> "Term":
+        return -self + number
+
+    def __rtruediv__(self, number: float) -> "Term":
+        return constant(number) / self
+
+    def __neg__(self) -> "Term":
+        return combined(operator.neg, self)
+
+    def __abs__(self) -> "Term":
+        return combined(abs, self)
 
     @property
     def reads(self) -> frozenset[str]:
@@ -136,6 +175,11 @@ def absent(unit: str, reason: str) -> Quantity:
     return Quantity(None, unit, "", reason)
 
 
+def constant(value: float, unit: str = PLAIN) -> Quantity:
+    """Make an exact number that nobody measured, as a factor."""
+    return Quantity(value, unit, "", noise=0.0)
+
+
 @dataclass(frozen=True)
 class Value(Quantity):
     """Holds a number derived from others, which says how."""
@@ -165,11 +209,6 @@ def mixed(*origins: frozenset[Origin]) -> str:
 LEAST_SAMPLES = 3  # chosen: fewer measurements of a value say less than those of its sources
 
 
-def of_all(function: Callable[..., float]) -> Callable[..., float]:
-    """Return a function of numbers one by one; the largest or smallest of none is no number."""
-    return (lambda *values: function(values, default=math.nan)) if function in (max, min) else function
-
-
 def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[float | None]:
     """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
     given = [source.samples if isinstance(source, Quantity) else None for source in sources]
@@ -178,14 +217,13 @@ def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[f
         return []
     ways = [samples or count * (source.value,) for samples, source in zip(given, sources, strict=True)]
     return [
-        None if None in values else _evaluated(function, values)
-        for values in zip_longest(*(way[:count] for way in ways))
+        None if None in values else _sampled(function, values) for values in zip_longest(*(way[:count] for way in ways))
     ]
 
 
-def _evaluated(function: Callable[..., float], values: Sequence[float]) -> float | None:
+def _sampled(function: Callable[..., float], values: Sequence[float]) -> float | None:
     try:
-        value = of_all(function)(*values)
+        value = function(*values)
         return float(value) if math.isfinite(value) else None
     except (ArithmeticError, ValueError, LookupError, TypeError):
         return None
@@ -199,7 +237,7 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any], samples: Se
     values: list[Any] = [source.value for source in sources]
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     try:
-        noise = derived_noise(of_all(function), values, noises)
+        noise = derived_noise(function, values, noises)
     except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
         noise = None
     there = [sample for sample in samples if sample is not None]
@@ -207,4 +245,86 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any], samples: Se
         noise = min(sampled_noise(there), math.inf if noise is None else noise)
     if noise is None or not math.isfinite(noise):
         return None
-    return max(float(noise), WRITTEN_SHARE * abs(of_all(function)(*values))) if any(noises) else 0.0
+    return max(float(noise), WRITTEN_SHARE * abs(function(*values))) if any(noises) else 0.0
+
+
+class Term(Quantity):
+    """Works a number out of its operands; ``results.value`` gives it a name, and with that a place on the page."""
+
+    function: Callable[..., float]
+    operands: Sequence[Any]
+    source = ""
+
+    def __init__(self, function: Callable[..., float], operands: Sequence[Any], unit: str, across: bool):
+        refusal = "" if across else mixed(*(operand.origins for operand in operands))
+        value, reason = (None, refusal) if refusal else _evaluated(function, operands)
+        vars(self).update(function=function, operands=operands, unit=unit, value=value, reason=reason)
+
+    @cached_property
+    def origins(self) -> frozenset[Origin]:
+        return frozenset().union(*(operand.origins for operand in self.operands))
+
+    @cached_property
+    def reads(self) -> frozenset[str]:
+        return frozenset().union(*(operand.reads for operand in self.operands))
+
+    @cached_property
+    def samples(self) -> Sequence[float | None]:
+        return () if self.value is None else samples_of(self.function, self.operands)
+
+    @cached_property
+    def noise(self) -> float | None:
+        return None if self.value is None else noise_of(self.function, self.operands, self.samples)
+
+    def _written(self, text: str, written_as: str = "") -> Markup:
+        raise ReportError(f"{self} has no name to be shown by: give it one with results.value(name, formula, …)")
+
+    def __reduce__(self) -> tuple[type, tuple]:  # kept without its function
+        return Quantity, (self.value, self.unit, "", self.reason, self.origins, self.noise)
+
+
+def combined(function: Callable[..., float], *sources: Any, unit: str = "", across: bool = False) -> Term:
+    """Return what a function makes of quantities and series, in ``unit`` or else in that which they have in common.
+
+    What it takes twice changes in both places at once. ReportError for quantities of unlike units.
+    """
+    groups = [source.operands if isinstance(source, Term) else (source,) for source in sources]
+    operands = {id(operand): operand for group in groups for operand in group}
+    places = {key: place for place, key in enumerate(operands)}
+    steps = [
+        (getattr(source, "function", None), [places[id(operand)] for operand in group])
+        for source, group in zip(sources, groups, strict=True)
+    ]
+
+    def composed(*values: Any) -> float:
+        arguments = [
+            inner(*(values[place] for place in group)) if inner else values[group[0]] for inner, group in steps
+        ]
+        # The largest or smallest of none is no number.
+        return function(arguments, default=math.nan) if function in (max, min) else function(*arguments)
+
+    return Term(composed, tuple(operands.values()), unit or _common_unit(sources), across)
+
+
+def _common_unit(quantities: Sequence[Quantity]) -> str:
+    units = {quantity.unit: quantity for quantity in quantities if quantity.value is not None}
+    if len(units) > 1:
+        raise ReportError("{} and {} have no unit in common: derive them in one".format(*units.values()))
+    return next(iter(units), quantities[0].unit if quantities else PLAIN)
+
+
+def _evaluated(function: Callable[..., float], sources: Sequence[Any]) -> tuple[float | None, str]:
+    reasons = [source.reason for source in sources if source.value is None]
+    if reasons:
+        return None, reasons[0]
+    try:
+        value = function(*(source.value for source in sources))
+    except ZeroDivisionError:
+        return None, "it would be a division by zero"
+    except (ArithmeticError, ValueError, LookupError) as error:
+        # A damaged record may hold what no measurement gives, such as a coordinate twice.
+        return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
+    if isinstance(value, complex):
+        return None, "it has no finite value"
+    value = getattr(value, "item", lambda: value)()
+    return (value, "") if math.isfinite(value) else (None, "it has no finite value")

@@ -1,6 +1,6 @@
 """Results: one section's record as its section module sees it."""
 
-import math
+import operator
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import REASON, column_of, is_unit, number_of
+from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
 from measured_report.values.evidence import Evidence, Key, names_of
 from measured_report.values.format import label_of
 from measured_report.values.noise import Estimate
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed, noise_of, of_all, samples_of
+from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, combined, constant
 
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd
@@ -198,42 +198,42 @@ class Results:
         self,
         name: str,
         formula: str,
-        function: Callable[..., float],
+        function: Callable[..., float] | Quantity,
         *sources: Quantity | Series,
-        unit: str = "1",
+        unit: str = PLAIN,
         across: bool = False,
         is_noise: bool = False,
     ) -> Value:
-        """Derive the value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
+        """Derive the value ``name``: arithmetic on quantities, as ``a / b``, which ``formula`` says in words.
 
-        It does not exist when a source doesn't, when ``function`` has no finite result, or when the sources are of
-        different releases or machines, unless ``across``. Its noise is what theirs make of it, unless it ``is_noise``.
+        What is no arithmetic is a function of what the sources hold, with a ``unit``. The value does not exist when a
+        source doesn't, when it has no finite result, or when the sources are of different releases or machines, unless
+        ``across``. Its noise is what theirs make of it, unless it ``is_noise``.
         """
         if name in self.derived:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
+        if isinstance(function, Quantity):
+            unit, sources, function = function.unit, (function,), operator.pos
         if not is_unit(unit):
             raise ResultsError(f"the value {name} has the unit {unit}, which units in report.toml does not declare")
-        origins = [source.origins for source in sources]
-        refusal = "" if across else mixed(*origins)
-        value, reason = (None, refusal) if refusal else _evaluate(function, sources)
-        samples = () if value is None or is_noise else samples_of(function, sources)
+        term = combined(function, *sources, unit=unit, across=across)
         self.derived[name] = Value(
-            value=value,
+            value=term.value,
             unit=unit,
             source=f"{self.values_file}/{name}",
-            reason=reason,
-            origins=frozenset().union(*origins),
-            noise=None if value is None or is_noise else noise_of(function, sources, samples),
-            samples=samples,
+            reason=term.reason,
+            origins=term.origins,
+            noise=None if is_noise else term.noise,
+            samples=() if is_noise else term.samples,
             formula=formula,
-            sources=tuple(source.source for source in sources if source.source),
-            roots=frozenset().union(*(source.reads for source in sources)),
+            sources=tuple(operand.source for operand in term.operands if operand.source),
+            roots=term.reads,
         )
         return self.derived[name]
 
-    def chosen(self, name: str, why: str, value: float, unit: str = "1") -> Value:
+    def chosen(self, name: str, why: str, value: float, unit: str = PLAIN) -> Value:
         """Set the value ``name``, which nobody measured: a bound, and ``why`` in words."""
-        return self.value(name, f"chosen: {why}", lambda: value, unit=unit)
+        return self.value(name, f"chosen: {why}", constant(value, unit))
 
 
 def _whole(record: Record) -> list[bool]:
@@ -247,20 +247,3 @@ def _whole(record: Record) -> list[bool]:
         row.keys() >= common and not any(row.get(column, 0) is None and row.get(column + REASON) for column in telling)
         for row in record.rows
     ]
-
-
-def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> tuple[float | None, str]:
-    reasons = [source.reason for source in sources if source.value is None]
-    if reasons:
-        return None, reasons[0]
-    try:
-        value = of_all(function)(*(source.value for source in sources))
-    except ZeroDivisionError:
-        return None, "it would be a division by zero"
-    except (ArithmeticError, ValueError, LookupError) as error:
-        # A damaged record may hold what no measurement gives, such as a coordinate twice.
-        return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
-    if isinstance(value, complex):
-        return None, "it has no finite value"
-    value = getattr(value, "item", lambda: value)()
-    return (value, "") if math.isfinite(value) else (None, "it has no finite value")
