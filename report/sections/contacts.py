@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 from measured_report.parts.claim import Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity
+from measured_report.values.quantities import PERCENT, Quantity, combined
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import CASES, departure, difference, noise_floor, size_share
+from report.shared.arithmetic import CASES, departure, noise_floor
 from report.shared.tables import table_of
 
 order = 70
@@ -36,7 +36,7 @@ def derive(results: Results) -> Section:
 
 def _far_inside_cone(results: Results, run: Row) -> Claim:
     formula = "most of its friction cone that a contact uses through the shake, with shipped pads"
-    used = results.value("grip_used_shipped", formula, lambda use: 100 * use, run.cone_use_max, unit="%")
+    used = results.value("grip_used_shipped", formula, PERCENT * run.cone_use_max)
     outcome = at_most(run.cone_use_max, 0.1, why="far from the limit, which is 1").having_read(used)
     return Claim("far_inside_cone", outcome, {"used": used})
 
@@ -44,22 +44,22 @@ def _far_inside_cone(results: Results, run: Row) -> Claim:
 def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> Iterator[Claim]:
     formula = "largest position residual of a loaded contact's friction rows, over all looks"
     cells = [row.friction_residual_mm for row in frames]
-    largest = results.value("friction_residual", formula, max, *cells, unit="mm")
+    largest = results.value("friction_residual", formula, combined(max, *cells))
     formula = "largest position residual of a loaded contact's normal row as shipped, over all looks"
     cells = [row.normal_residual_mm for row in frames if row.case == "as-shipped"]
-    normal = results.value("normal_residual", formula, max, *cells, unit="mm")
-    bound = results.chosen("friction_residual_bound", "none at all", 0.0, unit="mm")
+    normal = results.value("normal_residual", formula, combined(max, *cells))
+    bound = results.chosen("friction_residual_bound", "none at all", 0.0, "mm")
     carries = greater(normal, largest, noise=noise_floor(results, "slip_floor"))
     yield Claim("no_friction_residual", all_of(at_most(largest, bound), carries), {"normal": normal})
     yield Claim("own_friction_timeconst", decided(bool(timeconst.value), timeconst))
 
 
 def _slide_accounts(results: Results, run: Row) -> Claim:
-    bound = results.chosen("slide_departure_bound", "the same motion", 15.0, unit="%")
+    bound = results.chosen("slide_departure_bound", "the same motion", 15.0, "%")
     formula = "what the velocities of the loaded friction rows add up to, less the motion measured along the same axis"
-    gap = difference(results, "slide_gap_as-shipped", formula, run.slide_mm, run.along_mm)
+    gap = results.value("slide_gap_as-shipped", formula, run.slide_mm - run.along_mm)
     formula = "size of that difference, of the motion measured"
-    off = size_share(results, "slide_departure_as-shipped", formula, gap, run.along_mm)
+    off = results.value("slide_departure_as-shipped", formula, PERCENT * abs(gap / run.along_mm))
     is_more = greater(run.slide_mm, run.along_mm, noise=noise_floor(results, "slip_floor")).said
     numbers = {"slide": run.slide_mm, "along": run.along_mm, "bound": bound, "is_more": is_more}
     return Claim("slide_accounts", at_most(off, bound), numbers)
@@ -69,24 +69,24 @@ def _missing_term(results: Results, rows: list[Row], ends: Outcome) -> Claim:
     formula = "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter"
     name = "missing_term_departure"
     cells = ((f"{name}_{row.case}", row.predicted_slide_mm, row.slide_mm) for row in rows)
-    departures = [departure(results, each, formula, *pair) for each, *pair in cells]
-    largest = results.value(name, "larger of both departures", max, *departures, unit="%")
-    bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
+    departures = [results.value(each, formula, departure(*pair)) for each, *pair in cells]
+    largest = results.value(name, "larger of both departures", combined(max, *departures))
+    bound = results.chosen("missing_term_bound", "the same slide", 5.0, "%")
     numbers = {"predicted": rows[0].predicted_slide_mm, "slide": rows[0].slide_mm, "departure": largest}
     return Claim("missing_term", at_most(largest, bound), numbers, effect=ends)
 
 
 def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, unit="%")
+    bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, "%")
     formula = "size of the slide of the friction rows with the term put back, of that without it"
     shares, falls = [], []
     for case, plain, back in zip(CASES, left_out, restored, strict=True):
-        shares.append(size_share(results, f"restored_share_{case}", formula, back.slide_mm, plain.slide_mm))
+        shares.append(results.value(f"restored_share_{case}", formula, PERCENT * abs(back.slide_mm / plain.slide_mm)))
         less, more = (
-            results.value(f"restored_{case}_{which}_size", "its size", abs, row.slide_mm, unit="mm")
+            results.value(f"restored_{case}_{which}_size", "its size", abs(row.slide_mm))
             for which, row in (("small", back), ("large", plain))
         )
         falls.append(greater(more, less, noise=noise_floor(results, "slip_floor")))
-    largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
+    largest = results.value("restored_share", "larger of both shares", combined(max, *shares))
     numbers = {"slide": left_out[0].slide_mm, "restored": restored[0].slide_mm}
     return Claim("term_restored", all_of(at_most(largest, bound), *falls), numbers)

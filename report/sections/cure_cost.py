@@ -5,7 +5,7 @@ from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, within
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value, combined, constant
 from measured_report.values.results import Results, Row
 from report.shared.tables import Column, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, fine_enough, resolution, worlds_name
@@ -31,7 +31,7 @@ def derive(results: Results) -> Section:
     for case, count in product(CASES, TIMED_WORLDS):
         formula = f"time of a frame with {case} over that as shipped, timed in turn, less one"
         name, cell = f"{case}_extra_{count}", rows[case, count].frame_ratio
-        extra[case, count] = results.value(name, formula, lambda taken: 100 * (taken - 1), cell, unit="%")
+        extra[case, count] = results.value(name, formula, PERCENT * (cell - 1))
     worst = resolution(results, "resolution", results.rows)
     costs = []
     for case in TESTED:
@@ -52,9 +52,9 @@ def _seen(results: Results, name: str, row: Row, extra: Value) -> Value:
 def _costs_nothing(results: Results, case: str, pairs: Sequence[tuple[Value, Value]], known: Value) -> Claim:
     seen_more = [more for more, noise in pairs if None in (more.value, noise.value) or more.value > noise.value]
     formula = "by how much a frame takes longer where it is seen, most of all numbers of worlds"
-    worst = results.value(f"{case}_worst", formula, lambda *more: max(more, default=0.0), *seen_more, unit="%")
+    worst = results.value(f"{case}_worst", formula, combined(max, constant(0.0, "%"), *seen_more))
     formula = "largest resolution of these: a frame that takes so much longer would be seen"
-    unseen = results.value(f"{case}_unseen", formula, max, *(noise for _, noise in pairs), unit="%", is_noise=True)
+    unseen = results.value(f"{case}_unseen", formula, combined(max, *(noise for _, noise in pairs)), is_noise=True)
     slower = (within(more, noise, why="the resolution of the ratio") for more, noise in pairs)
     outcome = all_of(fine_enough(unseen), *slower).having_read(known)
     return Claim(f"{case}_costs_nothing", outcome, {"worst": worst, "unseen": unseen})

@@ -20,7 +20,7 @@ def derive(results: Results) -> Section:
     row = results.row[CASE]
     changed = [name for name in changed_parameters(row.plain) if name not in RUN]
     numbers = {"release": results.edition, "changed": ", ".join(changed)}
-    cells = {name: cell_or_absent(results.row[f"solver-{name}"], "value", "1") for name in MUJOCO}
+    cells = {name: cell_or_absent(results.row[f"solver-{name}"], "value") for name in MUJOCO}
     by_mujoco = all_of(*(decided(cell.value == MUJOCO[name], cell) for name, cell in cells.items()))
     as_scene = Claim("as_the_scene", decided(not changed, row.slip_mm), numbers)
     return Section(claims=[as_scene, Claim("leaves_it_to_mujoco", by_mujoco)])

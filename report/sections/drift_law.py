@@ -9,11 +9,11 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import PERCENT, Quantity, Value, absent, combined
 from measured_report.values.results import Results, Row
 from report.shared import arithmetic
 from report.shared import drawing as colours
-from report.shared.arithmetic import departure, largest_size, noise_floor, other_value, quantile, resolved, share
+from report.shared.arithmetic import MS_PER_S, departure, largest_size, noise_floor, other_value, quantile, resolved
 from report.shared.drawing import mark_points
 from report.shared.tables import by_case
 
@@ -32,7 +32,6 @@ labels = {
 SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
 PARTS = {"response": "response_s", "the term": "left_out_mm_s", "step": "step_mm_s"}
 PARTS |= {"law": "predicted_drift_mm_s", "measured": "drift_mm_s"}
-SHAKE = {"amplitude_m": "m", "frequency_hz": "Hz"}
 MOST = 0.9  # chosen: the law is asked of so many of the runs
 SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")
 """Runs of the table."""
@@ -42,7 +41,9 @@ def derive(results: Results) -> Section:
     formula = "drift measured with positions compensated, less that of the law, in size, of the latter"
     runs = list(filter(arithmetic.is_held, results.rows))
     pairs = [(row.drift_mm_s, row.predicted_drift_mm_s) for row in runs]
-    offs = [departure(results, f"off_kept_{row.case}", formula, *pair) for row, pair in zip(runs, pairs, strict=True)]
+    offs = [
+        results.value(f"off_kept_{row.case}", formula, departure(*pair)) for row, pair in zip(runs, pairs, strict=True)
+    ]
     follows, sources = _follows(results, runs, offs), [cell for pair in pairs for cell in pair]
     figure = Figure(lambda: _draw(runs), sources, {"follows": follows.outcome == HOLDS})
     tables = {"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)}
@@ -53,19 +54,17 @@ def derive(results: Results) -> Section:
 def _by_hand(results: Results) -> Claim:
     row, stiffness = results.row[SHIPPED], partial(arithmetic.Found(results.others).cell, "stiffness", SHIPPED)
     dmax = stiffness("dmax")
-    substep = other_value(results, "stiffness", "substep", unit="s")
-    step = results.value("step_ms", "substep in ms", lambda seconds: 1e3 * seconds, substep, unit="ms")
-    formula = "response over dmax"
-    timeconst = results.value("timeconst_ms", formula, lambda t, d: 1e3 * t / d, row.response_s, dmax, unit="ms")
+    substep = other_value(results, "stiffness", "substep")
+    step = results.value("step_ms", "substep in ms", MS_PER_S * substep)
+    timeconst = results.value("timeconst_ms", "response over dmax", MS_PER_S * row.response_s / dmax)
     formula = "twice the drift that the left-out acceleration makes, over the response"
-    g = results.value("g", formula, lambda a, t: 2 * a / t, row.left_out_mm_s, row.response_s, unit="mm/s²")
-    formula = "half of dmax · timeconst · ⟨J̇q̇⟩"
-    trailing = results.value("trailing", formula, lambda d, t, g: d * t * g / 2e3, dmax, timeconst, g, unit="mm/s")
-    back = results.value("back", "half of h · ⟨J̇q̇⟩", lambda h, g: h * g / 2e3, step, g, unit="mm/s")
-    rough = arithmetic.difference(results, "rough", "the first less the second", trailing, back)
-    off = departure(results, "rough_off", "how far that is from the drift, of the latter", rough, row.drift_mm_s)
+    g = results.value("g", formula, 2 * row.left_out_mm_s / row.response_s)
+    trailing = results.value("trailing", "half of dmax · timeconst · ⟨J̇q̇⟩", dmax * timeconst * g / (2 * MS_PER_S))
+    back = results.value("back", "half of h · ⟨J̇q̇⟩", step * g / (2 * MS_PER_S))
+    rough = results.value("rough", "the first less the second", trailing - back)
+    off = results.value("rough_off", "how far that is from the drift, of the latter", departure(rough, row.drift_mm_s))
     # A point that swings along an arc of radius r has v² / r toward its axis: on average half of (2πfA)² / r.
-    cells = (stiffness(f"shake_{name}", unit) for name, unit in SHAKE.items())
+    cells = (stiffness(f"shake_{name}") for name in ("amplitude_m", "frequency_hz"))
     formula = "half of (2π · frequency · amplitude)², over the left-out acceleration"
     arc = results.value("arc", formula, lambda g, a, f: 5e5 * (2 * math.pi * f * a) ** 2 / g, g, *cells, unit="mm")
     is_of_arm = at_least(arc, 100.0, why="no wrist alone"), at_most(arc, 855.0, why="the reach of the arm")
@@ -76,29 +75,31 @@ def _by_hand(results: Results) -> Claim:
 
 def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Claim:
     """Ask it of most runs: which at the edge keep the cube is chance, and so is the farthest of all."""
-    bound = results.chosen("law_bound", "one law", 1.5, unit="%")
+    bound = results.chosen("law_bound", "one law", 1.5, "%")
     quantiles = {"half": ("of half of the runs, at most", 0.5), "most": ("of nine in ten runs, at most", MOST)}
     within = {
-        name: results.value(f"{name}_kept", f"departure from the law {words}", partial(quantile, at), *offs, unit="%")
+        name: results.value(f"{name}_kept", f"departure from the law {words}", combined(partial(quantile, at), *offs))
         for name, (words, at) in quantiles.items()
     }
     responses, formula = [row.response_s for row in runs], "longest over shortest response of the friction rows"
-    width = results.value("response_range", formula, lambda *s: max(s) / min(s), *responses)
+    width = results.value("response_range", formula, combined(max, *responses) / combined(min, *responses))
     formula = "different responses of these runs, to a thousandth of themselves"
     distinct = results.value("response_count", formula, lambda *s: len({f"{each:.3g}" for each in s}), *responses)
     drifts, formula = [row.drift_mm_s for row in runs], "noise of the drift, of the fastest"
-    fastest = largest_size(results, "drift_most", "fastest of these drifts", drifts)
-    noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
+    fastest = results.value("drift_most", "fastest of these drifts", largest_size(drifts))
+    noise = results.value("drift_noise", formula, PERCENT * noise_floor(results, "drift_floor") / fastest)
     formula, laws = "drift that the law gives to nine in ten runs, at least", [row.predicted_drift_mm_s for row in runs]
-    slow = results.value("law_least", formula, lambda *a: quantile(1 - MOST, *map(abs, a)), *laws, unit="mm/s")
-    scatter = share(results, "law_noise", "noise of the drift, of that", noise_floor(results, "drift_floor"), slow)
+    slow = results.value("law_least", formula, combined(partial(quantile, 1 - MOST), *map(abs, laws)))
+    scatter = results.value(
+        "law_noise", "noise of the drift, of that", PERCENT * noise_floor(results, "drift_floor") / slow
+    )
     outcome = all_of(at_most(within["most"], bound), resolved(noise, bound)).having_read(width, distinct)
     if outcome == FAILS and (told := resolved(scatter, within["most"])) != HOLDS:
         outcome = told.having_read(width, distinct)
     numbers: dict[str, Quantity] = {**within, "bound": bound, "width": width, "distinct": distinct}
     formula, tried = "runs that keep the cube, positions compensated", [row.pad_ke for row in results.rows]
-    numbers["count"] = arithmetic.cell_count(results, "count_kept", formula, offs)
-    numbers["tried"] = arithmetic.cell_count(results, "tried_count", "runs that were tried", tried)
+    numbers["count"] = results.value("count_kept", formula, arithmetic.cell_count(offs))
+    numbers["tried"] = results.value("tried_count", "runs that were tried", arithmetic.cell_count(tried))
     many = at_least(distinct, 5, why="more than a line takes")
     is_wide = all_of(at_least(width, 3.0, why="enough to see a law"), many)
     if outcome != FAILS and is_wide != HOLDS:

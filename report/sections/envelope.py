@@ -8,6 +8,7 @@ import pandas as pd
 
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Figure, Section, Table
+from measured_report.records.columns import column_of
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
 from report.shared.arithmetic import noise_floor, resolved
@@ -24,7 +25,7 @@ SIDES = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 
 def derive(results: Results) -> Section:
     trace = results.trace("map")
-    held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, unit="m")
+    held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, "m")
     lost = {side: lost_count(results, trace, side, held) for side in SIDES}
     shipped, stiff = _drops(results, trace, lost, held)
     seconds = results.row["as-shipped-3cm-1hz"].shake_duration_s
@@ -42,21 +43,22 @@ def _shakes(results: Results, trace: Series) -> Table:
     apart = (frame["shake_frequency_hz"] - scene.shake_frequency_hz.value).abs()
     near = frame[apart == apart.min()]
 
-    def cells(side: str, column: str, unit: str) -> list[Value | str]:
+    def cells(side: str, column: str) -> list[Value | str]:
         def cell(at: int) -> Value | str:
             if column == "slip_mm" and str(frame["dropped"][at]) == "True":
                 return "lost"
             formula = f"{column} in line {at} of the map"
+            unit = column_of(column).unit
             return results.value(f"{column}_{at}", formula, lambda frame: frame[column][at], trace, unit=unit)
 
         return [cell(at) for at in near.index[near["side"] == side][1::5]]
 
     columns: dict[str, Column] = {}
     for side, label in SIDES.items():
-        columns[f"slip, {label}"] = cells(side, "slip_mm", "mm")
-        columns[f"cube ends at, {label}"] = cells(side, "cube_height_m", "m")
-    frequency = cells("stiff", "shake_frequency_hz", "Hz")[0]
-    names = cells("stiff", "shake_amplitude_m", "m")
+        columns[f"slip, {label}"] = cells(side, "slip_mm")
+        columns[f"cube ends at, {label}"] = cells(side, "cube_height_m")
+    frequency = cells("stiff", "shake_frequency_hz")[0]
+    names = cells("stiff", "shake_amplitude_m")
     return table_of("amplitude", names, columns, seconds=scene.shake_duration_s, frequency=frequency)
 
 

@@ -5,7 +5,7 @@ from experiments.facts.fix_files import fix_files
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Download, Section
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import SETTLES, departure, other_value, ratio
+from report.shared.arithmetic import MS_PER_S, SETTLES, departure, other_value
 
 order = 140
 page = "fix"
@@ -22,24 +22,26 @@ def derive(results: Results) -> Section:
 
 def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
     bound, formula = results.chosen("gain_bound", *SETTLES), "slip of as-shipped over slip of fixed"
-    gain = ratio(results, "gain", formula, shipped.slip_mm, fixed.slip_mm)
+    gain = results.value("gain", formula, shipped.slip_mm / fixed.slip_mm)
     outcome = all_of(at_least(gain, bound), decided(fixed.exit_status.value == 0, fixed.slip_mm))
     return Claim("recommended", outcome, {"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain})
 
 
 def _patch_rounds_up(results: Results) -> Claim:
     """Compare the patch's ke and kd with those of the shortest timeconst, two steps: no contact is harder."""
-    step = other_value(results, "stiffness", "substep", unit="s")
-    dt = results.value("step_ms", "the same in ms", lambda step: 1e3 * step, step, unit="ms")
+    step = other_value(results, "stiffness", "substep")
+    dt = results.value("step_ms", "the same in ms", MS_PER_S * step)
     least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", lambda step: 1 / step, step)
     formula = "ke with which the damping ratio, kd / (2 √ke), is 1"
     least_ke = results.value("step_ke", formula, lambda kd: kd**2 / 4, least_kd)
-    bound = results.chosen("rounding_bound", "rounded", 10.0, unit="%")
+    bound = results.chosen("rounding_bound", "rounded", 10.0, "%")
     numbers, outcomes = {"dt": dt, "least_kd": least_kd, "least_ke": least_ke}, []
     for name, given, least in (("kd", STIFF_PADS.pad_kd, least_kd), ("ke", STIFF_PADS.pad_ke, least_ke)):
         formula = f"given: {name} of the stiff pads, which the patch sets"
         numbers[name] = results.value(f"patch_{name}", formula, lambda given=given: given)
-        off = departure(results, f"patch_{name}_off", f"how far the patch's {name} is from that", numbers[name], least)
+        off = results.value(
+            f"patch_{name}_off", f"how far the patch's {name} is from that", departure(numbers[name], least)
+        )
         outcomes += [at_least(numbers[name], least), at_most(off, bound)]
     return Claim("patch_rounds_up", all_of(*outcomes), numbers)
 

@@ -2,8 +2,9 @@
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Section
+from measured_report.values.quantities import PERCENT, combined
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import noise_floor, share
+from report.shared.arithmetic import noise_floor
 from report.shared.tables import Column, table_of
 
 order = 60
@@ -38,7 +39,7 @@ def _cube_moves_in_fingers(results: Results) -> Claim:
     left, right = cells = [results.row[case].displacement_mm for case in FINGERS]
     formula = "{} of the cube's displacements against the two fingers, of that against the TCP"
     least, most = (
-        results.value(name, formula.format(which), lambda a, b, c, f=f: 100 * f(a, b) / c, *cells, whole, unit="%")
+        results.value(name, formula.format(which), PERCENT * combined(f, *cells) / whole)
         for name, which, f in (("finger_share", "smaller", min), ("finger_share_most", "larger", max))
     )
     all_of_it = at_least(least, 95.0, why="as good as all of it"), at_most(most, 105.0, why="no more than all of it")
@@ -51,8 +52,10 @@ def _robot_is_still(results: Results) -> Claim:
     rows = [results.row[case] for case in ROBOT]
     formula = "largest drift or displacement between two bodies of the robot"
     cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))
-    largest = results.value("robot_drift", formula, max, *cells, unit="mm")
+    largest = results.value("robot_drift", formula, combined(max, *cells))
     whole = results.row["cube-in-TCP"].displacement_mm
-    of_cube = share(results, "robot_share", f"{formula}, of the cube's displacement against the TCP", largest, whole)
-    bound = results.chosen("robot_share_bound", "too little to matter", 5.0, unit="%")
+    of_cube = results.value(
+        "robot_share", f"{formula}, of the cube's displacement against the TCP", PERCENT * largest / whole
+    )
+    bound = results.chosen("robot_share_bound", "too little to matter", 5.0, "%")
     return Claim("robot_is_still", at_most(of_cube, bound), {"largest": largest, "share": of_cube})

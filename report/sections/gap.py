@@ -2,8 +2,9 @@
 
 from measured_report.parts.claim import Claim, all_of, decreases, equal_within
 from measured_report.parts.section import Section
+from measured_report.values.quantities import PERCENT
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import noise_floor, share, spread
+from report.shared.arithmetic import noise_floor, spread
 from report.shared.tables import by_case
 from report.shared.variants import is_small
 
@@ -24,10 +25,10 @@ def derive(results: Results) -> Section:
 
 def _not_the_cause(results: Results, rows: list[Row]) -> Claim:
     slips, floor = [row.slip_mm for row in rows], noise_floor(results, "slip_floor")
-    difference = spread(results, "slip_difference", "largest minus smallest slip of the gaps", slips)
+    difference = results.value("slip_difference", "largest minus smallest slip of the gaps", spread(slips))
     formula = "difference in slip between the gaps, of the slip with the default gap"
-    of_default = share(results, "slip_difference_share", formula, difference, slips[0])
-    bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, unit="%")
+    of_default = results.value("slip_difference_share", formula, PERCENT * difference / slips[0])
+    bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, "%")
     outcome = is_small(results, "slip_difference", difference, bound, slips[0], floor)
     return Claim("not_the_cause", outcome, {"difference": difference, "share": of_default, "slip": slips[0]})
 

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Quantity
+from measured_report.values.quantities import PERCENT, Quantity
 from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import departure, noise_floor, resolved, share, size_share
+from report.shared.arithmetic import departure, noise_floor, resolved
 from report.shared.drawing import SHIPPED, STIFF
 
 order = 80
@@ -46,11 +46,11 @@ def derive(results: Results) -> Section:
 def _drift_needs_cycle(results: Results, held: Quantity, shaken: Quantity) -> Claim:
     """Tell whether a held cube hardly drifts; if the other way, that is no part of the drift but takes no shake."""
     formula = "drift with the arm held still, of the drift as shipped, in size"
-    part = size_share(results, "hold_share", formula, held, shaken)
+    part = results.value("hold_share", formula, PERCENT * abs(held / shaken))
     there = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)
     is_opposed = there and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
-    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
+    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, "%")
     return Claim("drift_needs_cycle", at_most(part, bound), numbers)
 
 
@@ -65,7 +65,7 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
 
 def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
     formula = "slip of the long hold with stiff pads, of the slip of the long hold as shipped"
-    remaining = share(results, "stiff_creep_share", formula, stiff.slip_mm, long.slip_mm)
+    remaining = results.value("stiff_creep_share", formula, PERCENT * stiff.slip_mm / long.slip_mm)
     numbers = {"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s}
     return Claim("stiff_pads_keep_creep", at_least(remaining, 50.0, why="most of it remains"), numbers)
 
@@ -73,13 +73,13 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
 def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Claim:
     numbers = {"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s}
     formula = "creep with positions in double precision, of that with positions rounded to single precision"
-    remaining = share(results, "double_share", formula, numbers["double"], numbers["single"])
+    remaining = results.value("double_share", formula, PERCENT * numbers["double"] / numbers["single"])
     formula = "difference between the creep with rounded positions and MuJoCo Warp's, of the latter"
-    rounded = departure(results, "rounded_departure", formula, numbers["single"], numbers["warp"])
+    rounded = results.value("rounded_departure", formula, departure(numbers["single"], numbers["warp"]))
     creeps = greater(numbers["warp"], 0.0, noise=noise_floor(results, "drift_floor"), why="a creep to explain")
     gone, same = at_most(remaining, 50.0, why="most of it is gone"), at_most(rounded, 10.0, why="the same creep")
     formula = "noise of the drift, of MuJoCo Warp's creep"
-    noise = size_share(results, "creep_noise", formula, noise_floor(results, "drift_floor"), numbers["warp"])
+    noise = results.value("creep_noise", formula, PERCENT * abs(noise_floor(results, "drift_floor") / numbers["warp"]))
     seen = resolved(noise, 10.0, why="the same creep")
     return Claim("creep_is_rounding", all_of(creeps, gone, same, seen), numbers)
 

@@ -11,9 +11,9 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.claim import Claim, Outcome, all_of, at_least, greater, within
 from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section, Table
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import PERCENT, Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio
+from report.shared.arithmetic import DEVICES, largest_size, noise_floor
 from report.shared.drawing import CURE, SHIPPED, STIFF, name_lines
 from report.shared.tables import Column, table_of
 from report.shared.timing import RowsBy, resolution, worlds_name
@@ -52,7 +52,7 @@ def derive(results: Results) -> Section:
     base, differences, known = ran.get(REFERENCE, results.row[REFERENCE]).slip_mm, {}, {}
     for case, row in ran.items():
         name, formula = f"cuda_{case}_difference".replace("-", "_"), f"slip of {case} less that of {REFERENCE}"
-        differences[case] = difference(results, name, f"{formula}, on the same device", row.slip_mm, base)
+        differences[case] = results.value(name, f"{formula}, on the same device", row.slip_mm - base)
     for device in DEVICES:
         own = (row for (of, *_), row in timed.items() if of == device)
         known[device] = resolution(results, f"{device}_resolution", own)
@@ -73,7 +73,7 @@ def _saved(results: Results, timed: Timed, device: str, case: str, worlds: int) 
     name = f"{device}_{case}_{worlds}_less".replace("-", "_")
     formula = "what a frame takes less than exactly as shipped, timed in turn"
     cell = timed[device, case, worlds].frame_ratio
-    return results.derived.get(name) or results.value(name, formula, lambda taken: 100 * (1 - taken), cell, unit="%")
+    return results.derived.get(name) or results.value(name, formula, PERCENT * (1 - cell))
 
 
 def _is_faster(results: Results, timed: Timed, device: str, worlds: int) -> Outcome:
@@ -85,7 +85,7 @@ def _faster_on_gpu(results: Results, timed: Timed, known: Value) -> Claim:
     gains, outcomes = [], []
     for worlds in (1, MANY_COUNT):
         row = timed["cuda", ALL, worlds]
-        gains.append(results.value(f"cuda_gain_{worlds}", formula, lambda taken: 1 / taken, row.frame_ratio))
+        gains.append(results.value(f"cuda_gain_{worlds}", formula, 1 / row.frame_ratio))
         outcomes.append(_is_faster(results, timed, "cuda", worlds))
     numbers = {"one": gains[0], "many": gains[1], "worlds": timed["cuda", ALL, MANY_COUNT].worlds}
     return Claim("faster_on_gpu", all_of(*outcomes).having_read(known), numbers)
@@ -95,8 +95,8 @@ def _faster_on_cpu(results: Results, timed: Timed, known: Value) -> Claim:
     """Tell how many times as fast it is at least: cores are shared, so that the ratio there is known badly."""
     row = timed["cpu", ALL, 1]
     formula = "time of a frame on the CPU exactly as shipped over that without all of it, less its resolution"
-    sources = row.frame_ratio, row.ratio_resolution
-    gain = results.value("cpu_gain_least", formula, lambda taken, seen: 1 / taken / (1 + seen), *sources, is_noise=True)
+    least = 1 / row.frame_ratio / (1 + row.ratio_resolution)
+    gain = results.value("cpu_gain_least", formula, least, is_noise=True)
     outcome = _is_faster(results, timed, "cpu", 1).having_read(gain, known)
     return Claim("faster_on_cpu", outcome, {"gain": gain})
 
@@ -104,7 +104,7 @@ def _faster_on_cpu(results: Results, timed: Timed, known: Value) -> Claim:
 def _less_memory(results: Results, timed: Timed) -> Claim:
     before, after = (timed[_device(timed), case, 1].buffer_bytes_per_world for case in (REFERENCE, ALL))
     formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
-    saving = ratio(results, "memory_saving", formula, before, after)
+    saving = results.value("memory_saving", formula, before / after)
     bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
     return Claim("less_memory", at_least(saving, bound), {"saving": saving, "before": before, "after": after})
 
@@ -113,7 +113,7 @@ def _same_slip_on_gpu(results: Results, differences: Mapping[str, Value]) -> Cla
     """Compare means over the worlds that each case was run in."""
     floor = noise_floor(results, "slip_floor")
     formula = "largest difference in slip from the reference of that device, either way"
-    largest = largest_size(results, "cuda_largest_difference", formula, differences.values())
+    largest = results.value("cuda_largest_difference", formula, largest_size(differences.values()))
     return Claim("same_slip_on_gpu", within(largest, floor), {"largest": largest, "floor": floor})
 
 
@@ -150,9 +150,9 @@ def _fall(results: Results, timed: Timed, device: str, worlds: int) -> Fall:
     alone = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)
     steps = {case: (_saved(results, timed, device, case, worlds), timed[device, case, worlds]) for case in alone}
     formula = "what a frame without all of it takes less, less what it takes less for each thing that was timed alone"
-    cells = _saved(results, timed, device, ALL, worlds), *(step for step, _ in steps.values() if step.value is not None)
-    name = f"{device}_together_{worlds}_less"
-    rest = results.value(name, formula, lambda whole, *each: whole - sum(each), *cells, unit="%")
+    whole, parts = _saved(results, timed, device, ALL, worlds), (step for step, _ in steps.values())
+    beyond = whole - sum(part for part in parts if part.value is not None)
+    rest = results.value(f"{device}_together_{worlds}_less", formula, beyond)
     return Fall(worlds, steps, rest, (timed[device, REFERENCE, worlds], timed[device, ALL, worlds]))
 
 

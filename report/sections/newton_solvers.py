@@ -4,9 +4,9 @@ from typing import Any
 
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_least, at_most, decided, greater
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import PERCENT, Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import departure, is_held, share
+from report.shared.arithmetic import departure, is_held
 from report.shared.tables import Column, cell_or_lost, creep_or_unseen, table_of
 from report.shared.timing import TIMED_WORLDS, RowsBy, worlds_name
 
@@ -37,15 +37,15 @@ def derive(results: Results) -> Section:
     """Derive the section; of a release without Steel there is no shake."""
     rows = RowsBy(results, results.rows, "variant", "shake")
     times = RowsBy(results, results.rows, "variant", "worlds")
-    bound = results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, unit="mm")
+    bound = results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, "mm")
     seen: dict[str, Quantity] = {
-        "%/s": results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, unit="%/s"),
-        "mm/s": results.chosen("creep_seen", "a millimetre in a quarter of an hour", 1e-3, unit="mm/s"),
+        "%/s": results.chosen("seen", "rounding of a place in single precision makes so much", 0.002, "%/s"),
+        "mm/s": results.chosen("creep_seen", "a millimetre in a quarter of an hour", 0.001, "mm/s"),
     }
     tables = {"boxes": _box_table(results, seen), "shakes": _shake_table(rows), "times": _time_table(times)}
     has_steel = ("steel", "3cm") in rows
     offered = Claim("offered", (HOLDS if has_steel else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
-    as_far = results.chosen("as_far", "a hand that goes farther off is shaken in another way", 10.0, unit="%")
+    as_far = results.chosen("as_far", "a hand that goes farther off is shaken in another way", 10.0, "%")
     hands = _hands(results, rows)
     claims = [offered, _others_hold(rows, times, hands, bound, as_far), _hands_go_as_far(rows, hands, as_far)]
     if not has_steel:
@@ -82,14 +82,14 @@ def _of_box(results: Results, solver: str, end: str, seen: dict[str, Quantity]) 
         return "sinks in or lost"
     if is_turning:
         formula = "growth of the distance from the axis, in percent of it"
-        cell = results.value(f"{solver}_{end}", formula, lambda rate: 100 * rate, cell, unit="%/s")
+        cell = results.value(f"{solver}_{end}", formula, PERCENT * cell)
     return cell if cell.value is None or abs(cell.value) >= seen[cell.unit].number else "not seen"
 
 
 def _steel_stays(results: Results, seen: Quantity) -> Claim:
     """Tell whether the box stays where it is on the turning table by the anchors of Steel's friction."""
     anchors, points, warp = (results.derived[f"{name}_2ms"] for name in ("steel", "steel-points", "mujoco"))
-    size = results.value("anchors_size", "size of Steel's walk", abs, anchors, unit="%/s")
+    size = results.value("anchors_size", "size of Steel's walk", abs(anchors))
     outcome = all_of(at_most(size, seen), at_least(points, seen), at_least(warp, seen))
     return Claim("steel_stays", outcome, {"points": points, "warp": warp})
 
@@ -128,7 +128,7 @@ def _hands(results: Results, rows: RowsBy) -> dict[str, Value]:
     mine, formula = rows["warp", "3cm"].hand_amplitude_mm, "of how far the hand goes in MuJoCo Warp, off it"
     held = {name: row for (name, shake), row in rows.items() if shake == "3cm" and name != "warp" and is_held(row)}
     cells = {name: row.hand_amplitude_mm for name, row in held.items()}
-    return {name: departure(results, f"{name}_hand", formula, cell, mine) for name, cell in cells.items()}
+    return {name: results.value(f"{name}_hand", formula, departure(cell, mine)) for name, cell in cells.items()}
 
 
 def _others_hold(rows: RowsBy, times: RowsBy, hands: dict[str, Value], bound: Quantity, as_far: Quantity) -> Claim:
@@ -172,10 +172,10 @@ def _anchors_help(rows: RowsBy) -> Claim:
 def _contacts_strain(results: Results, rows: RowsBy) -> Claim:
     """Tell whether contacts carry as much along themselves where nothing pulls at the cube."""
     shaken, held = (
-        results.value(f"used_{shake}", "of what friction allows", lambda part: 100 * part, row.friction_share, unit="%")
+        results.value(f"used_{shake}", "of what friction allows", PERCENT * row.friction_share)
         for shake, row in ((shake, rows["steel", shake]) for shake in ("3cm", "held"))
     )
-    kept = share(results, "strain", "the same with the arm held still, of that shaken", held, shaken)
+    kept = results.value("strain", "the same with the arm held still, of that shaken", PERCENT * held / shaken)
     return Claim("contacts_strain", at_least(kept, 50.0, why="most of it"), {"shaken": shaken, "held": held})
 
 

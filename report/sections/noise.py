@@ -7,7 +7,7 @@ from measured_report.parts.claim import NEAR_NOISE, Claim, all_of, at_most
 from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
 
 order = 20
@@ -15,7 +15,7 @@ page = "releases"
 label = "the same again"
 labels = {"as-shipped": "shipped pads"}
 
-METRICS, UNITS = {"slip": "slip_mm", "drift": "drift_mm_s"}, {"slip": "mm", "drift": "mm/s"}
+METRICS = {"slip": "slip_mm", "drift": "drift_mm_s"}
 SMALL = "far less than what is looked for"
 
 
@@ -25,32 +25,31 @@ def derive(results: Results) -> Section:
         if row.plain.get("of"):
             repeats.setdefault(row.of, []).append(row)
     floors = {metric: _floor(results, repeats, metric) for metric in METRICS}
-    results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
-    results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
+    results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, "%")
+    results.chosen("confidence", "as is usual", 100 * CONFIDENCE, "%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
     return Section(claims=[_noise_is_small(results, next(iter(repeats.values())), floors)])
 
 
 def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) -> Value:
     """Say how far apart two runs may come out, or, where all are alike to the last bit, how far rounding moves them."""
-    unit = UNITS[metric]
     formula = f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured"
     bounds = []
     for case, rows in repeats.items():
         name, cells = f"{case.replace('-', '_')}_{metric}_tolerance", [row[METRICS[metric]] for row in rows]
-        bounds.append(results.value(name, formula, lambda *cell: tolerance(cell), *cells, unit=unit, is_noise=True))
-    resolution = column_of(METRICS[metric]).resolution
-    least = results.chosen(f"{metric}_resolution", "what rounding may do", resolution, unit=unit)
+        bounds.append(results.value(name, formula, combined(lambda *cells: tolerance(cells), *cells), is_noise=True))
+    column = column_of(METRICS[metric])
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", column.resolution, column.unit)
     formula = "largest of the cases, and at least the resolution"
-    return results.value(f"{metric}_floor", formula, max, *bounds, least, unit=unit, is_noise=True)
+    return results.value(f"{metric}_floor", formula, combined(max, *bounds, least), is_noise=True)
 
 
 def _noise_is_small(results: Results, first: Sequence[Row], floors: Mapping[str, Value]) -> Claim:
-    of_mean, shares = lambda floor, *found: 100 * floor / abs(fmean(found)), {}
+    shares = {}
     for metric, floor in floors.items():
         formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
-        cells = floor, *(row[METRICS[metric]] for row in first)
-        name = f"{metric}_floor_share"
-        shares[metric] = results.value(name, formula, of_mean, *cells, unit="%", is_noise=True)
+        mean = combined(lambda *numbers: fmean(numbers), *(row[METRICS[metric]] for row in first))
+        share = PERCENT * floor / abs(mean)
+        shares[metric] = results.value(f"{metric}_floor_share", formula, share, is_noise=True)
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
     return Claim("noise_is_small", all_of(*(at_most(share, 1.0, why=SMALL) for share in shares.values())), numbers)

@@ -5,8 +5,9 @@ import math
 from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, greater, within
 from measured_report.parts.section import Section
+from measured_report.values.quantities import PERCENT
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import noise_floor, share, spread
+from report.shared.arithmetic import noise_floor, spread
 from report.shared.tables import Column, by_case
 
 order = 100
@@ -47,7 +48,7 @@ def _cube_does_not_count(results: Results) -> Claim:
     for column in ("timeconst_s", "dampratio", "friction", "dmin", "dmax"):
         cells = [row[column] for row in rows]
         formula = f"largest less smallest {column} of the contact, over the three stiffnesses of the cube"
-        spreads.append(spread(results, f"cube_{column}_spread", formula, cells))
+        spreads.append(results.value(f"cube_{column}_spread", formula, spread(cells)))
     largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
     numbers = {"low": rows[0].cube_ke, "high": rows[-1].cube_ke, "timeconst": rows[1].timeconst_s}
     return Claim("cube_does_not_count", at_most(largest, 0.0, why="no difference at all"), numbers)
@@ -56,9 +57,9 @@ def _cube_does_not_count(results: Results) -> Claim:
 def _cube_does_not_move_slip(results: Results) -> Claim:
     low, shipped, high = (results.row[case] for case in CUBE)
     formula = "largest less smallest slip over the three stiffnesses of the cube"
-    change = spread(results, "cube_slip_spread", formula, [row.slip_mm for row in (low, shipped, high)])
+    change = results.value("cube_slip_spread", formula, spread([row.slip_mm for row in (low, shipped, high)]))
     formula = "that spread, of the slip as shipped"
-    of_shipped = share(results, "cube_slip_share", formula, change, shipped.slip_mm)
+    of_shipped = results.value("cube_slip_share", formula, PERCENT * change / shipped.slip_mm)
     floor = noise_floor(results, "slip_floor")
     small = at_most(of_shipped, 2.0, why="no change to speak of")
     outcome = small.having_read(floor) if small == HOLDS else within(change, floor).having_read(of_shipped)
@@ -69,8 +70,7 @@ def _equal_priorities_mix(results: Results) -> Claim:
     shipped, mixed = results.row["cube-ke-8e4"], results.row["priority-0"]
     before, after = shipped.timeconst_s, mixed.timeconst_s
     formula = "how much the slip falls when both geoms have the same priority, of the slip as shipped"
-    slips = shipped.slip_mm, mixed.slip_mm
-    drop = results.value("mixed_drop", formula, lambda then, now: 100 * (1 - now / then), *slips, unit="%")
+    drop = results.value("mixed_drop", formula, PERCENT * (1 - mixed.slip_mm / shipped.slip_mm))
     falls = greater(shipped.slip_mm, mixed.slip_mm, noise=noise_floor(results, "slip_floor"))
     numbers = {"before": before, "after": after, "drop": drop, "slip": mixed.slip_mm, "shipped": shipped.slip_mm}
     return Claim("equal_priorities_mix", all_of(greater(before, after, noise=0.0, why=EXACT), falls), numbers)

@@ -11,9 +11,9 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.facts.classes import cycle_increments
 from measured_report.parts.claim import Claim, at_least, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import Value, combined, constant
 from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import DEVICES, departure, ratio, spread
+from report.shared.arithmetic import DEVICES, MM_PER_M, departure, spread
 from report.shared.tables import by_case
 
 order = 10
@@ -57,16 +57,15 @@ def derive(results: Results) -> Section:
 
 def _scene(results: Results, shipped: Row, stiff: Row) -> None:
     for name, value, unit in SCENE:
-        results.value(name, "set in the scene", lambda value=value: value, unit=unit)
-    amplitude = shipped.shake_amplitude_m
-    results.value("amplitude", "in whole mm", lambda metres: round(1e3 * metres), amplitude, unit="mm")
-    results.value("frequency", "as a whole number", round, shipped.shake_frequency_hz, unit="Hz")
+        results.value(name, "set in the scene", constant(value, unit))
+    results.value("amplitude", "in whole mm", combined(round, MM_PER_M * shipped.shake_amplitude_m))
+    results.value("frequency", "as a whole number", combined(round, shipped.shake_frequency_hz))
     formula = "size of the change in slip with stiff pads, of the slip as shipped"
-    departure(results, "stiff_share", formula, stiff.slip_mm, shipped.slip_mm)
+    results.value("stiff_share", formula, departure(stiff.slip_mm, shipped.slip_mm))
 
 
 def _slips(results: Results, shipped: Row) -> Claim:
-    bound = results.chosen("slip_bound", "a slip that can be seen", 1.0, unit="mm")
+    bound = results.chosen("slip_bound", "a slip that can be seen", 1.0, "mm")
     numbers = {"slip": shipped.slip_mm, "duration": shipped.shake_duration_s, "bound": bound}
     return Claim("slips", at_least(shipped.slip_mm, bound), numbers)
 
@@ -94,8 +93,8 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
     formula = "largest even number of cycles of which there are two sets after the first cycle"
     count = results.value("steady_cycle_count", formula, lambda *found: half(_cycle_increments(*found)[1:]), *cells)
     formula = "size of the difference between the two halves, of the earlier"
-    change = departure(results, "increment_change", formula, late, early)
-    bound = results.chosen("increment_change_bound", "steps this equal count as steady", 10.0, unit="%")
+    change = results.value("increment_change", formula, departure(late, early))
+    bound = results.chosen("increment_change_bound", "steps this equal count as steady", 10.0, "%")
     numbers = {"early": early, "late": late, "change": change, "count": count, "bound": bound}
     return Claim("drift_is_steady", at_most(change, bound), numbers)
 
@@ -107,12 +106,12 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     def apart(case: str, pads: str) -> Value:
         cells = [results.row[f"{case}{suffix}"].slip_mm for suffix in places]
         formula = f"largest less smallest slip of all engines and devices, with {pads} pads"
-        return spread(results, f"engine_difference_{pads}", formula, cells)
+        return results.value(f"engine_difference_{pads}", formula, spread(cells))
 
     shipped, stiff = apart("as-shipped", "shipped"), apart("stiff-pads", "stiff")
     formula = "the larger of the two differences between engines and devices, as shipped and with stiff pads"
-    difference = results.value("engine_difference", formula, max, shipped, stiff, unit="mm")
-    bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, unit="mm")
+    difference = results.value("engine_difference", formula, combined(max, shipped, stiff))
+    bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, "mm")
     *first, last = places.values()
     listed = Markup("{} and {}").format(Markup(", ").join(first), last) if first else escape(last)
     numbers = {"difference": difference, "places": listed, "bound": bound}
@@ -120,7 +119,7 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
 
 
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
-    gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
+    gain = results.value("stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm / stiff.slip_mm)
     outcome = at_least(gain, results.chosen("stiff_least", "less than half", 2.0))
     return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "before": shipped.slip_mm, "gain": gain})
 

@@ -5,7 +5,7 @@ from itertools import takewhile
 
 from measured_report.parts.claim import Claim, all_of, at_least
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
 from report.shared.tables import Column, table_of
 from report.shared.timing import TIMED_WORLDS, fine_enough, resolution, worlds_name
@@ -68,12 +68,12 @@ def _beside_benchmark(results: Results) -> tuple[Table, Claim]:
         for way, row in rows.items():
             name = f"length_{way}_{count}".replace("-", "_")
             taken = gains[-1] if way == "testspeed" else row.frame_ratio
-            lengths.append(results.value(name, formula, lambda share: 100 * share, taken, unit="%"))
+            lengths.append(results.value(name, formula, PERCENT * taken))
     columns |= {"contacts": [row.contact_count for row in rows.values()]}
     columns |= {"rows": [row.row_count for row in rows.values()]}
     timed = [row for row in results.rows if "way" in row and row.way != "testspeed"]
     worst = resolution(results, "table_resolution", timed)
-    least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", min, *gains)
+    least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", combined(min, *gains))
     numbers = dict(zip(("one", "some", "many"), gains, strict=True))
     outcome = all_of(at_least(least, 1.0, why="as fast"), fine_enough(worst))
     return table_of("way", WAYS.values(), columns, resolution=worst), Claim("faster", outcome, numbers)

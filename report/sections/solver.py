@@ -5,9 +5,9 @@ from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, at_most, within
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value
 from measured_report.values.results import Results
-from report.shared.arithmetic import excess, largest_size, noise_floor
+from report.shared.arithmetic import largest_size, noise_floor
 from report.shared.variants import Variants, change_of, variant_section, variants_of
 
 order = 50
@@ -31,8 +31,8 @@ def derive(results: Results) -> Section:
     changes = {}
     for case in (f"{pads}-{engine}" for engine in ENGINES for pads in PADS):
         formula = f"drift of {case} with noslip less that without, of that without"
-        drifts = results.row[f"{case}-noslip"].drift_mm_s, results.row[case].drift_mm_s
-        changes[case] = excess(results, f"{case}_change", formula, *drifts)
+        treated, plain = results.row[f"{case}-noslip"].drift_mm_s, results.row[case].drift_mm_s
+        changes[case] = results.value(f"{case}_change", formula, PERCENT * (treated / plain - 1))
     remedies = (*changes, *(f"{case}-noslip" for case in changes))
     variants = variants_of(results, "iterations-15", apart=remedies)
     claims = [_converged(results, variants)]
@@ -46,7 +46,7 @@ def _converged(results: Results, variants: Variants) -> Claim:
     more, tighter = map(results.row.__getitem__, CONVERGED)
     formula = "larger difference in slip from the baseline, of more iterations and of a tighter tolerance"
     differences = [change_of(results, case) for case in CONVERGED]
-    largest = largest_size(results, "convergence_difference", formula, differences)
+    largest = results.value("convergence_difference", formula, largest_size(differences))
     numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
     outcome = all_of(within(largest, noise_floor(results, "slip_floor")), variants.seen)
     return Claim("solver_has_converged", outcome, variants.numbers | numbers, effect=variants.slips)
@@ -54,7 +54,7 @@ def _converged(results: Results, variants: Variants) -> Claim:
 
 def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
     row, formula = results.row[case], f"slip of the baseline less that of {case}"
-    reduction = results.value(f"{case}_reduction", formula, lambda a: -a, change_of(results, case), unit="mm")
+    reduction = results.value(f"{case}_reduction", formula, -change_of(results, case))
     numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
     outcome = all_of(within(reduction, noise_floor(results, "slip_floor")), variants.seen)
     return Claim(claim, outcome, variants.numbers | numbers, effect=variants.slips)
@@ -63,7 +63,7 @@ def _does_not_help(results: Results, variants: Variants, claim: str, case: str, 
 def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:
     formula = f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}"
     of_engine = (changes[f"{pads}-{engine}"] for pads in PADS)
-    largest = largest_size(results, f"{engine}_change", formula, of_engine)
+    largest = results.value(f"{engine}_change", formula, largest_size(of_engine))
     named = product(zip(PADS, ("", "_stiff"), strict=True), (("without", ""), ("treated", "-noslip")))
     drifts = {name + end: results.row[f"{pads}-{engine}{way}"].drift_mm_s for (pads, end), (name, way) in named}
     iterations = results.row[f"{PADS[0]}-{engine}-noslip"].noslip_iterations

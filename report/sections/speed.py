@@ -2,7 +2,7 @@
 
 from measured_report.parts.claim import Claim, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value
 from measured_report.values.results import Results
 from report.shared.tables import by_case
 from report.shared.timing import resolution
@@ -29,9 +29,7 @@ def derive(results: Results) -> Section:
 def _same_time(results: Results, worst: Value) -> Claim:
     row = results.row["stiff-pads-only"]
     formula = "time of a frame of stiff-pads-only over that of as-shipped, less one, either way, with its resolution"
-    sources = row.frame_ratio, row.ratio_resolution
-    change = results.value(
-        "stiff_pads_only_change", formula, lambda t, seen: 100 * (abs(t - 1) + seen), *sources, unit="%", is_noise=True
-    )
+    departure = PERCENT * (abs(row.frame_ratio - 1) + row.ratio_resolution)
+    change = results.value("stiff_pads_only_change", formula, departure, is_noise=True)
     outcome = at_most(change, 3.0, why="a slowdown that would matter")
     return Claim("stiff_pads_only_same_time", outcome.having_read(worst), {"change": change})

@@ -12,9 +12,10 @@ from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
+from measured_report.values.quantities import PERCENT, constant
 from measured_report.values.results import Results, Row
 from report.shared import drawing as colours
-from report.shared.arithmetic import SETTLES, extreme, is_held, noise_floor, other_value, quantile, ratio, share
+from report.shared.arithmetic import SETTLES, extreme, is_held, noise_floor, other_value, quantile
 from report.shared.drawing import mark_points
 from report.shared.tables import by_case
 
@@ -49,8 +50,8 @@ def derive(results: Results) -> Section:
     ke_alone = [row for row in plain if row.pad_kd.value == AS_SHIPPED.pad_kd]
     held = list(filter(is_held, plain))
     formula = "given by the scene: frame time over substeps"
-    substep = results.value("substep", formula, lambda: 1 / 60 / AS_SHIPPED.substeps, unit="s")
-    least = results.value("least_timeconst", "two substeps", lambda step: 2 * step, substep, unit="s")
+    substep = results.value("substep", formula, constant(1 / 60 / AS_SHIPPED.substeps, "s"))
+    least = results.value("least_timeconst", "two substeps", 2 * substep)
     clamp = results.value("clamp_kd", "kd at which 2 / kd is two substeps", lambda shortest: 2 / shortest, least)
     alone, together = ke_alone_does_not_help(results, ke_alone), together_they_hold(results)
     numbers: dict[str, Any] = {"is_so": all_of(alone.outcome, together.outcome) == HOLDS, "clamp": clamp}
@@ -66,7 +67,7 @@ def derive(results: Results) -> Section:
 
 def _reading(results: Results, row: Row) -> str:
     """Say what becomes of the cube, beside what would count as a slip and what it slips in shipped pads."""
-    shipped, bound = results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm")
+    shipped, bound = results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound")
     if None in (row.slip_mm.value, shipped.value, bound.value) or not is_held(row):
         return "lost" if row.dropped else ""
     if at_most(row.slip_mm, bound) == HOLDS:
@@ -78,35 +79,33 @@ def _reading(results: Results, row: Row) -> str:
 
 
 def has_slip(results: Results) -> Outcome:
-    return at_least(results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
+    return at_least(results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound"))
 
 
 BACK = "that the slide ends when it is put back"
 CONDITIONS = {
-    "that the left-out acceleration gives the slide": ("contacts", "missing_term_departure", "missing_term_bound", "%"),
-    BACK: ("contacts", "restored_share", "restored_share_bound", "%"),
-    "that friction rows have no position residual": ("contacts", "friction_residual", "friction_residual_bound", "mm"),
-    "that sliding is the motion": ("contacts", "slide_departure_as-shipped", "slide_departure_bound", "%"),
-    "that it takes the load cycle": ("hold", "hold_share", "hold_share_bound", "%"),
+    "that the left-out acceleration gives the slide": ("contacts", "missing_term_departure", "missing_term_bound"),
+    BACK: ("contacts", "restored_share", "restored_share_bound"),
+    "that friction rows have no position residual": ("contacts", "friction_residual", "friction_residual_bound"),
+    "that sliding is the motion": ("contacts", "slide_departure_as-shipped", "slide_departure_bound"),
+    "that it takes the load cycle": ("hold", "hold_share", "hold_share_bound"),
 }
-"""What the cause takes, in words: section, value, the bound that it keeps, and their unit."""
+"""What the cause takes, in words: section, value and the bound that it keeps."""
 
 
 def cause(results: Results) -> Claim:
     slip = has_slip(results)
     outcomes = {
-        words: at_most(other_value(results, section, name, unit=unit), other_value(results, section, bound, unit=unit))
-        for words, (section, name, bound, unit) in CONDITIONS.items()
+        words: at_most(other_value(results, section, name), other_value(results, section, bound))
+        for words, (section, name, bound) in CONDITIONS.items()
     }
     noise = noise_floor(results, "slip_floor")
     for case in ("as-shipped", "stiff-pads"):
-        less, more = (
-            other_value(results, "contacts", f"restored_{case}_{size}_size", unit="mm") for size in ("small", "large")
-        )
+        less, more = (other_value(results, "contacts", f"restored_{case}_{size}_size") for size in ("small", "large"))
         outcomes[BACK] = all_of(outcomes[BACK], greater(more, less, noise=noise))
     lacking = Markup(", ").join(words for words, outcome in outcomes.items() if outcome != HOLDS)
     # Without a slip the others need not be known.
-    bound = other_value(results, "reproduction", "slip_bound", unit="mm")
+    bound = other_value(results, "reproduction", "slip_bound")
     numbers = {"has_slip": slip != FAILS, "slip": results.row[SHIPPED].slip_mm, "lacking": lacking, "bound": bound}
     return Claim("cause", all_of(slip, *outcomes.values()), numbers)
 
@@ -114,10 +113,9 @@ def cause(results: Results) -> Claim:
 def not_creep_under_load(results: Results) -> Claim:
     shipped, hardest = results.row[SHIPPED], results.row[HARDEST]
     formula = "measured stiffness with dmax raised, over that as shipped"
-    stiffer = ratio(results, "dmax_stiffness_ratio", formula, hardest.stiffness_n_m, shipped.stiffness_n_m)
+    stiffer = results.value("dmax_stiffness_ratio", formula, hardest.stiffness_n_m / shipped.stiffness_n_m)
     before, after = (
-        results.value(f"drift_size_{row.case}", "size of the drift", abs, row.drift_mm_s, unit="mm/s")
-        for row in (shipped, hardest)
+        results.value(f"drift_size_{row.case}", "size of the drift", abs(row.drift_mm_s)) for row in (shipped, hardest)
     )
     moves_more = greater(after, before, noise=noise_floor(results, "drift_floor"))
     outcome = all_of(at_least(stiffer, 2.0, why="clearly stiffer"), moves_more)
@@ -128,10 +126,10 @@ def not_creep_under_load(results: Results) -> Claim:
 def ke_is_no_spring(results: Results) -> Claim:
     soft, stiff = results.row[SHIPPED], results.row[STIFFEST]
     formula = "largest over smallest authored ke of the named cases"
-    authored = ratio(results, "ke_ratio", formula, stiff.pad_ke, soft.pad_ke)
+    authored = results.value("ke_ratio", formula, stiff.pad_ke / soft.pad_ke)
     formula = "measured stiffness at that largest ke over that at the smallest"
-    measured = ratio(results, "stiffness_ratio", formula, stiff.stiffness_n_m, soft.stiffness_n_m)
-    follows = share(results, "stiffness_follows", "measured ratio, of the authored", measured, authored)
+    measured = results.value("stiffness_ratio", formula, stiff.stiffness_n_m / soft.stiffness_n_m)
+    follows = results.value("stiffness_follows", "measured ratio, of the authored", PERCENT * measured / authored)
     numbers = {"ke": soft.pad_ke, "k": soft.stiffness_n_m, "times": authored, "more": measured}
     return Claim("ke_is_no_spring", at_most(follows, 50.0, why="does not follow"), numbers)
 
@@ -141,11 +139,11 @@ def ke_alone_does_not_help(results: Results, rows: Sequence[Row]) -> Claim:
     held = list(filter(is_held, rows))
     slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
     formula = "slip of the runs with kd at its default, that nine in ten exceed"
-    low = extreme(results, "ke_alone_low", formula, partial(quantile, 0.1), slips)
+    low = results.value("ke_alone_low", formula, extreme(partial(quantile, 0.1), slips))
     formula = "this slip with kd at its default, of the slip as shipped"
-    of_shipped = share(results, "ke_alone_share", formula, low, results.row[SHIPPED].slip_mm)
-    first = extreme(results, "ke_alone_first", "least ke of these runs", min, stiffnesses)
-    last = extreme(results, "ke_alone_last", "largest ke of these runs", max, stiffnesses)
+    of_shipped = results.value("ke_alone_share", formula, PERCENT * low / results.row[SHIPPED].slip_mm)
+    first = results.value("ke_alone_first", "least ke of these runs", extreme(min, stiffnesses))
+    last = results.value("ke_alone_last", "largest ke of these runs", extreme(max, stiffnesses))
     numbers = {"kd": results.row[SHIPPED].pad_kd, "share": of_shipped, "low": low, "first": first, "last": last}
     slip, outcome = has_slip(results), at_least(of_shipped, 80.0, why="no help")
     if slip == FAILS:
@@ -156,7 +154,7 @@ def ke_alone_does_not_help(results: Results, rows: Sequence[Row]) -> Claim:
 
 def together_they_hold(results: Results) -> Claim:
     shipped, fix = results.row[SHIPPED], results.row[FIX]
-    gain = ratio(results, "improvement", "slip as shipped over slip with the fix", shipped.slip_mm, fix.slip_mm)
+    gain = results.value("improvement", "slip as shipped over slip with the fix", shipped.slip_mm / fix.slip_mm)
     bound = results.chosen("improvement_bound", *SETTLES)
     numbers = {"ke": fix.pad_ke, "kd": fix.pad_kd, "slipped": shipped.slip_mm, "slip": fix.slip_mm, "gain": gain}
     return Claim("together_they_hold", at_least(gain, bound), numbers)

@@ -6,61 +6,44 @@ from dataclasses import dataclass, replace
 
 from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.records.columns import PLAIN, column_of
+from measured_report.values.quantities import PERCENT, Quantity, Term, absent, combined, constant
 from measured_report.values.results import Results, Row
 
 CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 """Cases that many sections measure, and what they are called."""
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
+MS_PER_S, MM_PER_M = constant(1e3, "ms/s"), constant(1e3, "mm/m")
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
 
 
-def _of_two(function: Callable[[float, float], float], unit: str = "") -> Callable[..., Value]:
-    """Make what derives a value of two quantities, in the unit of the first where none is given."""
-
-    def derive(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
-        return results.value(name, formula, function, a, b, unit=unit or a.unit)
-
-    return derive
+def departure(a: Quantity, b: Quantity) -> Term:
+    """Return the size of a difference, of the second [%]."""
+    return PERCENT * abs(a / b - 1)
 
 
-ratio = _of_two(lambda a, b: a / b, "1")
-share = _of_two(lambda a, b: 100 * a / b, "%")
-size_share = _of_two(lambda a, b: 100 * abs(a / b), "%")
-departure = _of_two(lambda a, b: 100 * abs(a / b - 1), "%")
-"""Size of the difference, of the second."""
-excess = _of_two(lambda a, b: 100 * (a / b - 1), "%")
-"""How much more than the second the first is, of that; negative where it is less."""
-difference = _of_two(lambda a, b: a - b)
-size_difference = _of_two(lambda a, b: abs(a - b))
+def largest_size(cells: Iterable[Quantity]) -> Term:
+    return combined(max, *map(abs, cells))
 
 
-def _of_cells(function: Callable[..., float], unit: str = "") -> Callable[..., Value]:
-    """Make what derives a value of any number of cells, all of which it takes, in their unit where none is given."""
-
-    def derive(results: Results, name: str, formula: str, cells: Iterable[Quantity]) -> Value:
-        cells = list(cells)
-        return results.value(name, formula, function, *cells, unit=unit or next((cell.unit for cell in cells), "1"))
-
-    return derive
+def spread(cells: Sequence[Quantity]) -> Term:
+    return combined(max, *cells) - combined(min, *cells)
 
 
-largest_size = _of_cells(lambda *cells: max(map(abs, cells)))
-spread = _of_cells(lambda *cells: max(cells) - min(cells))
-total = _of_cells(lambda *counts: sum(counts), "1")
-cell_count = _of_cells(lambda *cells: len(cells), "1")
-"""How many cells there are, as a value that points to them."""
+def total(counts: Iterable[Quantity]) -> Term:
+    return combined(lambda *numbers: sum(numbers), *counts)
 
 
-def extreme(
-    results: Results, name: str, formula: str, choose: Callable[..., float], cells: Sequence[Quantity]
-) -> Value:
+def cell_count(cells: Iterable[Quantity]) -> Term:
+    """Count cells, in a value that points to them."""
+    return combined(lambda *numbers: len(numbers), *cells, unit=PLAIN)
+
+
+def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:
     """Return ``choose``, max or min, of the cells that there are; without a number when there is none."""
-    there = [cell for cell in cells if cell.value is not None]
-    unit = there[0].unit if there else "1"
-    return results.value(name, formula, choose, *there, unit=unit)
+    return combined(choose, *(cell for cell in cells if cell.value is not None))
 
 
 def quantile(share: float, *found: float) -> float:
@@ -70,7 +53,7 @@ def quantile(share: float, *found: float) -> float:
 
 def noise_floor(results: Results, name: str) -> Quantity:
     """Return ``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
-    return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
+    return other_value(results, "noise", name)
 
 
 def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:
@@ -86,21 +69,21 @@ class Found:
 
     results: Mapping[str, Results]
 
-    def value(self, section: str, name: str, unit: str = "1") -> Quantity:
+    def value(self, section: str, name: str) -> Quantity:
         derived = self.results[section].derived if section in self.results else {}
-        return derived.get(name) or absent(unit, self._reason(section))
+        return derived.get(name) or absent(PLAIN, self._reason(section))
 
-    def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
+    def cell(self, section: str, case: str, column: str) -> Quantity:
         row = self.results[section].row.get(case) if section in self.results else None
-        return cell_or_absent(row, column, unit, self._reason(section))
+        return cell_or_absent(row, column, self._reason(section))
 
     def _reason(self, section: str) -> str:
         return f"section {section} {'does not say' if section in self.results else 'has no results here'}"
 
 
-def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
+def other_value(results: Results, section: str, name: str) -> Quantity:
     """Return a value that an earlier section derived."""
-    return Found(results.others).value(section, name, unit)
+    return Found(results.others).value(section, name)
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:
@@ -108,9 +91,9 @@ def rows_with(results: Results, *columns: str) -> list[Row]:
     return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
 
 
-def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:
+def cell_or_absent(row: Row | None, column: str, reason: str = "it was not measured") -> Quantity:
     """Return a cell that not every record has; without a number, and with the reason, when it isn't there."""
-    return row[column] if row and column in row else absent(unit, reason)
+    return row[column] if row and column in row else absent(column_of(column).unit, reason)
 
 
 def is_held(row: Row) -> bool:

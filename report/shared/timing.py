@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from measured_report.parts.claim import Outcome
 from measured_report.values.format import format_number
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import PERCENT, Quantity, Value, combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import resolved
 
@@ -35,7 +35,7 @@ def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
     """Derive to within what share all ratios of these rows are known [%], but of the reference and of lost times."""
     formula = "half the 95 % interval of the ratio of two times measured in turn, the largest"
     cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row and row.ratio_resolution.value]
-    return results.value(name, formula, lambda *found: 100 * max(found), *cells, unit="%", is_noise=True)
+    return results.value(name, formula, PERCENT * combined(max, *cells), is_noise=True)
 
 
 def fine_enough(unseen: Quantity) -> Outcome:

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 from measured_report.parts.claim import Claim, Outcome, at_least, greater
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import PERCENT, Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import difference, largest_size, noise_floor, other_value, resolved, share
+from report.shared.arithmetic import largest_size, noise_floor, other_value, resolved
 from report.shared.tables import by_case, case_html
 
 
@@ -33,7 +33,7 @@ def change_of(results: Results, case: str) -> Quantity:
 
 def variant_section(results: Results, variants: Variants, *claims: Claim) -> Section:
     """Make the section of variants: their table, whether one is the cause, and more claims."""
-    bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
+    bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, "%")
     largest, floor = results.derived["largest_difference"], noise_floor(results, "slip_floor")
     cause = is_small(results, "cause", largest, bound, variants.baseline.slip_mm, floor)
     changes = [change_of(results, row.case) for row in variants.rows]
@@ -60,22 +60,25 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
     found = {}
     for row in rows:
         formula = f"slip of {row.case} less that of {reference.case}"
-        found[row.case] = difference(results, f"{row.case}_difference", formula, row.slip_mm, reference.slip_mm)
+        found[row.case] = results.value(f"{row.case}_difference", formula, row.slip_mm - reference.slip_mm)
     formula = "largest difference in slip from the baseline, either way"
-    largest = largest_size(results, "largest_difference", formula, found.values())
+    largest = results.value("largest_difference", formula, largest_size(found.values()))
     formula = "largest difference in slip from the baseline, of the baseline's slip"
-    of_slip = share(results, "largest_share", formula, largest, reference.slip_mm)
+    of_slip = results.value("largest_share", formula, PERCENT * largest / reference.slip_mm)
     farthest = max(rows, key=lambda row: abs(found[row.case].value or 0.0), default=reference)
     floor = noise_floor(results, "slip_floor")
-    slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
+    slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound"))
     formula = "noise of the slip, of the baseline's slip"
-    seen = resolved(share(results, "floor_share", formula, floor, reference.slip_mm), 5.0, why="no change to speak of")
+    seen = resolved(
+        results.value("floor_share", formula, PERCENT * floor / reference.slip_mm), 5.0, why="no change to speak of"
+    )
     numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": case_html(farthest)}
     return Variants(reference, rows, slips, seen, numbers | {"baseline": reference.slip_mm, "floor": floor})
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
     """Tell whether a change [mm] is less than ``bound`` percent of a slip by more than noise; more is the opposite."""
-    formula = f"{bound.written} % of the slip, signs left out"
-    limit = results.value(f"{name}_limit", formula, lambda a, b: a / 100 * abs(b), bound, slip, unit="mm")
+    limit = results.value(
+        f"{name}_limit", f"{bound.written} % of the slip, signs left out", bound / PERCENT * abs(slip)
+    )
     return greater(limit, change, noise=noise)

@@ -42,17 +42,17 @@ class Way:
     colour: str
     marker: str = "o"
 
-    def slip(self, found: Found, column: str = "slip_mm", unit: str = "mm") -> Quantity:
+    def slip(self, found: Found, column: str = "slip_mm") -> Quantity:
         section, _, case = self.run.partition("/")
-        return found.cell(section, case, column, unit)
+        return found.cell(section, case, column)
 
     def keeps(self, found: Found, bound: Quantity) -> Outcome:
         """Tell whether the slip stays below a bound; in another solver without weight too, and in the same shake."""
         slips, tests = [self.slip(found)], []
         if self.is_other:
             section, _, variant = self.timed.partition("/")
-            slips.append(found.cell(section, f"{variant}-3cm", "slip_mm", "mm"))
-            tests.append(at_most(found.value(section, f"{variant}_hand", "%"), found.value(section, "as_far", "%")))
+            slips.append(found.cell(section, f"{variant}-3cm", "slip_mm"))
+            tests.append(at_most(found.value(section, f"{variant}_hand"), found.value(section, "as_far")))
         return all_of(*(at_most(slip, bound) for slip in slips), *tests)
 
     @property
@@ -62,8 +62,8 @@ class Way:
 
     def creep_mm(self, found: Found) -> float | None:
         """Return the slip of a cycle of the shake, or what would be seen where it is less."""
-        names = (("shake_duration_s", "s"), ("shake_frequency_hz", "Hz"))
-        slip, (seconds, per_second) = self.slip(found), (self.slip(found, *name).value for name in names)
+        columns = "shake_duration_s", "shake_frequency_hz"
+        slip, (seconds, per_second) = self.slip(found), (self.slip(found, column).value for column in columns)
         there = None not in (slip.value, seconds, per_second)
         return max(slip.number, slip.noise or 0.0) / (seconds * per_second) if there else None
 
@@ -135,7 +135,7 @@ def figure(found: Found) -> Figure:
 def advice(found: Found) -> list[Claim]:
     """Advise what keeps the slip below one that can be seen, and below a tenth of that."""
     bounds = {"advice": ("reproduction", "slip_bound"), "ends_creep": ("newton_solvers", "ended_bound")}
-    return [_chosen(found, name, found.value(*bound, "mm")) for name, bound in bounds.items()]
+    return [_chosen(found, name, found.value(*bound)) for name, bound in bounds.items()]
 
 
 def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
@@ -147,13 +147,13 @@ def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
     near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
     untimed = "what holds the cube was not timed" if kept else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
-    numbers = {"way": "", "slip": replace(none, unit="mm"), "ratio": none, "bound": bound}
+    numbers = {"way": "", "slip": none, "ratio": none, "bound": bound}
     numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio"), "")  # it does without
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=lambda way: way.ratios(found)[ALONE].number)
     ratios = way.ratios(found)
-    seen = found.value(*UNSEEN.get(way.name, ("", "")), "%")
+    seen = found.value(*UNSEEN.get(way.name, ("", "")))
     numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
     numbers["seen"] = "" if seen.value is None else seen
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())

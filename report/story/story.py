@@ -25,21 +25,21 @@ SUSPECTS = {
 }
 """What was suspected, in the reader's words: section and value."""
 COARSE = "a coarser solver, in MuJoCo C"
-COARSER = [("lab", case, "slip_mm", "mm") for case in ("impratio-1", "substeps-4")]
+COARSER = [("lab", case, "slip_mm") for case in ("impratio-1", "substeps-4")]
 ONE_THING = {"gap": CASES_OF_GAP, "priority": CUBE}
 """Cases of sections that derive no differences."""
 
 NEWTON, PYRAMID, MUJOCO = "Newton's contacts", "the same, pyramidal cone", "MuJoCo's contacts"
 WAYS = {
-    NEWTON: [("reproduction", case, "slip_mm", "mm") for case in CASES],
+    NEWTON: [("reproduction", case, "slip_mm") for case in CASES],
     PYRAMID: [
-        ("solver", "cone-pyramidal", "slip_mm", "mm"),
-        ("cure", "pyramidal-implicitfast-50-stiff-3cm-plain-rounded", "slip_mm", "mm"),
+        ("solver", "cone-pyramidal", "slip_mm"),
+        ("cure", "pyramidal-implicitfast-50-stiff-3cm-plain-rounded", "slip_mm"),
     ],
-    MUJOCO: [("upgrade", f"{case}-mujoco-contacts", "slip_mm", "mm") for case in CASES],
+    MUJOCO: [("upgrade", f"{case}-mujoco-contacts", "slip_mm") for case in CASES],
     "both, in MuJoCo C": [
-        ("lab", "cone-pyramidal", "slip_mm", "mm"),
-        ("error_runtime", "stiff/c/cone-pyramidal", "grasp_error_mm_per_cycle", "mm/cycle"),
+        ("lab", "cone-pyramidal", "slip_mm"),
+        ("error_runtime", "stiff/c/cone-pyramidal", "grasp_error_mm_per_cycle"),
     ],
 }
 """Slips with shipped pads and with stiff ones, or how far these move in a cycle, by who finds the contacts."""
@@ -55,10 +55,10 @@ def derive(releases: Releases, shown: str) -> Section:
     found = every[shown]
     if "reproduction" not in found.results:
         return Section()
-    bound, dimensions = found.value("reproduction", "slip_bound", "mm"), _dimensions(found)
+    bound, dimensions = found.value("reproduction", "slip_bound"), _dimensions(found)
     needed = {way: [_advice(_slips(found, way), bound) for found in every.values()] for way in WAYS}
     tables = {"needed": table_of("release", every, needed), "setup": _setup(found, dimensions)}
-    slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")
+    slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm")
     figures = {"suspects": _suspects(found), "mechanism": Figure(draw_mechanism, [slide])}
     figures["experiment"] = Figure(lambda: draw_setup(dimensions), list(dimensions.values()), dimensions)
     figures["frontier"] = frontier.figure(found)
@@ -68,15 +68,15 @@ def derive(releases: Releases, shown: str) -> Section:
 
 
 def _suspects(found: Found) -> Figure:
-    shares = {label: found.value(*place, "%") for label, place in SUSPECTS.items()}
-    fix = found.value("reproduction", "stiff_share", "%")
-    shipped, stiff = (found.cell("reproduction", case, "slip_mm", "mm") for case in CASES)
-    bound = found.value("friction", "cause_bound", "%")
+    shares = {label: found.value(*place) for label, place in SUSPECTS.items()}
+    fix = found.value("reproduction", "stiff_share")
+    shipped, stiff = (found.cell("reproduction", case, "slip_mm") for case in CASES)
+    bound = found.value("friction", "cause_bound")
     slips = {label: _changed(found, section) for label, (section, _) in SUSPECTS.items()}
     others = {COARSE: [found.cell(*place) for place in COARSER], FIX: [stiff]}
     slips |= {label: cells for label, cells in others.items() if any(cell.source for cell in cells)}
     every = {**shares, FIX: fix}
-    less = greater(shipped, stiff, noise=found.value("noise", "slip_floor", "mm"))
+    less = greater(shipped, stiff, noise=found.value("noise", "slip_floor"))
     numbers = {
         "shares": Markup(", ").join(Markup("{} {}").format(*pair) for pair in every.items()),
         "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound), less).said,
@@ -98,8 +98,8 @@ def _changed(found: Found, section: str) -> list[Quantity]:
 def _dimensions(found: Found) -> dict[str, Quantity]:
     names = {"edge": "cube_edge", "mass": "cube_mass", "amplitude": "amplitude", "frequency": "frequency"}
     numbers = {key: found.value("reproduction", name) for key, name in names.items()}
-    numbers["grip"] = found.cell("stiffness", "pad-ke-2.5e3", "normal_force_n", "N")
-    return numbers | {"duration": found.cell("reproduction", "as-shipped", "shake_duration_s", "s")}
+    numbers["grip"] = found.cell("stiffness", "pad-ke-2.5e3", "normal_force_n")
+    return numbers | {"duration": found.cell("reproduction", "as-shipped", "shake_duration_s")}
 
 
 def _setup(found: Found, numbers: Mapping[str, Quantity]) -> Table:
@@ -108,7 +108,7 @@ def _setup(found: Found, numbers: Mapping[str, Quantity]) -> Table:
     def told(text: str, *names: str) -> Markup:
         return Markup(text).format(*(found.value("reproduction", name) for name in names))
 
-    stiff = found.cell("stiffness", "pad-ke-2.5e5", "normal_force_n", "N")
+    stiff = found.cell("stiffness", "pad-ke-2.5e5", "normal_force_n")
     lines = {
         "robot": Markup("Franka FR3 with its hand, gravity compensated"),
         "cube": told("edge {}, mass {}, friction {}", "cube_edge", "cube_mass", "cube_friction"),
@@ -168,8 +168,8 @@ def _with_mujoco(found: Found, bound: Quantity) -> Claim:
 
 
 def _coarser_moves(found: Found) -> Claim:
-    shipped, *coarse = (found.cell(*place) for place in (("lab", "as-shipped", "slip_mm", "mm"), *COARSER))
-    bound = found.value("friction", "cause_bound", "%")
+    shipped, *coarse = (found.cell(*place) for place in (("lab", "as-shipped", "slip_mm"), *COARSER))
+    bound = found.value("friction", "cause_bound")
     there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
     least = max(0.01 * bound.value * shipped.value, shipped.noise or 0.0) if there else 0.0
     moved = there and all(abs(slip.value - shipped.value) >= least for slip in coarse)

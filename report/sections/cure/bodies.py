@@ -5,9 +5,9 @@ from collections.abc import Iterable, Mapping
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, extreme, rows_with, share, size_difference, size_share
+from report.shared.arithmetic import cell_count, extreme, rows_with
 
 TABLE = ("carried", "caught")
 """Motions on the table: turning with it, and put down at rest."""
@@ -38,19 +38,21 @@ def _stays_as_it_is(results: Results, runs: Runs) -> Claim:
     for name, plain, term in _of(runs, FREE, "term"):
         ends = [row[column] for row in (term, plain) for column in ("travel_mm", "sideways_mm", "rise_mm")]
         off = results.value(f"off_{name}", formula, lambda *mm: math.dist(mm[:3], mm[3:]), *ends, unit="mm")
-        shares.append(share(results, f"moved_{name}", f"{formula}, of the way there", off, plain.travel_mm))
-    largest = extreme(results, "moved_most", "largest of these", max, shares)
-    count = cell_count(results, "free_count", "runs on the plane", shares)
+        shares.append(results.value(f"moved_{name}", f"{formula}, of the way there", PERCENT * off / plain.travel_mm))
+    largest = results.value("moved_most", "largest of these", extreme(max, shares))
+    count = results.value("free_count", "runs on the plane", cell_count(shares))
     outcome = at_most(largest, 1.0, why="the same motion")
     return Claim("free_motion_stays", outcome, {"largest": largest, "count": count})
 
 
 def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
     formula = "growth of the distance from the axis with the exact term, of that with nothing done, in size"
-    pairs = [(name, exact.growth_per_s, plain.growth_per_s) for name, plain, exact in _of(runs, TABLE, "exact")]
-    left = [size_share(results, f"left_{name}", formula, *pair) for name, *pair in pairs]
-    largest = extreme(results, "left_most", "largest of these", max, left)
-    count = cell_count(results, "table_count", "runs on the table", left)
+    left = [
+        results.value(f"left_{name}", formula, PERCENT * abs(exact.growth_per_s / plain.growth_per_s))
+        for name, plain, exact in _of(runs, TABLE, "exact")
+    ]
+    largest = results.value("left_most", "largest of these", extreme(max, left))
+    count = results.value("table_count", "runs on the table", cell_count(left))
     return Claim("stands_on_any_feet", at_most(largest, 1.0, why="it stands"), {"largest": largest, "count": count})
 
 
@@ -58,15 +60,15 @@ def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
     formula = "how far the ball ends aside of where it does with nothing done"
 
     def aside(key: str, name: str, plain: Row, ball: Row) -> Value:
-        return size_difference(results, f"{key}_{name}", formula, ball.sideways_mm, plain.sideways_mm)
+        return results.value(f"{key}_{name}", formula, abs(ball.sideways_mm - plain.sideways_mm))
 
     asides = [aside("aside", *run) for run in _of(runs, ("pivot",), "exact")]
     points = [aside("points", *run) for run in _of(runs, ("pivot",), "term")]
     ways = [plain.travel_mm for _, plain, _ in _of(runs, ("pivot",), "exact")]
-    most = extreme(results, "aside_most", "largest of these", max, asides)
-    drifts = extreme(results, "points_aside", "with the term of material points", max, points)
-    travel = extreme(results, "pivot_travel", "way of the ball", max, ways)
-    straight = results.chosen("straight_bound", "a sixtieth of the ball", 0.5, unit="mm")
+    most = results.value("aside_most", "largest of these", extreme(max, asides))
+    drifts = results.value("points_aside", "with the term of material points", extreme(max, points))
+    travel = results.value("pivot_travel", "way of the ball", extreme(max, ways))
+    straight = results.chosen("straight_bound", "a sixtieth of the ball", 0.5, "mm")
     far = at_least(travel, 500.0, why="a way on which it would be seen")
     outcome = all_of(at_most(most, straight), at_least(drifts, 10.0, why="it is seen"), far)
     return Claim("spinning_ball_goes_straight", outcome, {"points": drifts, "travel": travel, "straight": straight})

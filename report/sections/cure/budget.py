@@ -4,9 +4,9 @@ import numpy as np
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, rows_with, share
+from report.shared.arithmetic import MM_PER_M, cell_count, rows_with
 from report.shared.tables import cell_or_lost, table_of
 
 SHIPPED = "newton-implicitfast-50-shipped-{}-plain-rounded"
@@ -63,10 +63,9 @@ def _what_to_use(results: Results) -> Claim:
     """Tell whether the cure on stiff pads loses no cube that they keep, shaken 10 cm as well, and slips less."""
     narrow, wide = (results.row[FIRM.format(shake)] for shake in ("3cm", "10cm"))
     slip, shipped, far = narrow.slip_mm, results.row[SHIPPED.format("3cm")].slip_mm, wide.slip_mm
-    metres = wide.shake_amplitude_m
-    amplitude = results.value("amplitude_10cm", "in whole mm", lambda m: round(1e3 * m), metres, unit="mm")
+    amplitude = results.value("amplitude_10cm", "in whole mm", combined(round, MM_PER_M * wide.shake_amplitude_m))
     lost, kept = results.derived["limit_lost_firm"], results.derived["kept_firm"]
-    part = share(results, "held_share", "of the slip as shipped, that", slip, shipped)
+    part = results.value("held_share", "of the slip as shipped, that", PERCENT * slip / shipped)
     keeps, near = at_most(lost, 0, why="none of them is lost"), at_most(part, 50.0, why="less by half")
     outcome = all_of(keeps, at_most(far, 0.05, why="hardly more, shaken three times as wide"), near)
     numbers = {"slip": slip, "shipped": shipped, "far": far, "amplitude": amplitude, "lost": lost, "kept": kept}
@@ -74,8 +73,8 @@ def _what_to_use(results: Results) -> Claim:
 
 
 def _budget_closes(results: Results) -> Claim:
-    least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, unit="mm")
-    most = results.chosen("remainder_share", "as good as the law", 5.0, unit="%")
+    least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, "mm")
+    most = results.chosen("remainder_share", "as good as the law", 5.0, "%")
     runs = [row for row in rows_with(results, "kind", "pads", "shake") if row.kind == "run"]
     kept = [row for row in runs if row.slip_mm.value is not None]
 
@@ -88,14 +87,14 @@ def _budget_closes(results: Results) -> Claim:
         formula = "runs whose remainder is below either bound"
         closed = results.value(f"{name}closed_count", formula, count_closed, least, most, *cells)
         slips = [row.slip_mm for row in rows]
-        return closed, cell_count(results, f"{name}kept_count", "runs that keep the cube", slips)
+        return closed, results.value(f"{name}kept_count", "runs that keep the cube", cell_count(slips))
 
     closed, count = counted("", kept)
     far_closed, far = counted("far_", [row for row in kept if (row["pads"], row.shake) == ("shipped", "10cm")])
-    formula, cells = "of the other runs that keep the cube, those of them", (closed, far_closed, count, far)
-    part = results.value("others_share", formula, lambda a, b, c, d: 100 * (a - b) / (c - d), *cells, unit="%")
+    formula = "of the other runs that keep the cube, those of them"
+    part = results.value("others_share", formula, PERCENT * (closed - far_closed) / (count - far))
     numbers = {"closed": closed, "count": count, "far_closed": far_closed, "far": far, "least": least, "most": most}
-    few = share(results, "far_share", "of shipped pads in the farther shake, those of them", far_closed, far)
+    few = results.value("far_share", "of shipped pads in the farther shake, those of them", PERCENT * far_closed / far)
     tests = [at_least(closed, 8.0, why="not by chance"), at_least(part, 90.0, why="nearly all of them")]
     outcome = all_of(*tests, at_most(few, 60.0, why="no more than some"))
     return Claim("budget_closes", outcome, numbers)

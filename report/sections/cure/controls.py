@@ -2,8 +2,9 @@
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
+from measured_report.values.quantities import PERCENT
 from measured_report.values.results import Results
-from report.shared.arithmetic import departure, extreme, largest_size, ratio, share
+from report.shared.arithmetic import departure, extreme, largest_size
 
 ENGINES = ("warp", "c")
 
@@ -17,14 +18,17 @@ def _only_turning_creeps(results: Results) -> Claim:
         [results.row[f"control-{motion}-plain-{engine}"] for engine in ENGINES] for motion in ("straight", "turning")
     )
     formula = "largest drift of the straight shake, in size"
-    still = largest_size(results, "straight_drift", formula, [row.drift_mm_s for row in straight])
-    bound = results.chosen("straight_drift_bound", "a millimetre in a quarter of an hour", 1e-3, unit="mm/s")
-    slowest = extreme(results, "turning_drift", "the slower of both engines", min, [row.drift_mm_s for row in turning])
+    still = results.value("straight_drift", formula, largest_size([row.drift_mm_s for row in straight]))
+    bound = results.chosen("straight_drift_bound", "a millimetre in a quarter of an hour", 0.001, "mm/s")
+    slowest = results.value(
+        "turning_drift", "the slower of both engines", extreme(min, [row.drift_mm_s for row in turning])
+    )
     formula = "growth of the distance from the axis less that of the law, in size, of the latter"
     offs = [
-        departure(results, f"{row.case}_off", formula, row.growth_per_s, row.predicted_growth_per_s) for row in turning
+        results.value(f"{row.case}_off", formula, departure(row.growth_per_s, row.predicted_growth_per_s))
+        for row in turning
     ]
-    off = extreme(results, "turning_off", "largest of these", max, offs)
+    off = results.value("turning_off", "largest of these", extreme(max, offs))
     tests = [at_most(still, bound), at_least(slowest, 1.0, why="a creep that anyone would see")]
     outcome = all_of(*tests, at_most(off, 1.0, why="the same creep"))
     return Claim("only_turning_creeps", outcome, {"bound": bound, "still": still, "turning": slowest, "off": off})
@@ -32,7 +36,7 @@ def _only_turning_creeps(results: Results) -> Claim:
 
 def _sparse_is_dense(results: Results) -> Claim:
     dense, sparse = (results.row[f"jacobian-{form}"].slip_mm for form in ("dense", "sparse"))
-    apart = departure(results, "jacobian_off", "how far the slips are apart, of the first", sparse, dense)
+    apart = results.value("jacobian_off", "how far the slips are apart, of the first", departure(sparse, dense))
     outcome = at_most(apart, 5.0, why="wrong accelerations would change it by more")
     version = results.record.identity.packages["mujoco"]
     numbers = {"dense": dense, "sparse": sparse, "apart": apart, "version": version, "has_fault": version == "4.0.0"}
@@ -43,10 +47,12 @@ def _compensation_helps(results: Results) -> Claim:
     """Tell what creeps in a minute with the arm held still, with compensated positions and with the root cure."""
     before, after, best = (results.row[case] for case in ("rounded", "kept", "best"))
     kept = after.increment_final_mm
-    bound = results.chosen("creep_bound", "a millimetre or so in a minute", 0.02, unit="mm")
+    bound = results.chosen("creep_bound", "a millimetre or so in a minute", 0.02, "mm")
     formula = "slip with positions rounded over that with compensated ones"
-    gain = ratio(results, "kept_gain", formula, before.slip_mm, after.slip_mm)
-    rest = share(results, "best_share", "of the former slip, that with the cure", best.slip_mm, before.slip_mm)
+    gain = results.value("kept_gain", formula, before.slip_mm / after.slip_mm)
+    rest = results.value(
+        "best_share", "of the former slip, that with the cure", PERCENT * best.slip_mm / before.slip_mm
+    )
     outcome = all_of(
         at_most(kept, bound), at_least(gain, 2.0, why="less by half"), at_most(rest, 50.0, why="less by half")
     )

@@ -32,7 +32,7 @@ def derive(results: Results) -> Section:
 
 def _best_never_drops(results: Results) -> Claim:
     """Tell whether the root cure keeps the cube over the map of section envelope."""
-    held = results.chosen("held_height", "lower has left the hand", HELD_HEIGHT_M, unit="m")
+    held = results.chosen("held_height", "lower has left the hand", HELD_HEIGHT_M, "m")
     lost, cells = lost_count(results, results.trace("map"), "best", held), results.row["map-best"].cell_count
     outcome = all_of(at_most(lost, 0, why="no cell is lost"), at_least(cells, 100, why="a map"))
     return Claim("best_never_drops", outcome, {"cells": cells, "lost": lost})
@@ -45,7 +45,7 @@ def _line(results: Results, runs: Mapping[str, Mapping[str, Row]], variant: str)
     name = variant.replace("-", "_")
 
     def count(name: str, formula: str, counted: Iterable[str]) -> Value:
-        return cell_count(results, name, formula, [tried[run]["plain"].substeps for run in counted])
+        return results.value(name, formula, cell_count([tried[run]["plain"].substeps for run in counted]))
 
     return {
         "kept without": count(f"kept_{name}", "runs that keep the cube with nothing done", plain),

@@ -26,18 +26,19 @@ def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
     formula = "worlds whose energy ends over 1 % above its start, or as no number"
     gains = {
-        name: total(results, f"{name}_gains", formula, [row[f"{name}_gain_count"] for row in rows]) for name in VARIANTS
+        name: results.value(f"{name}_gains", formula, total([row[f"{name}_gain_count"] for row in rows]))
+        for name in VARIANTS
     }
     formula = "the smaller count of both sets without it, and three times the root of one more than they differ by"
     cells = [row[f"{name}_gain_count"] for row in rows for name in ("plain", "aside")]
     chance = results.value("tumble_chance", formula, _by_chance, *cells)
-    worlds = total(results, "tumble_count", "worlds with the exact term", [row.world_count for row in rows])
+    worlds = results.value("tumble_count", "worlds with the exact term", total([row.world_count for row in rows]))
     outcome = all_of(at_most(gains["exact"], chance), at_least(worlds, 10_000, why="enough to see what is rare"))
     steps = {
-        name: extreme(results, f"tumble_{name}", f"the {name} step", choose, [row.step_ms for row in rows])
+        name: results.value(f"tumble_{name}", f"the {name} step", extreme(choose, [row.step_ms for row in rows]))
         for name, choose in (("shortest", min), ("longest", max))
     }
-    gain = results.chosen("tumble_gain", "less can be rounding", 1.0, unit="%")
-    spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, unit="rad/s")
+    gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
+    spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, "rad/s")
     numbers = {"worlds": worlds, "spin": spin, "gain": gain} | gains | steps
     return Claim("tumbling_gains_nothing", outcome, numbers)

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 from measured_report.parts.claim import FAILS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size
+from report.shared.arithmetic import cell_count, departure, extreme, largest_size
 from report.shared.tables import Column, table_of
 
 ENGINES = ("warp", "c")
@@ -36,12 +36,12 @@ VARIANTS = {
 
 def derive(results: Results) -> Section:
     why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
-    resolution = results.chosen("resolution", why, 2e-3, unit="%/s")
+    resolution = results.chosen("resolution", why, 0.002, "%/s")
     rows = {case: results.row[case] for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES)}
 
     def percent(column: str, case: str, row: Row) -> Value:
         formula = f"{column} of {case}, in percent of the distance from the axis"
-        return results.value(f"{case}_{column}", formula, lambda growth: 100 * growth, row[column], unit="%/s")
+        return results.value(f"{case}_{column}", formula, PERCENT * row[column])
 
     names = ("growth_per_s", "predicted_growth_per_s")
     measured, law = ({case: percent(column, case, row) for case, row in rows.items()} for column in names)
@@ -59,10 +59,10 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
     there = [case for case in measured if measured[case].value is not None]
     fast = [case for case in there if law[case].value is not None and abs(law[case].value) > resolution.value]
     formula = "growth less that of the law, in size, of the latter"
-    shares = [departure(results, f"{case}_off", formula, measured[case], law[case]) for case in fast]
-    largest = extreme(results, "law_off", "largest of the departures from the law", max, shares)
+    shares = [results.value(f"{case}_off", formula, departure(measured[case], law[case])) for case in fast]
+    largest = results.value("law_off", "largest of the departures from the law", extreme(max, shares))
     numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "seen": resolution}
-    numbers |= {"count": cell_count(results, "fast_count", "runs for which it gives more", shares)}
+    numbers |= {"count": results.value("fast_count", "runs for which it gives more", cell_count(shares))}
     outward = at_least(numbers["growth"], resolution)
     return Claim("follows_law", all_of(at_most(largest, 0.5, why="the same growth"), outward), numbers)
 
@@ -70,19 +70,19 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
 def _by_hand(results: Results, plain: Value) -> Claim:
     """Work the law out of what is given, without the contacts' regularization."""
     given = "given: {}"
-    turn = results.chosen("turn", given.format("how fast the table turns"), 2.0, unit="rad/s")
-    step = results.chosen("step", given.format("the time step"), 2.0, unit="ms")
+    turn = results.chosen("turn", given.format("how fast the table turns"), 2.0, "rad/s")
+    step = results.chosen("step", given.format("the time step"), 2.0, "ms")
     timeconst, dmax = results.row["plain-c"].timeconst_s, results.chosen("dmax", given.format("MuJoCo's default"), 0.95)
-    b = results.value("b", "2 / (dmax · timeconst)", lambda t, d: 2 / (t * d), timeconst, dmax, unit="1/s")
+    b = results.value("b", "2 / (dmax · timeconst)", 2 / (timeconst * dmax))
     formula = "ω² / b, of the distance from the axis"
     braking = results.value("braking", formula, lambda turn, b: 100 * turn**2 / b, turn, b, unit="%/s")
     formula = "ω² h / 2, of the distance from the axis"
     inward = results.value("inward", formula, lambda turn, ms: 0.1 * turn**2 * ms / 2, turn, step, unit="%/s")
-    rough = difference(results, "rough", "the first less the second", braking, inward)
+    rough = results.value("rough", "the first less the second", braking - inward)
     formula = "what the law's growth takes for R m / n, (growth / ω² + h / 2) b − 1"
     cells = results.row["plain-c"].predicted_growth_per_s, turn, step, b
     yielding = results.value("yielding", formula, lambda g, w, ms, b: (g / w**2 + 5e-4 * ms) * b - 1, *cells)
-    off = departure(results, "rough_off", "how far that is from the growth, of the latter", rough, plain)
+    off = results.value("rough_off", "how far that is from the growth, of the latter", departure(rough, plain))
     contacts = results.row["plain-c"].loaded_contact_count
     numbers = {"contacts": contacts, "yielding": yielding, "turn": turn, "b": b, "step": step}
     numbers |= {"braking": braking, "inward": inward, "rough": rough}
@@ -92,8 +92,8 @@ def _by_hand(results: Results, plain: Value) -> Claim:
 
 def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
     plain, formula = measured["plain-c"], "change of the growth, in size, of the growth with nothing done"
-    changes = [departure(results, f"{name}_change", formula, measured[f"{name}-c"], plain) for name in NO_HELP]
-    largest = results.value("setting_change", "largest of these changes", max, *changes, unit="%")
+    changes = [results.value(f"{name}_change", formula, departure(measured[f"{name}-c"], plain)) for name in NO_HELP]
+    largest = results.value("setting_change", "largest of these changes", combined(max, *changes))
     there = at_least(plain, resolution)
     outcome = all_of(at_most(largest, 10.0, why="a cure would take more of it away"), there)
     if there == FAILS:
@@ -104,5 +104,5 @@ def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolu
 def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
     formula = "largest growth, in size, with the term, without the error of the step and with a high impratio"
     growths = (measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES)
-    largest = largest_size(results, "cured_growth", formula, growths)
+    largest = results.value("cured_growth", formula, largest_size(growths))
     return Claim("cured", at_most(largest, resolution), {"largest": largest, "resolution": resolution})

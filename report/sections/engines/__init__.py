@@ -6,10 +6,10 @@ from typing import Any
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import PERCENT, Quantity, Value, absent, combined, constant
 from measured_report.values.results import Results
 from report.sections.engines import published, robot
-from report.shared.arithmetic import Found, joined, ratio, share
+from report.shared.arithmetic import Found, joined
 from report.shared.tables import Column, table_of
 
 order = 187
@@ -52,14 +52,14 @@ class Line:
 
 def derive(results: Results) -> Section:
     why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
-    walk_bound = results.chosen("walk_bound", why, 2e-3, unit="%/s")
-    sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
+    walk_bound = results.chosen("walk_bound", why, 0.002, "%/s")
+    sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, "µm/s")
     lines = list(_lines(results))
     columns: dict[str, Column] = {"release": [line.release for line in lines]}
     columns |= {"walk": _shown([line.walk for line in lines], walk_bound)}
     columns |= {"half the step": _shown([line.short_walk for line in lines], walk_bound)}
     columns |= {"sinks": _shown([line.sink for line in lines], sink_bound)}
-    long = results.chosen("step", "given: the time step", 2.0, unit="ms")
+    long = results.chosen("step", "given: the time step", 2.0, "ms")
     said: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
     engines = table_of("engine", [line.name for line in lines], columns, **said)
     robots, others = robot.derive(results, MODELS), published.derive(results)
@@ -70,8 +70,8 @@ def derive(results: Results) -> Section:
 def _lines(results: Results) -> Iterator[Line]:
     found, newton = Found(results.others), f"Newton {results.record.identity.packages['newton']}"
     for engine, name in OURS.items():
-        walks = [found.cell("cure", f"{run}-{engine}", "growth_per_s", "1/s") for run in ("plain", "half-step")]
-        sink = found.cell("scenes", f"within-pads-{engine}", "steady_creep_mm_s", "mm/s")
+        walks = [found.cell("cure", f"{run}-{engine}", "growth_per_s") for run in ("plain", "half-step")]
+        sink = found.cell("scenes", f"within-pads-{engine}", "steady_creep_mm_s")
         yield _line(results, engine, (name, newton), walks, sink)
     for model, name in MODELS.items():
         step = "0ms" if model == CONTINUOUS else LONG
@@ -87,10 +87,10 @@ def _line(results: Results, key: str, named: tuple[str, str], walks: Sequence[Qu
     """Derive a line from walks [1/s], with the whole step and with half of it, and the sinking [mm/s]."""
     formula = "in percent of the distance from the axis"
     walk, short = (
-        results.value(f"{key}_{name}", formula, lambda rate: 100 * rate, cell, unit="%/s")
+        results.value(f"{key}_{name}", formula, PERCENT * cell)
         for name, cell in zip(("walk", "short_walk"), walks, strict=True)
     )
-    sinking = results.value(f"{key}_sink", "how fast the capsule sinks", lambda rate: 1e3 * rate, sink, unit="µm/s")
+    sinking = results.value(f"{key}_sink", "how fast the capsule sinks", constant(1e3, "µm/mm") * sink)
     return Line(*named, walk, short, sinking)
 
 
@@ -103,19 +103,19 @@ def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     mujoco = {*OURS.values(), *(MODELS[name] for name in MUJOCO)}
     mine = next(line for line in lines if line.name == MODELS["mjx"])
     others = [line.walk for line in lines if line.name not in mujoco and line.walk.value is not None]
-    worst = results.value("worst_other", "fastest walk in another engine", max, *others, unit="%/s")
-    times = ratio(results, "times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk, worst)
+    worst = results.value("worst_other", "fastest walk in another engine", combined(max, *others))
+    times = results.value("times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk / worst)
     formula = "walk in MuJoCo's MJX with half the step, of that with the whole"
-    kept = share(results, "kept", formula, mine.short_walk, mine.walk)
+    kept = results.value("kept", formula, PERCENT * mine.short_walk / mine.walk)
     outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(kept, 90.0, why="about as much"))
     return Claim("walks_most_in_mujoco", outcome, {"mine": mine.walk, "worst": worst, "short": mine.short_walk})
 
 
 def _test_lets_through(results: Results) -> Claim:
-    bound = results.chosen("test_bound", "the test passes below 3 cm", 30.0, unit="mm")
+    bound = results.chosen("test_bound", "the test passes below 3 cm", 30.0, "mm")
     shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
     formula = "slip with less damped pads, of that as shipped"
-    times = ratio(results, "soft_times", formula, soft.slip_mm, shipped.slip_mm)
+    times = results.value("soft_times", formula, soft.slip_mm / shipped.slip_mm)
     passes = (at_most(row.slip_mm, bound) for row in (soft, shipped))
     outcome = all_of(*passes, at_least(times, 10.0, why="far more"))
     is_more = greater(soft.slip_mm, shipped.slip_mm).said

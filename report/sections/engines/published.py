@@ -5,10 +5,11 @@ from decimal import Decimal
 
 from measured_report.parts.claim import Claim, at_least
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity
+from measured_report.records.columns import column_of
+from measured_report.values.quantities import Quantity, constant
 from measured_report.values.results import Results
 from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
-from report.shared.arithmetic import Found, size_difference
+from report.shared.arithmetic import Found, cell_count
 from report.shared.tables import Column, table_of
 
 
@@ -19,7 +20,6 @@ class Published:
     source: str
     what: str
     theirs: str
-    unit: str
     case: str
     column: str
     section: str = "engines"
@@ -37,21 +37,21 @@ class Published:
 
 
 PUBLISHED = (
-    Published("MotrixSim", "friction that just holds", "0.0902", "1", "friction-motrixsim", "critical_friction"),
-    Published("MotrixSim", "fall with a tenth more", "0.0", "mm", "friction-motrixsim", "fall_mm"),
+    Published("MotrixSim", "friction that just holds", "0.0902", "friction-motrixsim", "critical_friction"),
+    Published("MotrixSim", "fall with a tenth more", "0.0", "friction-motrixsim", "fall_mm"),
     # By its table five cubes fell to the floor, by 150.5 to 153.5 mm.
-    Published("MotrixSim", "the same, MuJoCo C, Euler", "150.5", "mm", "friction-euler", "fall_mm", noise=3.0),
-    Published("MotrixSim", "the same, implicitfast", "11.3", "mm", "friction-implicitfast", "fall_mm"),
-    Published("phys-bench", "drops of a cube, MotrixSim", "0", "1", "shake-cube", "dropped_count"),
-    Published("phys-bench", "drops of a ball, MotrixSim", "0", "1", "shake-ball", "dropped_count"),
-    Published("Genesis", "creep at a wall, MuJoCo C", "4.5", "mm/s", "wall-c", "creep_mm_s"),
-    Published("Genesis", "the same, MuJoCo Warp", "4.5", "mm/s", "wall-warp", "creep_mm_s"),
+    Published("MotrixSim", "the same, MuJoCo C, Euler", "150.5", "friction-euler", "fall_mm", noise=3.0),
+    Published("MotrixSim", "the same, implicitfast", "11.3", "friction-implicitfast", "fall_mm"),
+    Published("phys-bench", "drops of a cube, MotrixSim", "0", "shake-cube", "dropped_count"),
+    Published("phys-bench", "drops of a ball, MotrixSim", "0", "shake-ball", "dropped_count"),
+    Published("Genesis", "creep at a wall, MuJoCo C", "4.5", "wall-c", "creep_mm_s"),
+    Published("Genesis", "the same, MuJoCo Warp", "4.5", "wall-warp", "creep_mm_s"),
     *(  # Without the first rate of these: the capsule is as long as makes it come out.
-        Published("MuJoCo issue", f"capsule, {VARIANTS[name]}", str(rate), "mm/s", f"{name}-c", "creep_mm_s", "scenes")
+        Published("MuJoCo issue", f"capsule, {VARIANTS[name]}", str(rate), f"{name}-c", "creep_mm_s", "scenes")
         for name, rate in list(PUBLISHED_MM_S.items())[1:]
     ),
-    Published("FET005", "drop in holds and an orbit", "100", "mm", "orbit", "creep_mm", is_bound=True),
-    Published("FET028", "slip in a shake", "30", "mm", "fet028-pad-kd-100", "slip_mm", is_bound=True),
+    Published("FET005", "drop in holds and an orbit", "100", "orbit", "creep_mm", is_bound=True),
+    Published("FET028", "slip in a shake", "30", "fet028-pad-kd-100", "slip_mm", is_bound=True),
 )
 
 
@@ -60,7 +60,7 @@ def derive(results: Results) -> Section:
     if "orbit" not in results.row:
         return Section(unmeasured=("published", "as_others_published"))
     found = Found({**results.others, results.record.section: results})
-    ours = [found.cell(each.section, each.case, each.column, each.unit) for each in PUBLISHED]
+    ours = [found.cell(each.section, each.case, each.column) for each in PUBLISHED]
     lines = [_line(results, each, cell) for each, cell in zip(PUBLISHED, ours, strict=True)]
     above = ("what", "theirs", "ours", "off by", "within", "agrees")
     columns: dict[str, Column] = dict(zip(above, zip(*lines, strict=True), strict=True))
@@ -68,7 +68,7 @@ def derive(results: Results) -> Section:
     cells = [cell for each, cell in zip(PUBLISHED, ours, strict=True) if not each.is_bound]
     agreed = [line[-1] is True for each, line in zip(PUBLISHED, lines, strict=True) if not each.is_bound]
     agreeing = results.value("agreeing", "how many agree", lambda *_: sum(agreed), *cells, across=True)
-    count = results.value("compared", "numbers beside published ones", lambda *values: len(values), *cells, across=True)
+    count = results.value("compared", "numbers beside published ones", cell_count(cells), across=True)
     told = {"count": count, "agreeing": agreeing, "are_most": 2 * sum(agreed) > len(agreed)}
     claim = Claim("as_others_published", at_least(agreeing, count), told)
     return Section(tables={"published": table}, claims=[claim])
@@ -77,10 +77,10 @@ def derive(results: Results) -> Section:
 def _line(results: Results, each: Published, ours: Quantity) -> tuple[Quantity | str | bool, ...]:
     """Return the cells of a line of the table."""
     name, formula = f"{each.case}_{each.column}", "published, and not measured here"
-    theirs = results.value(f"theirs_{name}", formula, lambda: float(each.theirs), unit=each.unit)
+    theirs = results.value(f"theirs_{name}", formula, constant(float(each.theirs), column_of(each.column).unit))
     agrees = "" if ours.value is None else each.agrees(ours.value)
     if each.is_bound:
         return each.what, theirs, ours, "", "a bound", agrees
-    off = size_difference(results, f"off_{name}", "ours less theirs, in size", ours, theirs)
-    within = results.chosen(f"within_{name}", "half the last digit, or noise of the source", each.within, each.unit)
+    off = results.value(f"off_{name}", "ours less theirs, in size", abs(ours - theirs))
+    within = results.chosen(f"within_{name}", "half the last digit, or noise of the source", each.within, theirs.unit)
     return each.what, theirs, ours, off, within, agrees

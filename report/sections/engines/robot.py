@@ -28,7 +28,7 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
         "armature": [ARMATURES[rows[model, "3cm"].plain["armature"]] for model in models],
     }
     names = [{MUJOCO: "MuJoCo C", **labels}[model] for model in models]
-    step = results.chosen("robot_step", "given: the time step of the shake", 1e3 / 960.0, unit="ms")
+    step = results.chosen("robot_step", "given: the time step of the shake", 1000.0 / 960.0, "ms")
     table = table_of("engine", names, columns, [rows[model, "3cm"] for model in models], step=step)
     others = [model for model in models if model != MUJOCO]
     claims = [_slips_farthest(results, rows, others), _only_it_loses(rows, others)]
@@ -39,11 +39,11 @@ def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
     """Tell whether the cube slips farther in MuJoCo than in every other engine that keeps it."""
     mine, held = (rows[MUJOCO, shake].slip_mm for shake in ("3cm", "held"))
     slips = [rows[model, "3cm"].slip_mm for model in others if rows[model, "3cm"].slip_mm.value is not None]
-    worst = extreme(results, "robot_worst", "farthest slip in another engine", max, slips)
-    count = cell_count(results, "robot_count", "other contact models that keep the cube", slips)
-    stiff = Found(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm", "mm")
+    worst = results.value("robot_worst", "farthest slip in another engine", extreme(max, slips))
+    count = results.value("robot_count", "other contact models that keep the cube", cell_count(slips))
+    stiff = Found(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
     still = [rows[model, "held"].slip_mm for model in others]
-    still_worst = extreme(results, "robot_worst_held", "the same with the arm held still", max, still)
+    still_worst = results.value("robot_worst_held", "the same with the arm held still", extreme(max, still))
     numbers = {"mine": mine, "held": held, "worst": worst, "count": count, "stiff": stiff, "still": still_worst}
     # Stiff pads were measured on another machine, in the same engine, which repeats to the last bit.
     is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value

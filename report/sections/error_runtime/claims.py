@@ -7,11 +7,11 @@ import numpy as np
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, contiguous, greater, within
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value, combined, constant
 from measured_report.values.results import Row
 from report.sections.error_runtime import runs
 from report.sections.error_runtime.runs import ERROR, GRASP, SHIPPED, Points
-from report.shared.arithmetic import cell_count, quantile, ratio, resolved, share
+from report.shared.arithmetic import cell_count, largest_size, quantile, resolved
 
 
 def pads_decide(points: Points) -> Claim:
@@ -19,10 +19,10 @@ def pads_decide(points: Points) -> Claim:
     results, shipped = points.results, points[SHIPPED][GRASP]
     soft, stiff = map(points.converged, runs.PADS)
     formula = "converged grasp error, of that as shipped, shipped pads"
-    stays = share(results, "pads_stays", formula, soft, shipped)
-    gain = ratio(results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
+    stays = results.value("pads_stays", formula, PERCENT * soft / shipped)
+    gain = results.value("pads_gain", "converged grasp error as shipped over that with stiff pads", soft / stiff)
     formula, floor = "largest distance between Warp and C, as if one cycle made it", points.floors["as-shipped"]
-    seen = results.value("pads_seen", formula, lambda distance: distance, floor, unit="mm/cycle", is_noise=True)
+    seen = results.value("pads_seen", formula, floor / constant(1, "cycle"), is_noise=True)
     tests = [at_least(stays, 80.0, why="nearly all of it")]
     outcome = all_of(*tests, at_least(gain, 5.0, why="an order of magnitude, nearly"), greater(soft, stiff, noise=seen))
     return Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
@@ -33,9 +33,9 @@ def rk4_in_warp(points: Points) -> Claim:
     error, before = (points[case][ERROR] for case in cases)
     time, time_before = (points[case].time_ratio for case in cases)  # medians are of their own rounds
     few, many = (points[case].substeps for case in cases)
-    doubled = results.value("rk4_warp_doubled", "twice the numerical error of RK4", lambda e: 2 * e, error, unit="mm")
+    doubled = results.value("rk4_warp_doubled", "twice the numerical error of RK4", 2 * error)
     formula = "run time of RK4 over that as shipped, by what both take of the shipped settings in Warp, timed in turn"
-    cost = ratio(results, "rk4_warp_cost", formula, time, time_before)
+    cost = results.value("rk4_warp_cost", formula, time / time_before)
     formula = "to within what share the ratio of these run times is known, by the resolutions of both together"
     known, both = [points[case].ratio_resolution for case in cases], lambda a, b: 100 * math.hypot(a, b)
     seen = results.value("rk4_warp_cost_seen", formula, both, *known, unit="%", is_noise=True)
@@ -57,10 +57,10 @@ def reference_converged(points: Points) -> Claim:
     results, references = points.results, [row[ERROR] for row in points.references]
     plotted = [row[ERROR] for row in points.settings if runs.counts(row)]
     formula = "largest distance between a reference and the same with twice the step"
-    worst = results.value("reference_error", formula, max, *references, unit="mm")
+    worst = results.value("reference_error", formula, combined(max, *references))
     formula = "numerical error that nine in ten runs that count exceed"
-    least = results.value("low_error", formula, partial(quantile, 0.1), *plotted, unit="mm")
-    margin = ratio(results, "reference_margin", "this error over the reference's own", least, worst)
+    least = results.value("low_error", formula, combined(partial(quantile, 0.1), *plotted))
+    margin = results.value("reference_margin", "this error over the reference's own", least / worst)
     bound = results.chosen("reference_bound", "well below what is measured with it", 10.0)
     numbers = {"worst": worst, "least": least, "margin": margin}
     return Claim("reference_converged", at_least(margin, bound), numbers)
@@ -74,13 +74,11 @@ def solver_effort(points: Points) -> Claim:
     errors = [row[ERROR] for row in mine if runs.holds_cube(row) and not runs.uses_all_iterations(row)]
     formula = "largest change of the numerical error by solver, iterations, line search or contacts in each substep"
     base = points[SHIPPED][ERROR]
-    change = points.results.value(
-        "effort_change", formula, lambda base, *found: max(abs(each - base) for each in found), base, *errors, unit="mm"
-    )
+    change = points.results.value("effort_change", formula, largest_size(base - error for error in errors))
     formula = "runs with other solver effort that hold the cube and converge"
-    count = cell_count(points.results, "effort_count", formula, errors)
+    count = points.results.value("effort_count", formula, cell_count(errors))
     cells = [row.substeps for row in mine]
-    tried = cell_count(points.results, "effort_tried", "runs with other solver effort", cells)
+    tried = points.results.value("effort_tried", "runs with other solver effort", cell_count(cells))
     outcome = all_of(within(change, floor), resolved(floor, base))
     return Claim("solver_effort", outcome, {"change": change, "floor": floor, "count": count, "tried": tried})
 
@@ -107,9 +105,9 @@ def crossover(points: Points) -> Claim:
     engine = runs.ENGINES[rows[0].backend]
     first, last = rates[0], rates[-1]
     formula = "speed of C on one core over that of Warp with one world"
-    advantage = ratio(results, "one_core_advantage", formula, one_core, first)
+    advantage = results.value("one_core_advantage", formula, one_core / first)
     formula = "speed of Warp with the most worlds over that of C on one core"
-    gain = ratio(results, "worlds_gain", formula, last, one_core)
+    gain = results.value("worlds_gain", formula, last / one_core)
     is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
     ends = greater(one_core, first), greater(last, one_core)
     outcome = all_of(*ends, contiguous(is_ahead, *rates, one_core))

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Quantity, Value, combined
 from measured_report.values.results import Results, Row
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
@@ -75,7 +75,7 @@ def points_of(results: Results) -> Points:
     for pads in PADS:
         formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
         cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
-        floors[pads] = results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
+        floors[pads] = results.value(f"floor_{pads}", formula, combined(max, *cells))
     own_model = [row for row in settings if counts(row) and is_own_model(row)]
     return Points(
         results=results,

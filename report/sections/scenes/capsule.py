@@ -2,7 +2,7 @@
 
 from measured_report.parts.claim import Claim, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import Value, constant
 from measured_report.values.results import Results
 from report.shared.arithmetic import cell_count, departure, extreme
 from report.shared.tables import Column, table_of
@@ -26,7 +26,7 @@ def derive(results: Results) -> Section:
     rows = [results.row[f"{variant}-c"] for variant in VARIANTS]
     formula = "published, and not measured here"
     published = {
-        variant: results.value(f"published_{variant}", formula, lambda rate=rate: rate, unit="mm/s")
+        variant: results.value(f"published_{variant}", formula, constant(rate, "mm/s"))
         for variant, rate in PUBLISHED_MM_S.items()
     }
     columns: dict[str, Column] = {"sinks": "creep_mm_s"}
@@ -40,9 +40,9 @@ def derive(results: Results) -> Section:
 def _as_published(results: Results, published: dict[str, Value]) -> Claim:
     formula, rows = "rate in MuJoCo C less the published one, in size, of the latter", results.row
     told = [(variant, rows[f"{variant}-c"].creep_mm_s, rate) for variant, rate in published.items()]
-    found = [departure(results, f"{variant}_from_published", formula, *pair) for variant, *pair in told]
-    largest = extreme(results, "published_off", "largest of the departures from what was published", max, found)
-    count = cell_count(results, "published_count", "rates that were published", found)
+    found = [results.value(f"{variant}_from_published", formula, departure(*pair)) for variant, *pair in told]
+    largest = results.value("published_off", "largest of the departures from what was published", extreme(max, found))
+    count = results.value("published_count", "rates that were published", cell_count(found))
     return Claim("as_published", at_most(largest, 5.0, why="the same rate"), {"count": count, "largest": largest})
 
 
@@ -51,7 +51,7 @@ def _follows_law(results: Results) -> Claim:
     rows = [results.row[f"{variant}-{engine}"] for engine in ENGINES for variant in VARIANTS]
     formula = "steady rate less that of the law, in size, of the latter"
     told = [(row.case, row.steady_creep_mm_s, row.predicted_creep_mm_s) for row in rows]
-    found = [departure(results, f"{case}_from_law", formula, *pair) for case, *pair in told if pair[1].value]
-    largest = extreme(results, "law_off", "largest of the departures from the law", max, found)
-    count = cell_count(results, "law_count", "runs for which the law gives a rate", found)
+    found = [results.value(f"{case}_from_law", formula, departure(*pair)) for case, *pair in told if pair[1].value]
+    largest = results.value("law_off", "largest of the departures from the law", extreme(max, found))
+    count = results.value("law_count", "runs for which the law gives a rate", cell_count(found))
     return Claim("follows_law", at_most(largest, 1.0, why="the same rate"), {"count": count, "largest": largest})

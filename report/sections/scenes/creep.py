@@ -1,9 +1,7 @@
 """The creep predicted and measured, in every scene that there is."""
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,9 +10,9 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Quantity, Value, combined, constant
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import other_value, ratio
+from report.shared.arithmetic import cell_count, other_value
 from report.shared.drawing import mark_points
 
 SCENES = {
@@ -60,12 +58,14 @@ def derive(results: Results) -> Section:
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
-    resolution = other_value(results, "cure", "resolution", unit="%/s")
+    resolution = other_value(results, "cure", "resolution")
     formula = "the larger of measured and predicted creep, of the smaller"
     for row in _rows(results, scene):
         if found := _creep(results, scene, row, resolution):
             name = f"{scene}_{row.case}_factor"
-            yield Point(scene, *found, results.value(name, formula, lambda a, b: max(a / b, b / a), *found))
+            measured, predicted = found
+            factor = combined(max, measured / predicted, predicted / measured)
+            yield Point(scene, measured, predicted, results.value(name, formula, factor))
 
 
 def _rows(results: Results, scene: str) -> Sequence[Row]:
@@ -85,13 +85,13 @@ def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tupl
         growth, least = row[columns[1]].value, resolution.value
         if least is not None and 100.0 * abs(growth) < least:
             return None
-    radius = (row.start_radius_mm,) if scene == "turntable" else ()
-    seconds = SHAKE_S if scene == "contacts" else 1.0
+    scale: Quantity | float = row.start_radius_mm if scene == "turntable" else 1.0
+    scale = 1 / constant(SHAKE_S, "s") if scene == "contacts" else scale
     formula = {"turntable": "growth times the distance at the start", "contacts": f"slide by the {SHAKE_S:g} s"}
 
     def value(kind: str, cell: Quantity) -> Value:
         name, words = f"{scene}_{row.case}_{kind}", f"{formula.get(scene, 'creep')}, {kind}"
-        return results.value(name, words, lambda a, *by: abs(a * math.prod(by)) / seconds, cell, *radius, unit="mm/s")
+        return results.value(name, words, abs(cell * scale))
 
     predicted = value("predicted", row[columns[1]])
     return (value("measured", row[columns[0]]), predicted) if predicted.value else None
@@ -100,16 +100,14 @@ def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tupl
 def _predicted(results: Results, points: list[Point]) -> Claim:
     factors, measured = [point.factor for point in points], [point.measured for point in points]
     formula = "largest factor between measured and predicted creep"
-    largest = results.value("largest_factor", formula, max, *factors, across=True)
+    largest = results.value("largest_factor", formula, combined(max, *factors), across=True)
     bound = results.chosen("factor_bound", "a prediction to go by", 1.5)
-    extreme = partial(results.value, across=True, unit="mm/s")
-    fast = extreme("fastest_creep", "fastest creep measured", max, *measured)
-    slow = extreme("slowest_creep", "slowest creep measured", min, *measured)
-    spanned = ratio(results, "creep_range", "the first of these over the second", fast, slow)
+    fast = results.value("fastest_creep", "fastest creep measured", combined(max, *measured), across=True)
+    slow = results.value("slowest_creep", "slowest creep measured", combined(min, *measured), across=True)
+    spanned = results.value("creep_range", "the first of these over the second", fast / slow)
     names, formula = {point.scene for point in points}, "runs with a creep and a prediction"
-    count = results.value("point_count", formula, lambda *found: len(found), *factors, across=True)
-    formula = "scenes that these runs are of"
-    scenes = results.value("scene_count", formula, lambda *_: len(names), *factors, across=True)
+    count = results.value("point_count", formula, cell_count(factors), across=True)
+    scenes = results.value("scene_count", "scenes that these runs are of", lambda *_: len(names), *factors, across=True)
     outcome = all_of(at_most(largest, bound), at_least(spanned, 1000.0, why="a range to test it over"))
     if missing := [label for scene, label in SCENES.items() if scene not in names]:
         outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}").having_read(largest, spanned)

@@ -4,9 +4,9 @@ from itertools import product
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import PERCENT, Value, constant
 from measured_report.values.results import Results
-from report.shared.arithmetic import departure, difference, extreme, share, total
+from report.shared.arithmetic import departure, extreme, total
 from report.shared.tables import Column, table_of
 
 OBJECTS, STEPS = ("cube", "ball"), ("2ms", "10ms")
@@ -19,7 +19,7 @@ END_S = 20.0
 
 def derive(results: Results) -> Section:
     cube, ball = (
-        results.value(f"published_{kind}_2ms", "published, and not measured here", lambda t=time: t, unit="s")
+        results.value(f"published_{kind}_2ms", "published, and not measured here", constant(time, "s"))
         for kind, time in PUBLISHED_DROP_S.items()
     )
     claims = [_fails_as_published(results), _ball_creeps_out(results, ball), _cube_is_shaken_out(results, cube)]
@@ -39,10 +39,12 @@ def _table(results: Results) -> Table:
 def _fails_as_published(results: Results) -> Claim:
     mine = [results.row[f"{kind}-{step}-published-{engine}"] for kind, step, engine in product(OBJECTS, STEPS, ENGINES)]
     formula = "shakes that a grasp stood as published"
-    held = total(results, "published_held", formula, [row.held_count for row in mine])
-    count = total(results, "published_shakes", "tries as published", [row.seed_count for row in mine])
+    held = results.value("published_held", formula, total([row.held_count for row in mine]))
+    count = results.value("published_shakes", "tries as published", total([row.seed_count for row in mine]))
     lifted = [row.lifted_count for row in mine if f"-{STEPS[1]}-" in row.case]
-    latest = extreme(results, "published_latest", "last drop as published", max, [row.last_drop_s for row in mine])
+    latest = results.value(
+        "published_latest", "last drop as published", extreme(max, [row.last_drop_s for row in mine])
+    )
     passed = at_most(latest, END_S, why="published: what is held then has passed")
     outcome = all_of(at_most(held, 0.0, why="published: none"), passed)
     numbers = {"count": count, "is_lifted": any(cell.value for cell in lifted), "latest": latest}
@@ -52,25 +54,24 @@ def _fails_as_published(results: Results) -> Claim:
 def _elliptic_holds(results: Results) -> Claim:
     mine = [results.row[f"{kind}-2ms-elliptic-c"] for kind in OBJECTS]
     formula = "shakes that an elliptic cone and impratio 10 stood"
-    held = total(results, "elliptic_c_held", formula, [row.held_count for row in mine])
-    count = total(results, "elliptic_c_count", "shakes with them", [row.seed_count for row in mine])
+    held = results.value("elliptic_c_held", formula, total([row.held_count for row in mine]))
+    count = results.value("elliptic_c_count", "shakes with them", total([row.seed_count for row in mine]))
     return Claim("elliptic_holds", at_least(held, count), {"held": held, "count": count})
 
 
 def _ball_creeps_out(results: Results, published: Value) -> Claim:
     """Tell whether the creep of a grasp that is not shaken at all says when the ball drops."""
     found, row = results.row["ball-published-held"], results.row["ball-2ms-published-c"]
-    begin = results.chosen("hold_start", "when the creep began to be watched", 4.5, unit="s")
+    begin = results.chosen("hold_start", "when the creep began to be watched", 4.5, "s")
     formula = "time after which the ball has crept as far as it is from the edge"
-    cells = begin, found.margin_mm, found.forecast_creep_mm_s
-    when = results.value("ball_passes", formula, lambda start, margin, creep: start + margin / creep, *cells, unit="s")
+    when = results.value("ball_passes", formula, begin + found.margin_mm / found.forecast_creep_mm_s)
     formula = "time of the drop less that, in size, of the latter"
-    off = departure(results, "ball_drop_off", formula, row.median_drop_s, when)
+    off = results.value("ball_drop_off", formula, departure(row.median_drop_s, when))
     formula = "last drop of the ball less the first"
-    apart = difference(results, "ball_drop_spread", formula, row.last_drop_s, row.first_drop_s)
+    apart = results.value("ball_drop_spread", formula, row.last_drop_s - row.first_drop_s)
     soon = at_most(off, 20.0, why="soon after it has passed the edge, from which it still has to fall")
     formula = "time of the drop less the published one, in size, of the latter"
-    from_published = departure(results, "ball_off", formula, row.median_drop_s, published)
+    from_published = results.value("ball_off", formula, departure(row.median_drop_s, published))
     outcome = all_of(
         soon, at_most(apart, 0.1, why="whatever the shake"), at_most(from_published, 5.0, why="the same time")
     )
@@ -80,6 +81,8 @@ def _ball_creeps_out(results: Results, published: Value) -> Claim:
 
 def _cube_is_shaken_out(results: Results, published: Value) -> Claim:
     when, drop = results.row["cube-published-held"].forecast_drop_s, results.row["cube-2ms-published-c"].median_drop_s
-    early = share(results, "cube_drop_share", "time of the drop, of when its creep alone would take it out", drop, when)
+    early = results.value(
+        "cube_drop_share", "time of the drop, of when its creep alone would take it out", PERCENT * drop / when
+    )
     outcome = at_most(early, 80.0, why="well before").having_read(published)
     return Claim("cube_is_shaken_out", outcome, {"when": when, "drop": drop, "published": published})

@@ -47,8 +47,8 @@ LIMITS = {
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
-    margin = results.chosen("limit_margin", "well below the limit, or well above", LIMIT_MARGIN, unit="%")
-    depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
+    margin = results.chosen("limit_margin", "well below the limit, or well above", LIMIT_MARGIN, "%")
+    depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, "%")
     safe = claims.safe(results, critical, default_kd)
     stiffest = max((row.pad_ke.value for row in default_kd), default=None)
     is_so = safe.outcome == HOLDS and not any(is_stable(row) for row in default_kd if row.pad_ke.value == stiffest)

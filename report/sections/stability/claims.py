@@ -10,10 +10,10 @@ from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, contiguous, decided, decreases
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import PERCENT, Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability.passing import GROWTH_LARGEST, is_stable, judged_by, passes
-from report.shared.arithmetic import cell_count, cell_or_absent, extreme, ratio, share
+from report.shared.arithmetic import cell_count, cell_or_absent, extreme
 from report.shared.tables import case_html, some_html
 
 
@@ -22,11 +22,11 @@ def family(results: Results, name: str) -> list[Row]:
 
 
 def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
-    return cell_count(results, name, formula, [row.step_ms for row in rows])
+    return results.value(name, formula, cell_count([row.step_ms for row in rows]))
 
 
 def _end(choose: Callable, results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
-    return extreme(results, name, formula, choose, [row[column] for row in rows])
+    return results.value(name, formula, extreme(choose, [row[column] for row in rows]))
 
 
 least, most = partial(_end, min), partial(_end, max)
@@ -57,7 +57,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     safe_ke = least(results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke")
     step = most(results, "largest_step_tried", "largest step of these runs", safe, "step_ms")
     stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
-    margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, safe_ke)
+    margin = results.value("safe_margin", "ke of the stiff pads over that ke", stiff / safe_ke)
     at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
     broken = [row for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
     first = least(results, "kd_100_breaks", "least ke above the shipped one that does not hold", broken, "pad_ke")
@@ -65,7 +65,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < below]
     limit = most(results, "kd_100_ke", "largest ke that holds at the shipped step", kept, "pad_ke")
     shipped = results.value("shipped_ke", "given: ke as shipped", lambda: AS_SHIPPED.pad_ke)
-    default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
+    default_margin = results.value("kd_100_margin", "that ke over the shipped one", limit / shipped)
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
     numbers = {"least": safe_ke, "step": step, "stiff": stiff, "margin": margin, "bound": bound}
     numbers |= {"limit": limit, "breaks": first, "default_margin": default_margin}
@@ -81,9 +81,9 @@ def gain_goes(results: Results) -> Claim:
     for number in sorted(counts, reverse=True):
         if ("as-shipped", number) in runs:
             # Of the creep, whose repeats are compared; the drift, along one axis, varies at the longest step.
-            creeps = (_creep(runs[pads, number]) for pads in ("as-shipped", "stiff"))
+            soft, stiff = (_creep(runs[pads, number]) for pads in ("as-shipped", "stiff"))
             formula = f"creep in shipped pads over that in stiff ones, {number} substeps"
-            gains.append(ratio(results, f"step_gain_{number}", formula, *creeps))
+            gains.append(results.value(f"step_gain_{number}", formula, soft / stiff))
     if len(gains) < 2:
         lack = "it was not measured with longer steps"
         numbers = dict.fromkeys(("shipped", "twice", "longest", "step"), absent("1", lack))
@@ -135,8 +135,7 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
     lost = least(results, f"{name}_lost", "least load that drops", dropped, "load")
     over = {}
     for kind, load in (("kept", kept), ("lost", lost)):
-        formula = f"{load.formula}, over the limit"
-        over[kind] = results.value(f"{name}_{kind}_over", formula, lambda share: 100.0 * (share - 1.0), load, unit="%")
+        over[kind] = results.value(f"{name}_{kind}_over", f"{load.formula}, over the limit", PERCENT * (load - 1.0))
     mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
     also = decided(True, kept, lost)
     return family_claim(results, f"{name}_crossover", family(results, name), also, mu=mu, margin=margin, **over)
@@ -188,8 +187,10 @@ def size(results: Results, bound: Value) -> Claim:
 def overlap(results: Results) -> Claim:
     rows = family(results, "overlap")
     formula = "exit speed over that of an undamped spring"
-    shares = [share(results, f"exit_share_{r.case}", formula, r.exit_speed_mm_s, r.exit_bound_mm_s) for r in rows]
-    largest = extreme(results, "exit_share_most", "largest share", max, shares)
+    shares = [
+        results.value(f"exit_share_{r.case}", formula, PERCENT * r.exit_speed_mm_s / r.exit_bound_mm_s) for r in rows
+    ]
+    largest = results.value("exit_share_most", "largest share", extreme(max, shares))
     deepest = most(results, "overlap_deepest", "deepest start", rows, "overlap_mm")
     also = at_most(largest, 100.0, why="no faster than an undamped spring")
     return family_claim(results, "overlaps", rows, also, deepest=deepest, most=largest)
@@ -207,10 +208,10 @@ def long(results: Results) -> Claim:
     rows = family(results, "long")
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
     columns |= {"last": "increment_last_mm_per_cycle"}
-    cells = {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
+    cells = {name: cell_or_absent(rows[0] if rows else None, column) for name, column in columns.items()}
     bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
     formula = "creep per cycle in the last tenth over that in the first"
-    growth = ratio(results, "long_growth", formula, cells["last"], cells["first"])
+    growth = results.value("long_growth", formula, cells["last"] / cells["first"])
     is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
     also = HOLDS if is_lost else at_most(growth, bound)
     return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)

@@ -8,7 +8,7 @@ from measured_report.changes.compare import Flip, FlipList, flips
 from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import PERCENT, Quantity, Value
 from measured_report.values.results import Results
 from report.sections import speed
 from report.sections.upgrade import tables
@@ -53,7 +53,7 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     moved = change(results, "slip_change", old, new)
     grows = (moved.value or 0) > 0
     numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": grows}
-    least = results.value("slip_change_least", "a tenth of the older slip", lambda slip: slip / 10, old, unit="mm")
+    least = results.value("slip_change_least", "a tenth of the older slip", old / 10)
     outcome = all_of(unchanged(old, new, moved, noise), resolved(noise, least))
     return Claim("slip_is_the_same", ends.one or outcome, numbers)
 
@@ -95,7 +95,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
         results.value(f"frame_ratio_{name}", f"{name} time of a frame over the older one", of, *cells, across=True)
         for name, of in (("least", lambda *times: min(ratios(*times))), ("most", lambda *times: max(ratios(*times))))
     )
-    count = cell_count(results, "speed_case_count", "cases of one world whose frames were timed", cells[1::2])
+    count = results.value("speed_case_count", "cases of one world whose frames were timed", cell_count(cells[1::2]))
     grows = greater(least, 1.0, why="as long as before")
     moved = all_of(grows) if grows == HOLDS else greater(Quantity(1.0, "1", "", noise=0.0), most)
     outcome = OPPOSITE if moved == HOLDS else HOLDS if None not in (least.value, most.value) else grows
@@ -121,8 +121,8 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
     old, new = ends.live(SHIPPED, "slip_mm")
     taken, given = ends.live(TAKEN, "slip_mm")[1], ends.live(GIVEN, "slip_mm")[0]
     off = ends.live(SWITCHED, "slip_mm")[1]
-    bound = results.chosen("recovery_bound", "as good as all of the change", 95.0, unit="%")
-    tolerance = results.value("recovery_tolerance", "what that leaves, either way", lambda a: 100 - a, bound, unit="%")
+    bound = results.chosen("recovery_bound", "as good as all of the change", 95.0, "%")
+    tolerance = results.value("recovery_tolerance", "what that leaves, either way", PERCENT - bound)
     brings_back, ends_it, switches = (
         nothing_to_explain(same_slip) or at_most(_miss(results, name, start, end, goal), tolerance)
         for name, start, end, goal in (("taken", new, taken, old), ("given", old, given, new), ("off", new, off, old))
@@ -159,8 +159,5 @@ def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:
     formula = "how far the switched case goes from the slip of its own release to that of the other"
-    part, cells = lambda a, b, whole: 100 * (b - a) / (whole - a), (start, end, goal)
-    share = results.value(f"{name}_share", formula, part, *cells, unit="%", across=True)
-    return results.value(
-        f"{name}_share_miss", "how far that is from all of it", lambda a: abs(a - 100), share, unit="%"
-    )
+    share = results.value(f"{name}_share", formula, PERCENT * (end - start) / (goal - start), across=True)
+    return results.value(f"{name}_share_miss", "how far that is from all of it", abs(share - PERCENT))

@@ -6,7 +6,7 @@ from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
 from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import HOLDS, Outcome, beyond
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Quantity, Value, combined
 from measured_report.values.results import Results
 
 
@@ -26,12 +26,12 @@ def up_to(releases: Releases, shown: str) -> Releases:
 def noise_of(results: Results, releases: Releases) -> Value:
     floors = [release["noise"].results.derived["slip_floor"] for release in releases.values() if "noise" in release]
     formula = "largest of the releases' noise floors"
-    return results.value("slip_floor", formula, max, *floors, unit="mm", across=True, is_noise=True)
+    return results.value("slip_floor", formula, combined(max, *floors), across=True, is_noise=True)
 
 
 def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
     formula = "later release less earlier one"
-    return results.value(name, formula, lambda a, b: b - a, before, after, unit=before.unit, across=True)
+    return results.value(name, formula, after - before, across=True)
 
 
 @dataclass(frozen=True)

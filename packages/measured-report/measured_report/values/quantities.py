@@ -180,6 +180,10 @@ def constant(value: float, unit: str = PLAIN) -> Quantity:
     return Quantity(value, unit, "", noise=0.0)
 
 
+PERCENT = constant(100, "%")
+"""Makes a share one in percent, as ``PERCENT * a / b``."""
+
+
 @dataclass(frozen=True)
 class Value(Quantity):
     """Holds a number derived from others, which says how."""
