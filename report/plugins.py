@@ -24,8 +24,7 @@ from report.shared.arithmetic import Found
 
 __all__ = ["Plugins", "scripts"]
 MEDIA = Path(__file__).with_name("media")
-LAB = ROOT / "assets/lab"
-"""The engine that a page runs, and the scripts that do."""
+LAB = ROOT / "assets/lab"  # the engine that a page runs, and the scripts that do
 
 
 class Plugins(plugins.Plugins):

@@ -9,8 +9,7 @@ from measured_report.findings.editions import Edition
 from measured_report.parts.claim import within
 from measured_report.values.quantities import Quantity, absent
 
-PROGRAM = "experiments.simulation.headline"
-"""What measures it."""
+PROGRAM = "experiments.simulation.headline"  # what measures it
 SECTION = "reproduction"
 SUFFIXES = ("", "-warp-cpu")
 """Of names of the tracked cases, by where the same engine ran: on the device of the record, and on its CPU."""

@@ -22,10 +22,8 @@ class Clips:
     """The clips of a release as a page shows them; their files lie below ``data/``, beside those of its record."""
 
     project: Project
-    state: State
-    """``fresh`` or ``stale``: others are not shown."""
-    root: str = ""
-    """The way from the page to the root of the site."""
+    state: State  # ``fresh`` or ``stale``: others are not shown
+    root: str = ""  # the way from the page to the root of the site
 
     @property
     def results(self) -> Results:

@@ -14,14 +14,13 @@ from measured_report.values.results import Results
 from report.media.replay import SHAKES
 
 SAMPLE_RATE_HZ = 30
-COLUMNS = (
+COLUMNS = (  # what is packed of each sample; the cube's pose is in the TCP frame [m]
     *(f"joint_{number}" for number in range(9)),
     *(f"cube_{part}" for part in ("x", "y", "z", "qx", "qy", "qz", "qw")),
     "normal_force_n",
     "tangential_force_n",
     "penetration_mm",
 )
-"""What is packed of each sample; the cube's pose is in the TCP frame [m]."""
 
 
 def packed_runs(results: Results) -> dict[str, Any]:
@@ -44,7 +43,7 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
     turn = quaternions(run.cube_in_hand)
     contact = np.stack([run.contact[name] for name in COLUMNS[16:]], axis=1)
     values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
-    # A billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
+    # a billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
     low, high = (np.round(side, 9) for side in (values[chosen].min(axis=0), values[chosen].max(axis=0)))
     whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * 65535).astype("<u2")
     return {

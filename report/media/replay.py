@@ -17,12 +17,11 @@ from measured_report.values.format import format_number
 from report.media.clips import Clips
 
 REPLAY = "replay.html"
-SHAKES = {
+SHAKES = {  # what can be chosen on the page, and the runs that it shows, by case
     "3 cm": {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"},
     "10 cm": {"as-shipped-10cm": "shipped pads", "stiff-pads-10cm": "stiff pads"},
     "held still": {"hold-60s": "shipped pads, held still"},
 }
-"""What can be chosen on the page, and the runs that it shows, by case."""
 SCRIPT = "assets/replay/replay.js"
 
 

@@ -14,16 +14,14 @@ order = 144
 page = "cure"
 label = "what the root cure costs"
 
-CASES = {
+CASES = {  # labels of what is compared with the scene as shipped
     "term": "term put back",
     "best": "the root cure",
     "firm": "the root cure on stiff pads",
     "firm-euler": "the root cure on stiff pads, Euler",
     "term-rk4": "term put back, RK4",
 }
-"""Labels of what is compared with the scene as shipped."""
-TESTED = ("best", "firm")
-"""Cases that should be no slower."""
+TESTED = ("best", "firm")  # cases that should be no slower
 
 
 def derive(results: Results) -> Section:

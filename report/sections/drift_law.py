@@ -33,8 +33,7 @@ SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
 PARTS = {"response": "response_s", "the term": "left_out_mm_s", "step": "step_mm_s"}
 PARTS |= {"law": "predicted_drift_mm_s", "measured": "drift_mm_s"}
 MOST = 0.9  # chosen: the law is asked of so many of the runs
-SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")
-"""Runs of the table."""
+SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")  # runs of the table
 
 
 def derive(results: Results) -> Section:
@@ -63,7 +62,7 @@ def _by_hand(results: Results) -> Claim:
     back = results.value("back", "half of h · ⟨J̇q̇⟩", step * g / (2 * MS_PER_S))
     rough = results.value("rough", "the first less the second", trailing - back)
     off = results.value("rough_off", "how far that is from the drift, of the latter", departure(rough, row.drift_mm_s))
-    # A point that swings along an arc of radius r has v² / r toward its axis: on average half of (2πfA)² / r.
+    # a point that swings along an arc of radius r has v² / r toward its axis: on average half of (2πfA)² / r.
     cells = (stiffness(f"shake_{name}") for name in ("amplitude_m", "frequency_hz"))
     formula = "half of (2π · frequency · amplitude)², over the left-out acceleration"
     arc = results.value("arc", formula, lambda g, a, f: 5e5 * (2 * math.pi * f * a) ** 2 / g, g, *cells, unit="mm")
@@ -111,8 +110,7 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
 
 def _draw(runs: Sequence[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 3.2)
-    by_response = sorted(runs, key=lambda row: row.response_s.value)
-    law = [(1e3 * row.response_s.value, row.predicted_drift_mm_s.value) for row in by_response]
+    law = sorted((1e3 * row.response_s.value, row.predicted_drift_mm_s.value) for row in runs)
     axes.plot(*zip(*law, strict=True), color=INK, linestyle="-", linewidth=1.0, marker="", label="the law")
     for case, colour, label in (
         ("", SERIES[5], "other pads"),

@@ -4,6 +4,7 @@ from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Download, Section
+from measured_report.values.quantities import constant
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import MS_PER_S, SETTLES, departure, other_value
 
@@ -31,14 +32,14 @@ def _patch_rounds_up(results: Results) -> Claim:
     """Compare the patch's ke and kd with those of the shortest timeconst, two steps: no contact is harder."""
     step = other_value(results, "stiffness", "substep")
     dt = results.value("step_ms", "the same in ms", MS_PER_S * step)
-    least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", lambda step: 1 / step, step)
+    least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", constant(1, "s") / step)
     formula = "ke with which the damping ratio, kd / (2 √ke), is 1"
-    least_ke = results.value("step_ke", formula, lambda kd: kd**2 / 4, least_kd)
+    least_ke = results.value("step_ke", formula, least_kd * least_kd / 4)
     bound = results.chosen("rounding_bound", "rounded", 10.0, "%")
     numbers, outcomes = {"dt": dt, "least_kd": least_kd, "least_ke": least_ke}, []
     for name, given, least in (("kd", STIFF_PADS.pad_kd, least_kd), ("ke", STIFF_PADS.pad_ke, least_ke)):
         formula = f"given: {name} of the stiff pads, which the patch sets"
-        numbers[name] = results.value(f"patch_{name}", formula, lambda given=given: given)
+        numbers[name] = results.value(f"patch_{name}", formula, constant(given))
         off = results.value(
             f"patch_{name}_off", f"how far the patch's {name} is from that", departure(numbers[name], least)
         )
@@ -48,6 +49,6 @@ def _patch_rounds_up(results: Results) -> Claim:
 
 def _test_tells(shipped: Row, fixed: Row) -> Claim:
     before, after = ("passes" if row.exit_status.value == 0 else "fails" for row in (shipped, fixed))
-    # A script that breaks down has no slip, and fails the test for another reason.
+    # a script that breaks down has no slip, and fails the test for another reason.
     outcome = decided((before, after) == ("fails", "passes"), shipped.slip_mm, fixed.slip_mm)
     return Claim("test_tells", outcome, {"before": before, "after": after})

@@ -12,14 +12,13 @@ reads = ("noise",)
 label = "what moves"
 
 FINGERS = ("cube-in-left-finger", "cube-in-right-finger")
-ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
-"""Pairs in which both bodies belong to the robot."""
+ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")  # pairs in which both bodies belong to the robot
 
 
 def derive(results: Results) -> Section:
     claims = [_cube_moves_in_fingers(results), _robot_is_still(results)]
-    columns: dict[str, Column] = {"displacement": "displacement_mm"}
-    columns["of the cube's way"] = lambda row: _part(results, row)
+    parts = [_part(results, row) for row in results.rows]
+    columns: dict[str, Column] = {"displacement": "displacement_mm", "of the cube's way": parts}
     pairs = table_of("what in what", [row.pair for row in results.rows], columns, results.rows)
     return Section(tables={"pairs": pairs}, claims=claims)
 

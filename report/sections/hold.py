@@ -8,7 +8,7 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import PERCENT, Quantity
+from measured_report.values.quantities import PERCENT, Quantity, constant
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import departure, noise_floor, resolved
 from report.shared.drawing import SHIPPED, STIFF
@@ -56,8 +56,8 @@ def _drift_needs_cycle(results: Results, held: Quantity, shaken: Quantity) -> Cl
 
 def _creep_goes_on(results: Results, long: Row) -> Claim:
     slip, duration, last = long.slip_mm, long.shake_duration_s, long.increment_final_mm
-    formula, cells = "motion in the last second of the long hold, of its mean per second", (last, slip, duration)
-    final = results.value("creep_final_share", formula, lambda last, slip, s: 100 * last * s / slip, *cells, unit="%")
+    formula = "motion in the last second of the long hold, of its mean per second"
+    final = results.value("creep_final_share", formula, PERCENT * last * duration / slip / constant(1, "s"))
     moves = greater(last, 0.0, noise=noise_floor(results, "slip_floor"), why="no motion at all")
     outcome = all_of(at_least(final, 50.0, why="not dying out"), moves)
     return Claim("creep_goes_on", outcome, {"slip": slip, "duration": duration, "last": last})

@@ -18,8 +18,7 @@ labels = {
 }
 
 COLUMNS = {"slip": "slip_mm", "drift": "drift_mm_s", "friction used": "cone_use", "class": "class"}
-CHECKS = ("impratio-1-midphase", "as-shipped-nearby")
-"""Cases that the page in the browser is not held against."""
+CHECKS = ("impratio-1-midphase", "as-shipped-nearby")  # cases that the page in the browser is not held against
 
 
 def derive(results: Results) -> Section:

@@ -15,7 +15,7 @@ from measured_report.values.quantities import PERCENT, Quantity, Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import DEVICES, largest_size, noise_floor
 from report.shared.drawing import CURE, SHIPPED, STIFF, name_lines
-from report.shared.tables import Column, table_of
+from report.shared.tables import table_of
 from report.shared.timing import RowsBy, resolution, worlds_name
 
 order = 150
@@ -37,11 +37,11 @@ labels = {
 }
 
 MANY_COUNT = 16384  # the most worlds, for which there is a target
+COUNTS = {"there": "present", "used": "used"}
 REFERENCE, ALL = "untrimmed", "without-all"
 Timed = Mapping[tuple[str, str, int], Row]
 """Rows by device, case and number of worlds; a row without anything where nothing was measured."""
-WHOLE = (REFERENCE, "as-shipped", ALL)
-"""Cases that are more than one thing left out."""
+WHOLE = (REFERENCE, "as-shipped", ALL)  # cases that are more than one thing left out
 
 
 def derive(results: Results) -> Section:
@@ -120,9 +120,9 @@ def _same_slip_on_gpu(results: Results, differences: Mapping[str, Value]) -> Cla
 def audit_table(results: Results) -> Table:
     rows = [row for row in results.rows if "item" in row]
     items = [row.item.partition(", against ") for row in rows]
-    columns: dict[str, Column] = {"there": lambda row: _whole(results, row, "present")}
-    columns |= {"used": lambda row: _whole(results, row, "used"), "counted as used": [item[2] for item in items]}
-    return table_of("part", [item[0] for item in items], columns, rows)
+    columns = {above: [_whole(results, row, name) for row in rows] for above, name in COUNTS.items()}
+    columns["counted as used"] = [item[2] for item in items]
+    return table_of("part", [item[0] for item in items], columns)
 
 
 def _whole(results: Results, row: Row, column: str) -> Quantity:
@@ -140,10 +140,8 @@ class Fall:
     worlds: int
     steps: Mapping[str, tuple[Quantity, Row]]
     """By case, with one thing left out alone, timed in turn with all of it there."""
-    rest: Value
-    """What all left out together save beyond the sum of these."""
-    ends: tuple[Row, Row]
-    """Exactly as shipped, and without all of it."""
+    rest: Value  # what all left out together save beyond the sum of these
+    ends: tuple[Row, Row]  # exactly as shipped, and without all of it
 
 
 def _fall(results: Results, timed: Timed, device: str, worlds: int) -> Fall:

@@ -14,7 +14,7 @@ order = 188
 page = "scenes"
 label = "Newton's solvers"
 
-NAMES = {
+NAMES = {  # labels of solvers that are not their names
     "warp": "MuJoCo Warp, shipped pads",
     "mujoco": "MuJoCo Warp",
     "xpbd": "XPBD",
@@ -27,7 +27,6 @@ NAMES = {
     "steel-iterations": "Steel, eight times the iterations",
     "steel-32-rows": "Steel, as many rows as it comes with",
 }
-"""Labels of solvers that are not their names."""
 LONG = "2ms"
 SCENES = {"step of 2 ms": LONG, "step of 1 ms": "1ms", "on a slope": "slope", "held still": "still"}
 OF_STEEL = "steel_stays slips_less anchors_help contacts_strain rows_overflow fails_sooner costs_more".split()

@@ -9,6 +9,7 @@ from measured_report.records.columns import column_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
+from report.shared.arithmetic import gathered
 
 order = 20
 page = "releases"
@@ -37,7 +38,7 @@ def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) 
     bounds = []
     for case, rows in repeats.items():
         name, cells = f"{case.replace('-', '_')}_{metric}_tolerance", [row[METRICS[metric]] for row in rows]
-        bounds.append(results.value(name, formula, combined(lambda *cells: tolerance(cells), *cells), is_noise=True))
+        bounds.append(results.value(name, formula, gathered(tolerance, cells), is_noise=True))
     column = column_of(METRICS[metric])
     least = results.chosen(f"{metric}_resolution", "what rounding may do", column.resolution, column.unit)
     formula = "largest of the cases, and at least the resolution"
@@ -48,7 +49,7 @@ def _noise_is_small(results: Results, first: Sequence[Row], floors: Mapping[str,
     shares = {}
     for metric, floor in floors.items():
         formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
-        mean = combined(lambda *numbers: fmean(numbers), *(row[METRICS[metric]] for row in first))
+        mean = gathered(fmean, (row[METRICS[metric]] for row in first))
         share = PERCENT * floor / abs(mean)
         shares[metric] = results.value(f"{metric}_floor_share", formula, share, is_noise=True)
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}

@@ -30,7 +30,7 @@ labels = {
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
 """Where the cases were measured besides, by how their names end."""
 FRAME_RATE = 60
-SCENE: tuple[tuple[str, float, str], ...] = (
+SCENE: tuple[tuple[str, float, str], ...] = (  # name, value and unit of what the scene sets
     ("cube_edge", round(1e3 * AS_SHIPPED.cube_edge_m), "mm"),
     ("cube_mass", round(1e3 * AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3), "g"),
     ("cube_friction", AS_SHIPPED.cube_mu, "1"),
@@ -42,7 +42,6 @@ SCENE: tuple[tuple[str, float, str], ...] = (
     ("iterations", AS_SHIPPED.iterations, "1"),
     ("impratio", AS_SHIPPED.impratio, "1"),
 )
-"""Name, value and unit of what the scene sets."""
 
 
 def derive(results: Results) -> Section:

@@ -14,7 +14,7 @@ order = 170
 page = "error"
 label = "many worlds"
 
-WAYS = {
+WAYS = {  # names of the ways to run, each a switch from the one before
     "testspeed": "mujoco_warp.testspeed",
     "each-step-waited-for": "the same, run here",
     "steps-in-one-graph": "16 steps as one graph",
@@ -22,7 +22,6 @@ WAYS = {
     "our-engine-steps": "contacts and rows as Newton makes them",
     "whole": "whole frames: control, IK, collision, recording",
 }
-"""Names of the ways to run, each a switch from the one before."""
 
 
 def derive(results: Results) -> Section:
@@ -60,9 +59,9 @@ def _beside_benchmark(results: Results) -> tuple[Table, Claim]:
     for count in TIMED_WORLDS:
         rows = {way: results.row[f"{way}-{count}"] for way in WAYS}
         benchmark, loop = rows["testspeed"], rows["each-step-waited-for"]
-        rates = loop.world_substeps_per_s, benchmark.world_substeps_per_s
         formula = "time of that loop over that of our frames, timed in turn, times its speed over the benchmark's"
-        gains.append(results.value(f"gain_{count}", formula, lambda a, b, c: a * b / c, loop.frame_ratio, *rates))
+        gain = loop.frame_ratio * loop.world_substeps_per_s / benchmark.world_substeps_per_s
+        gains.append(results.value(f"gain_{count}", formula, gain))
         formula = "time of a frame over that of a whole one, timed in turn"
         columns[worlds_name(count)] = lengths = []
         for way, row in rows.items():

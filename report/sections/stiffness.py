@@ -52,13 +52,13 @@ def derive(results: Results) -> Section:
     formula = "given by the scene: frame time over substeps"
     substep = results.value("substep", formula, constant(1 / 60 / AS_SHIPPED.substeps, "s"))
     least = results.value("least_timeconst", "two substeps", 2 * substep)
-    clamp = results.value("clamp_kd", "kd at which 2 / kd is two substeps", lambda shortest: 2 / shortest, least)
+    clamp = results.value("clamp_kd", "kd at which 2 / kd is two substeps", constant(2, "s") / least)
     alone, together = ke_alone_does_not_help(results, ke_alone), together_they_hold(results)
     numbers: dict[str, Any] = {"is_so": all_of(alone.outcome, together.outcome) == HOLDS, "clamp": clamp}
     numbers |= {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm}
     sweep = Figure(lambda: draw_sweep(plain, ke_alone, clamp.value), [row.slip_mm for row in held], numbers)
     rows = [results.row[case] for case in SHOWN]
-    # A cube that was lost has other contacts than those with the pads.
+    # a cube that was lost has other contacts than those with the pads.
     columns = {above: ["" if row.dropped else row[name] for row in rows] for above, name in COLUMNS.items()}
     columns["reading"] = [_reading(results, row) for row in rows]
     claims = [cause(results), not_creep_under_load(results), ke_is_no_spring(results), alone, together]
@@ -83,14 +83,13 @@ def has_slip(results: Results) -> Outcome:
 
 
 BACK = "that the slide ends when it is put back"
-CONDITIONS = {
+CONDITIONS = {  # what the cause takes, in words: section, value and the bound that it keeps
     "that the left-out acceleration gives the slide": ("contacts", "missing_term_departure", "missing_term_bound"),
     BACK: ("contacts", "restored_share", "restored_share_bound"),
     "that friction rows have no position residual": ("contacts", "friction_residual", "friction_residual_bound"),
     "that sliding is the motion": ("contacts", "slide_departure_as-shipped", "slide_departure_bound"),
     "that it takes the load cycle": ("hold", "hold_share", "hold_share_bound"),
 }
-"""What the cause takes, in words: section, value and the bound that it keeps."""
 
 
 def cause(results: Results) -> Claim:

@@ -32,13 +32,14 @@ def spread(cells: Sequence[Quantity]) -> Term:
     return combined(max, *cells) - combined(min, *cells)
 
 
-def total(counts: Iterable[Quantity]) -> Term:
-    return combined(lambda *numbers: sum(numbers), *counts)
+def gathered(function: Callable[[Sequence[float]], float], cells: Iterable[Quantity], unit: str = "") -> Term:
+    """Return what a function makes of a sequence, as ``sum`` or ``fmean`` do."""
+    return combined(lambda *numbers: function(numbers), *cells, unit=unit)
 
 
 def cell_count(cells: Iterable[Quantity]) -> Term:
     """Count cells, in a value that points to them."""
-    return combined(lambda *numbers: len(numbers), *cells, unit=PLAIN)
+    return gathered(len, cells, PLAIN)
 
 
 def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:

@@ -13,14 +13,12 @@ from measured_report.parts.figures import INK, MAP_INK, new_figure, plain_labels
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
 
-SLIP_RANGE_MM = (0.01, 50.0)
-"""Ends of the colour scale; what lies outside has the colour of the end."""
+SLIP_RANGE_MM = (0.01, 50.0)  # ends of the colour scale; what lies outside has the colour of the end
 FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)
 AMPLITUDE_TICKS_CM = (0.5, 1, 2, 5, 10)
 EMPTY = "#f2f2f2"
 """Colour of the cells of a map that have no slip to show."""
-HELD_HEIGHT_M = 0.15
-"""A cube that ends lower has left the hand, which shakes it about 0.2 m above the ground."""
+HELD_HEIGHT_M = 0.15  # a cube that ends lower has left the hand, which shakes it about 0.2 m above the ground
 
 
 def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value:

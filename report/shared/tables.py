@@ -11,8 +11,7 @@ from measured_report.values.results import Row
 
 Column = str | Callable[[Row], Any] | Sequence
 """A column of a table: a column of the record, what makes a cell of a row, or the cells."""
-NAMED_COUNT = 6
-"""Cases that a sentence names at most."""
+NAMED_COUNT = 6  # cases that a sentence names at most
 
 
 def by_case(rows: Sequence[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool) -> Table:

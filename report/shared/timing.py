@@ -8,8 +8,7 @@ from measured_report.values.quantities import PERCENT, Quantity, Value, combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import resolved
 
-TIMED_WORLDS = (1, 4096, 16384)
-"""Numbers of worlds that are timed wherever not all are."""
+TIMED_WORLDS = (1, 4096, 16384)  # numbers of worlds that are timed wherever not all are
 
 
 def worlds_name(count: int) -> str:

@@ -16,14 +16,10 @@ class Variants:
     """The rows of one section, whose slips are compared."""
 
     baseline: Row
-    rows: Sequence[Row]
-    """Without the baseline."""
-    slips: Outcome
-    """Whether the baseline slips at all, so that there is something to explain."""
-    seen: Outcome
-    """Whether a change that matters would be seen beside the noise."""
-    numbers: dict[str, Quantity | str]
-    """What the wording of a claim can name."""
+    rows: Sequence[Row]  # without the baseline
+    slips: Outcome  # whether the baseline slips at all, so that there is something to explain
+    seen: Outcome  # whether a change that matters would be seen beside the noise
+    numbers: dict[str, Quantity | str]  # what the wording of a claim can name
 
 
 def change_of(results: Results, case: str) -> Quantity:

@@ -13,18 +13,15 @@ from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
 from report.shared.timing import TIMED_WORLDS
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
-IN_C = "v"
-"""Marker of what runs on a core of the processor, and in as many worlds as it has cores."""
-SOLVERS = "newton_solvers"
-"""Where Newton's other solvers are measured."""
+IN_C = "v"  # marker of what runs on a core of the processor, and in as many worlds as it has cores
+SOLVERS = "newton_solvers"  # where Newton's other solvers are measured
 RATIOS = ("frame_ratio", "time_ratio")
 FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch")
-UNSEEN = {
+UNSEEN = {  # section and value of how much longer the frames of a way may take and are not seen to
     "stiff pads": ("speed", "stiff_pads_only_change"),
     "the root cure": ("cure_cost", "best_unseen"),
     "the root cure, stiff pads": ("cure_cost", "firm_unseen"),
 }
-"""Section and value of how much longer the frames of a way may take and are not seen to."""
 NOTHING, ARGUMENT, SOLVER, PATCH = range(4)
 """What it takes to have a way, in the order in which they are advised; an argument is one of MuJoCo's solver."""
 
@@ -35,10 +32,8 @@ class Way:
 
     name: str
     effort: int
-    run: str
-    """Section and case of its slip."""
-    timed: str
-    """The same of the times of its frames, each over that of MuJoCo Warp as shipped with as many worlds."""
+    run: str  # section and case of its slip
+    timed: str  # the same of the times of its frames, each over that of MuJoCo Warp as shipped with as many worlds
     colour: str
     marker: str = "o"
 

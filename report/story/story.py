@@ -16,21 +16,19 @@ from report.shared.tables import table_of
 from report.story import frontier
 from report.story.figures import FIX, draw_mechanism, draw_setup, draw_suspects
 
-SUSPECTS = {
+SUSPECTS = {  # what was suspected, in the reader's words: section and value
     "friction": ("friction", "largest_share"),
     "who finds the contacts": ("contact_source", "largest_share"),
     "solver, its step and cone": ("solver", "largest_share"),
     "contact gap": ("gap", "slip_difference_share"),
     "the cube's ke and kd": ("priority", "cube_slip_share"),
 }
-"""What was suspected, in the reader's words: section and value."""
 COARSE = "a coarser solver, in MuJoCo C"
 COARSER = [("lab", case, "slip_mm") for case in ("impratio-1", "substeps-4")]
-ONE_THING = {"gap": CASES_OF_GAP, "priority": CUBE}
-"""Cases of sections that derive no differences."""
+ONE_THING = {"gap": CASES_OF_GAP, "priority": CUBE}  # cases of sections that derive no differences
 
 NEWTON, PYRAMID, MUJOCO = "Newton's contacts", "the same, pyramidal cone", "MuJoCo's contacts"
-WAYS = {
+WAYS = {  # slips with shipped pads and with stiff ones, or how far these move in a cycle, by who finds the contacts
     NEWTON: [("reproduction", case, "slip_mm") for case in CASES],
     PYRAMID: [
         ("solver", "cone-pyramidal", "slip_mm"),
@@ -42,7 +40,6 @@ WAYS = {
         ("error_runtime", "stiff/c/cone-pyramidal", "grasp_error_mm_per_cycle"),
     ],
 }
-"""Slips with shipped pads and with stiff ones, or how far these move in a cycle, by who finds the contacts."""
 UNSEEN, FAILED = Markup("not measured"), Markup("run failed")
 
 

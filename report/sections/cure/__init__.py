@@ -25,7 +25,7 @@ PARTS = (turntable, controls, limits, bodies, tumbles, budget)
 """The modules of its parts; the last one reads what the limits are."""
 
 
-FILES = (
+FILES = (  # said in full: what is kept of a section is made anew when a file changes that its code names
     "experiments/simulation/contact_bias.py",
     "experiments/simulation/contact_place.py",
     "experiments/simulation/compensated_positions.py",
@@ -34,7 +34,6 @@ FILES = (
     "assets/upstream/newton-1.8.0.patch",
     "assets/upstream/upstream.md",
 )
-"""Said in full: what is kept of a section is made anew when a file changes that its code names."""
 
 
 def derive(results: Results) -> Section:

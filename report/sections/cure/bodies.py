@@ -9,14 +9,11 @@ from measured_report.values.quantities import PERCENT, Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, extreme, rows_with
 
-TABLE = ("carried", "caught")
-"""Motions on the table: turning with it, and put down at rest."""
+TABLE = ("carried", "caught")  # motions on the table: turning with it, and put down at rest
 FREE = ("impact", "roll", "slide")
 """Motions on a plane whose contacts have no acceleration along their friction that could be left out."""
-Found = Mapping[str, Row]
-"""Rows by variant: nothing done, the term of material points, the exact term."""
-Runs = Mapping[tuple[str, str, str], Found]
-"""Runs by motion, body and engine."""
+Found = Mapping[str, Row]  # rows by variant: nothing done, the term of material points, the exact term
+Runs = Mapping[tuple[str, str, str], Found]  # runs by motion, body and engine
 
 
 def derive(results: Results) -> Section:

@@ -14,9 +14,8 @@ STIFF = "newton-implicitfast-50-stiff-{}-plain-rounded"
 TERM = "newton-implicitfast-50-shipped-{}-term-rounded"
 BEST = "newton-euler-400-shipped-{}-full-kept"
 FIRM = "newton-implicitfast-400-stiff-{}-centred-kept"
-KF_OFF = "newton-implicitfast-50-shipped-{}-kf-off"
-"""Of releases that read ``kf``."""
-NAMES = {
+KF_OFF = "newton-implicitfast-50-shipped-{}-kf-off"  # of releases that read ``kf``
+NAMES = {  # names by case, which has a gap for the shake: contacts, integrator, impratio, pads; term and positions
     SHIPPED: "as shipped",
     STIFF: "stiff pads, the fix",
     "newton-implicitfast-50-stiff-{}-term-rounded": "stiff pads and the term",
@@ -29,15 +28,13 @@ NAMES = {
     "newton-euler-400-stiff-{}-centred-kept": "the same, Euler",
     KF_OFF: "as shipped, kf off",
 }
-"""Names by case, which has a gap for the shake: contacts, integrator, impratio, pads; term and positions."""
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
 """Columns of the parts of the slip that are predicted from the arm's motion, and what they are called."""
 SHOWN = (SHIPPED, STIFF, TERM, BEST)  # variants whose parts are shown
-OTHER_CONTACTS = {
+OTHER_CONTACTS = {  # the root cure with other contacts than Newton's and with another cone
     "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
     "pyramid": "pyramidal-euler-400-shipped-3cm-full-kept",
 }
-"""The root cure with other contacts than Newton's and with another cone."""
 
 
 def derive(results: Results) -> Section:

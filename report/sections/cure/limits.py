@@ -11,13 +11,12 @@ from report.shared.arithmetic import cell_count, rows_with
 from report.shared.maps import HELD_HEIGHT_M, lost_count
 from report.shared.tables import case_html, some_html, table_of
 
-VARIANTS = {
+VARIANTS = {  # names by variant, and which of them a run has to be tried with to be counted
     "term": ("the term", ("term", "best")),
     "best": ("the root cure", ("term", "best")),
     "firm": ("the root cure on stiff pads", ("firm", "firm-euler")),
     "firm-euler": ("the same, Euler", ("firm", "firm-euler")),
 }
-"""Names by variant, and which of them a run has to be tried with to be counted."""
 
 
 def derive(results: Results) -> Section:

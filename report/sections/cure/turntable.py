@@ -12,10 +12,9 @@ from report.shared.tables import Column, table_of
 
 ENGINES = ("warp", "c")
 CORNERS = 4  # contacts of the box
-NO_HELP = ("noslip", "impratio", "pyramidal")
-"""Variants that one would try against sliding."""
+NO_HELP = ("noslip", "impratio", "pyramidal")  # variants that one would try against sliding
 CURED = ("term-rk4-impratio", "term-centred-impratio")
-VARIANTS = {
+VARIANTS = {  # labels by variant, in the order of the table: without the term and with it
     "plain": "nothing done",
     "noslip": "noslip",
     "impratio": "impratio raised",
@@ -31,7 +30,6 @@ VARIANTS = {
     "term-rk4-impratio": "term put back, RK4, impratio raised",
     "term-centred-impratio": "term centred, impratio raised",
 }
-"""Labels by variant, in the order of the table: without the term and with it."""
 
 
 def derive(results: Results) -> Section:

@@ -32,8 +32,7 @@ MODELS = {
     "physx": "PhysX, TGS",
     "discrete-20ms": "MuJoCo C, integrator discrete",
 }
-OURS = {"c": "MuJoCo C", "warp": "MuJoCo Warp"}
-"""Engines of which other sections have the numbers."""
+OURS = {"c": "MuJoCo C", "warp": "MuJoCo Warp"}  # engines of which other sections have the numbers
 MUJOCO = ("mjx", "discrete-20ms")
 CONTINUOUS = "drake-continuous-point"
 
@@ -45,8 +44,7 @@ class Line:
     name: str
     release: str
     walk: Value
-    short_walk: Value
-    """Walk with half the step."""
+    short_walk: Value  # walk with half the step
     sink: Value
 
 

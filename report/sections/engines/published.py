@@ -24,8 +24,7 @@ class Published:
     column: str
     section: str = "engines"
     noise: float = 0.0
-    is_bound: bool = False
-    """A test passes what is below it."""
+    is_bound: bool = False  # a test passes what is below it
 
     @property
     def within(self) -> float:

@@ -37,8 +37,8 @@ def rk4_in_warp(points: Points) -> Claim:
     formula = "run time of RK4 over that as shipped, by what both take of the shipped settings in Warp, timed in turn"
     cost = results.value("rk4_warp_cost", formula, time / time_before)
     formula = "to within what share the ratio of these run times is known, by the resolutions of both together"
-    known, both = [points[case].ratio_resolution for case in cases], lambda a, b: 100 * math.hypot(a, b)
-    seen = results.value("rk4_warp_cost_seen", formula, both, *known, unit="%", is_noise=True)
+    both = PERCENT * combined(math.hypot, *(points[case].ratio_resolution for case in cases))
+    seen = results.value("rk4_warp_cost_seen", formula, both, is_noise=True)
     is_as_long = None not in (cost.value, seen.value) and abs(cost.value - 1) <= 0.01 * seen.value
     pays = greater(before, doubled, noise=points.floors["as-shipped"], why="worth a change")
     outcome = all_of(pays, at_most(cost, 1.5, why="hardly dearer"))

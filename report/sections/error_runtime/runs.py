@@ -29,10 +29,8 @@ class Points:
     results: Results
     settings: Sequence[Row]
     references: Sequence[Row]
-    worlds: Sequence[Row]
-    """Many worlds at once, fewest first."""
-    floors: Mapping[str, Value]
-    """Distance of Warp from C with the same steps, by pads [mm]."""
+    worlds: Sequence[Row]  # many worlds at once, fewest first
+    floors: Mapping[str, Value]  # distance of Warp from C with the same steps, by pads [mm]
     backend_front: frozenset[str]
     """Cases that no other setting of the same pads, model and backend beats in numerical error and run time."""
 

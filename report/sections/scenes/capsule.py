@@ -8,7 +8,7 @@ from report.shared.arithmetic import cell_count, departure, extreme
 from report.shared.tables import Column, table_of
 
 ENGINES = ("c", "warp", "newton")
-VARIANTS = {
+VARIANTS = {  # labels by variant
     "recipe": "elliptic cone, impratio 10",
     **{f"impratio-{impratio}": f"impratio {impratio}" for impratio in (1, 100, 1000)},
     "pyramidal": "pyramidal cone",
@@ -17,7 +17,6 @@ VARIANTS = {
     "condim-6": "condim 6",
     "within-pads": "shorter than the pads",
 }
-"""Labels by variant."""
 PUBLISHED_MM_S = {"recipe": 0.15499, "impratio-1": 1.5, "pyramidal": 2.3, "stiff": 0.05, "noslip": 0.0014}
 """The first from google-deepmind/mujoco pull request 3526, which measured it again, the others from issue 3328."""
 

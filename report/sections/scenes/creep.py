@@ -15,22 +15,20 @@ from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, other_value
 from report.shared.drawing import mark_points
 
-SCENES = {
+SCENES = {  # scenes that have a creep and its prediction
     "slope": "box on a slope",
     "capsule": "pinched capsule",
     "pick": "Panda's grasps",
     "turntable": "box on a turntable",
     "contacts": "shake test",
 }
-"""Scenes that have a creep and its prediction."""
 OTHERS = {"turntable": "cure", "contacts": "contacts"}
 """Sections that have the rows of a scene, where another one has them."""
-COLUMNS = {
+COLUMNS = {  # columns measured and predicted, where they are no creep, or one that comes in jolts as well
     "turntable": ("growth_per_s", "predicted_growth_per_s"),
     "contacts": ("slide_mm", "predicted_slide_mm"),
     "capsule": ("steady_creep_mm_s", "forecast_creep_mm_s"),
 }
-"""Columns measured and predicted, where they are no creep, or one that comes in jolts as well."""
 MARKERS = ("o", "s", "^", "D", "v")
 SHAKE_S = 4.0
 """How long the slide of the shake test was watched: two periods of a motion that repeats every second cycle of 1 Hz."""
@@ -43,8 +41,7 @@ class Point:
     scene: str
     measured: Value
     predicted: Value
-    factor: Value
-    """Ratio of the larger to the smaller."""
+    factor: Value  # ratio of the larger to the smaller
 
 
 def derive(results: Results) -> Section:
@@ -81,7 +78,7 @@ def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tupl
     if any(column not in row or row[column].value is None for column in columns):
         return None
     if scene == "turntable" and row.backend == "warp":
-        # A growth [1/s] may be below what single precision shows, as that section has it [%/s].
+        # a growth [1/s] may be below what single precision shows, as that section has it [%/s].
         growth, least = row[columns[1]].value, resolution.value
         if least is not None and 100.0 * abs(growth) < least:
             return None

@@ -6,7 +6,7 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import PERCENT, Value, constant
 from measured_report.values.results import Results
-from report.shared.arithmetic import departure, extreme, total
+from report.shared.arithmetic import departure, extreme, gathered
 from report.shared.tables import Column, table_of
 
 OBJECTS, STEPS = ("cube", "ball"), ("2ms", "10ms")
@@ -39,8 +39,8 @@ def _table(results: Results) -> Table:
 def _fails_as_published(results: Results) -> Claim:
     mine = [results.row[f"{kind}-{step}-published-{engine}"] for kind, step, engine in product(OBJECTS, STEPS, ENGINES)]
     formula = "shakes that a grasp stood as published"
-    held = results.value("published_held", formula, total([row.held_count for row in mine]))
-    count = results.value("published_shakes", "tries as published", total([row.seed_count for row in mine]))
+    held = results.value("published_held", formula, gathered(sum, [row.held_count for row in mine]))
+    count = results.value("published_shakes", "tries as published", gathered(sum, [row.seed_count for row in mine]))
     lifted = [row.lifted_count for row in mine if f"-{STEPS[1]}-" in row.case]
     latest = results.value(
         "published_latest", "last drop as published", extreme(max, [row.last_drop_s for row in mine])
@@ -54,8 +54,8 @@ def _fails_as_published(results: Results) -> Claim:
 def _elliptic_holds(results: Results) -> Claim:
     mine = [results.row[f"{kind}-2ms-elliptic-c"] for kind in OBJECTS]
     formula = "shakes that an elliptic cone and impratio 10 stood"
-    held = results.value("elliptic_c_held", formula, total([row.held_count for row in mine]))
-    count = results.value("elliptic_c_count", "shakes with them", total([row.seed_count for row in mine]))
+    held = results.value("elliptic_c_held", formula, gathered(sum, [row.held_count for row in mine]))
+    count = results.value("elliptic_c_count", "shakes with them", gathered(sum, [row.seed_count for row in mine]))
     return Claim("elliptic_holds", at_least(held, count), {"held": held, "count": count})
 
 

@@ -31,7 +31,7 @@ labels = {
     "gravity--9.81": "gravity upward",
 }
 
-LIMITS = {
+LIMITS = {  # extremes: the claim that has the limit of each, and its numbers of what holds and what breaks
     "step, stiff pads": ("safe_settings", "step", ""),
     "ke, kd left alone, shipped step": ("safe_settings", "limit", "breaks"),
     "timeconst over step, without the clamp": ("clamp_off", "last", "first"),
@@ -42,7 +42,6 @@ LIMITS = {
     "mass, most, with a grip to match": ("masses", "heavy", ""),
     "start in ground or pads": ("overlaps", "deepest", ""),
 }
-"""Extremes: the claim that has the limit of each, and its numbers of what holds and what breaks."""
 
 
 def derive(results: Results) -> Section:

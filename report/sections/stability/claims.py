@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, contiguous, decided, decreases
-from measured_report.values.quantities import PERCENT, Quantity, Value, absent
+from measured_report.values.quantities import PERCENT, Quantity, Value, absent, constant
 from measured_report.values.results import Results, Row
 from report.sections.stability.passing import GROWTH_LARGEST, is_stable, judged_by, passes
 from report.shared.arithmetic import cell_count, cell_or_absent, extreme
@@ -29,8 +29,7 @@ def _end(choose: Callable, results: Results, name: str, formula: str, rows: Iter
     return results.value(name, formula, extreme(choose, [row[column] for row in rows]))
 
 
-least, most = partial(_end, min), partial(_end, max)
-"""Derive the end of a column; without a number when there is none."""
+least, most = partial(_end, min), partial(_end, max)  # derive the end of a column; without a number when there is none
 
 
 def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome = HOLDS, **numbers: Any) -> Claim:
@@ -46,8 +45,7 @@ def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome
     return Claim(name, outcome if rows else Outcome("unknown", "they were not measured"), own | numbers)
 
 
-UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
-"""Ways around the clamp."""
+UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}  # ways around the clamp
 
 
 def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
@@ -56,7 +54,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     safe_ke = least(results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke")
     step = most(results, "largest_step_tried", "largest step of these runs", safe, "step_ms")
-    stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
+    stiff = results.value("stiff_ke", "given: ke of the stiff pads", constant(STIFF_PADS.pad_ke))
     margin = results.value("safe_margin", "ke of the stiff pads over that ke", stiff / safe_ke)
     at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
     broken = [row for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
@@ -64,7 +62,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     below = math.inf if first.value is None else first.value
     kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < below]
     limit = most(results, "kd_100_ke", "largest ke that holds at the shipped step", kept, "pad_ke")
-    shipped = results.value("shipped_ke", "given: ke as shipped", lambda: AS_SHIPPED.pad_ke)
+    shipped = results.value("shipped_ke", "given: ke as shipped", constant(AS_SHIPPED.pad_ke))
     default_margin = results.value("kd_100_margin", "that ke over the shipped one", limit / shipped)
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
     numbers = {"least": safe_ke, "step": step, "stiff": stiff, "margin": margin, "bound": bound}
@@ -112,7 +110,7 @@ def clamp(results: Results) -> Claim:
     first = most(results, "clamp_fails_at", "largest timeconst over dt that fails", failing, "timeconst_steps")
     last = least(results, "clamp_holds_at", "least timeconst over dt that holds", holding, "timeconst_steps")
     formula = "explicit bound at damping ratio 1: 1 / (√8 - 2)"
-    predicted = results.value("clamp_predicted", formula, lambda: 1 / (8**0.5 - 2))
+    predicted = results.value("clamp_predicted", formula, constant(1 / (8**0.5 - 2)))
     ends = {way: {is_stable(row) for row in rows if row.clamp == way} for way in UNCLAMPED}
     never, always = (
         Markup(", ").join(UNCLAMPED[way] for way, found in ends.items() if found == {kept}) for kept in (False, True)
@@ -136,7 +134,7 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
     over = {}
     for kind, load in (("kept", kept), ("lost", lost)):
         over[kind] = results.value(f"{name}_{kind}_over", f"{load.formula}, over the limit", PERCENT * (load - 1.0))
-    mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
+    mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", constant(MU[name]))
     also = decided(True, kept, lost)
     return family_claim(results, f"{name}_crossover", family(results, name), also, mu=mu, margin=margin, **over)
 

@@ -22,8 +22,7 @@ from report.sections.stability.passing import CLASSES
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 CREEPS = ((0.03, "#eaf3fb"), (0.1, "#d3e5f6"), (0.3, "#b7d3ef"), (1.0, "#97bfe7"), (math.inf, "#74a8dd"))
 """Colours of creeping cells, each by what their rate [mm/s] is below."""
-MARKS = ("o", "", "v", "*", "s", "x")
-"""A creeping run is marked by its rate."""
+MARKS = ("o", "", "v", "*", "s", "x")  # a creeping run is marked by its rate
 
 
 def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], np.ndarray], str]]) -> Drawing:

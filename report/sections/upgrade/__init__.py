@@ -8,13 +8,13 @@ from measured_report.changes.compare import Flip, FlipList, flips
 from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT, Quantity, Value
+from measured_report.values.quantities import PERCENT, Quantity, Value, combined, constant
 from measured_report.values.results import Results
 from report.sections import speed
 from report.sections.upgrade import tables
 from report.sections.upgrade.ends import Ends, change, machines_differ, noise_of, released, unchanged, up_to
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
-from report.shared.arithmetic import DEVICES, cell_count, resolved
+from report.shared.arithmetic import DEVICES, cell_count, departure, resolved
 
 order = 200
 page = "releases"
@@ -75,9 +75,9 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
 
 def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[str]) -> Claim:
     found = sum(flip.is_decided for flip in flipped)
-    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: found)
+    count = results.value("turned_count", "claims that one release upholds and another doesn't", constant(found))
     formula = "other claims that one release can tell and another can't"
-    others = results.value("undecided_count", formula, lambda: len(flipped) - found)
+    others = results.value("undecided_count", formula, constant(len(flipped) - found))
     is_one = len(releases) < 2
     outcome = Outcome("unknown", f"only Newton {releases[0]} has results") if is_one else decided(not found)
     return Claim("claims_stand", outcome, {"count": count, "open": others})
@@ -86,16 +86,12 @@ def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[
 def _same_speed(results: Results, ends: Ends) -> Claim:
     """Compare the frames of all cases of one world, which one release may have slowed by little each."""
     asked = [replace(tables.SPEEDS[0], text=f"speed.{case}.frame_ms") for case in speed.labels]
-    cells = [cell for headline in asked for cell in ends.cells(headline)]
-
-    def ratios(*times: float) -> list[float]:
-        return [after / before for before, after in zip(times[::2], times[1::2], strict=True)]
-
-    least, most = (
-        results.value(f"frame_ratio_{name}", f"{name} time of a frame over the older one", of, *cells, across=True)
-        for name, of in (("least", lambda *times: min(ratios(*times))), ("most", lambda *times: max(ratios(*times))))
-    )
-    count = results.value("speed_case_count", "cases of one world whose frames were timed", cell_count(cells[1::2]))
+    pairs = [ends.cells(headline) for headline in asked]
+    formula, ratios = "time of a frame over the older one", [after / before for before, after in pairs]
+    least = results.value("frame_ratio_least", f"least {formula}", combined(min, *ratios), across=True)
+    most = results.value("frame_ratio_most", f"most {formula}", combined(max, *ratios), across=True)
+    newer = cell_count(after for _, after in pairs)
+    count = results.value("speed_case_count", "cases of one world whose frames were timed", newer)
     grows = greater(least, 1.0, why="as long as before")
     moved = all_of(grows) if grows == HOLDS else greater(Quantity(1.0, "1", "", noise=0.0), most)
     outcome = OPPOSITE if moved == HOLDS else HOLDS if None not in (least.value, most.value) else grows
@@ -140,15 +136,13 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
 
 def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
     """Tell whether what the change is not about slips as in the older release."""
-
-    def changes(*slips: float) -> float:
-        return 100 * max(abs(after / before - 1) for before, after in zip(slips[::2], slips[1::2], strict=True))
-
     found, engine, pyramid = (ends.cells(headline) for headline in (MUJOCO_CONTACTS, MUJOCO_C, PYRAMID))
     formula = "larger change in slip where MuJoCo finds the contacts, of the older slip"
-    elsewhere = results.value("elsewhere_change", formula, changes, *found, *engine, unit="%", across=True)
+    elsewhere = results.value(
+        "elsewhere_change", formula, combined(max, departure(*found[::-1]), departure(*engine[::-1])), across=True
+    )
     formula = "change in slip with a pyramidal cone, of the older slip"
-    moved = results.value("pyramid_change", formula, changes, *pyramid, unit="%", across=True)
+    moved = results.value("pyramid_change", formula, departure(*pyramid[::-1]), across=True)
     said = {"a": ends.old, "b": ends.new}
     for name, slips, numbers in (
         ("mujoco_contacts", elsewhere, {"found": found[1], "c": engine[1], "elsewhere": elsewhere}),
