@@ -21,9 +21,7 @@ def derive(results: Results) -> Section:
     frames, rows, more_runs = ([row for row in results.rows if row.kind == kind] for kind in ("frame", "row", "run"))
     first = {row.case: row for row in reversed(frames)}
     # Through MuJoCo C, and the same with the left-out acceleration in the contact rows.
-    left_out, restored = (
-        [results.row[f"{case}-{kind}"] for case in CASES] for kind in ("missing-term", "term-restored")
-    )
+    left_out, restored = ([results.row[f"{case}-{way}"] for case in CASES] for way in ("missing-term", "term-restored"))
     run = next((row for row in more_runs if row.case == "as-shipped"), results.row["as-shipped"])
     shown = [row for row in rows if row.case == "as-shipped"]
     ends = _term_restored(results, left_out, restored)
@@ -43,8 +41,7 @@ def _far_inside_cone(results: Results, run: Row) -> Claim:
 
 def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> Iterator[Claim]:
     formula = "largest position residual of a loaded contact's friction rows, over all looks"
-    cells = [row.friction_residual_mm for row in frames]
-    largest = results.value("friction_residual", formula, combined(max, *cells))
+    largest = results.value("friction_residual", formula, combined(max, *(row.friction_residual_mm for row in frames)))
     formula = "largest position residual of a loaded contact's normal row as shipped, over all looks"
     cells = [row.normal_residual_mm for row in frames if row.case == "as-shipped"]
     normal = results.value("normal_residual", formula, combined(max, *cells))
@@ -67,9 +64,8 @@ def _slide_accounts(results: Results, run: Row) -> Claim:
 
 def _missing_term(results: Results, rows: list[Row], ends: Outcome) -> Claim:
     formula = "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter"
-    name = "missing_term_departure"
-    cells = ((f"{name}_{row.case}", row.predicted_slide_mm, row.slide_mm) for row in rows)
-    departures = [results.value(each, formula, departure(*pair)) for each, *pair in cells]
+    name, pairs = "missing_term_departure", [(row.case, row.predicted_slide_mm, row.slide_mm) for row in rows]
+    departures = [results.value(f"{name}_{case}", formula, departure(*pair)) for case, *pair in pairs]
     largest = results.value(name, "larger of both departures", combined(max, *departures))
     bound = results.chosen("missing_term_bound", "the same slide", 5.0, "%")
     numbers = {"predicted": rows[0].predicted_slide_mm, "slide": rows[0].slide_mm, "departure": largest}
@@ -82,10 +78,8 @@ def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -
     shares, falls = [], []
     for case, plain, back in zip(CASES, left_out, restored, strict=True):
         shares.append(results.value(f"restored_share_{case}", formula, PERCENT * abs(back.slide_mm / plain.slide_mm)))
-        less, more = (
-            results.value(f"restored_{case}_{which}_size", "its size", abs(row.slide_mm))
-            for which, row in (("small", back), ("large", plain))
-        )
+        less = results.value(f"restored_{case}_small_size", "its size", abs(back.slide_mm))
+        more = results.value(f"restored_{case}_large_size", "its size", abs(plain.slide_mm))
         falls.append(greater(more, less, noise=noise_floor(results, "slip_floor")))
     largest = results.value("restored_share", "larger of both shares", combined(max, *shares))
     numbers = {"slide": left_out[0].slide_mm, "restored": restored[0].slide_mm}

@@ -39,11 +39,9 @@ SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")  # 
 def derive(results: Results) -> Section:
     formula = "drift measured with positions compensated, less that of the law, in size, of the latter"
     runs = list(filter(arithmetic.is_held, results.rows))
-    pairs = [(row.drift_mm_s, row.predicted_drift_mm_s) for row in runs]
-    offs = [
-        results.value(f"off_kept_{row.case}", formula, departure(*pair)) for row, pair in zip(runs, pairs, strict=True)
-    ]
-    follows, sources = _follows(results, runs, offs), [cell for pair in pairs for cell in pair]
+    pairs = {row.case: (row.drift_mm_s, row.predicted_drift_mm_s) for row in runs}
+    offs = [results.value(f"off_kept_{case}", formula, departure(*pair)) for case, pair in pairs.items()]
+    follows, sources = _follows(results, runs, offs), [cell for pair in pairs.values() for cell in pair]
     figure = Figure(lambda: _draw(runs), sources, {"follows": follows.outcome == HOLDS})
     tables = {"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)}
     claims = [_by_hand(results), follows]
@@ -86,12 +84,11 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     distinct = results.value("response_count", formula, lambda *s: len({f"{each:.3g}" for each in s}), *responses)
     drifts, formula = [row.drift_mm_s for row in runs], "noise of the drift, of the fastest"
     fastest = results.value("drift_most", "fastest of these drifts", largest_size(drifts))
-    noise = results.value("drift_noise", formula, PERCENT * noise_floor(results, "drift_floor") / fastest)
+    floor = PERCENT * noise_floor(results, "drift_floor")
+    noise = results.value("drift_noise", formula, floor / fastest)
     formula, laws = "drift that the law gives to nine in ten runs, at least", [row.predicted_drift_mm_s for row in runs]
     slow = results.value("law_least", formula, combined(partial(quantile, 1 - MOST), *map(abs, laws)))
-    scatter = results.value(
-        "law_noise", "noise of the drift, of that", PERCENT * noise_floor(results, "drift_floor") / slow
-    )
+    scatter = results.value("law_noise", "noise of the drift, of that", floor / slow)
     outcome = all_of(at_most(within["most"], bound), resolved(noise, bound)).having_read(width, distinct)
     if outcome == FAILS and (told := resolved(scatter, within["most"])) != HOLDS:
         outcome = told.having_read(width, distinct)

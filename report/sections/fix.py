@@ -40,9 +40,8 @@ def _patch_rounds_up(results: Results) -> Claim:
     for name, given, least in (("kd", STIFF_PADS.pad_kd, least_kd), ("ke", STIFF_PADS.pad_ke, least_ke)):
         formula = f"given: {name} of the stiff pads, which the patch sets"
         numbers[name] = results.value(f"patch_{name}", formula, constant(given))
-        off = results.value(
-            f"patch_{name}_off", f"how far the patch's {name} is from that", departure(numbers[name], least)
-        )
+        formula = f"how far the patch's {name} is from that"
+        off = results.value(f"patch_{name}_off", formula, departure(numbers[name], least))
         outcomes += [at_least(numbers[name], least), at_most(off, bound)]
     return Claim("patch_rounds_up", all_of(*outcomes), numbers)
 

@@ -53,8 +53,7 @@ def _robot_is_still(results: Results) -> Claim:
     cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))
     largest = results.value("robot_drift", formula, combined(max, *cells))
     whole = results.row["cube-in-TCP"].displacement_mm
-    of_cube = results.value(
-        "robot_share", f"{formula}, of the cube's displacement against the TCP", PERCENT * largest / whole
-    )
+    formula += ", of the cube's displacement against the TCP"
+    of_cube = results.value("robot_share", formula, PERCENT * largest / whole)
     bound = results.chosen("robot_share_bound", "too little to matter", 5.0, "%")
     return Claim("robot_is_still", at_most(of_cube, bound), {"largest": largest, "share": of_cube})

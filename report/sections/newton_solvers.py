@@ -101,9 +101,8 @@ def _shake_table(rows: RowsBy) -> Table:
     columns |= {"slip": [_slip(row) for row in shaken], "creep": creep_or_unseen}
     means = {"along over normal force": "friction_share", "normal force": "normal_force_n"}
     means["penetration"] = "penetration_mm"
-    columns |= {
-        above: ["lost" if row.plain.get("dropped") else row[mean] for row in shaken] for above, mean in means.items()
-    }
+    for above, mean in means.items():
+        columns[above] = ["lost" if row.plain.get("dropped") else row[mean] for row in shaken]
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
         columns[above] = [_slip(rows[name, shake]) for name in names]
     return table_of("solver", map(_label, names), columns, shaken, told=rows["warp", "3cm"].shake_amplitude_m)
@@ -112,9 +111,7 @@ def _shake_table(rows: RowsBy) -> Table:
 def _time_table(times: RowsBy) -> Table:
     """Say how long a frame takes in each solver, over that in MuJoCo Warp with as many worlds."""
     names = [name for name in dict.fromkeys(variant for variant, _ in times) if name != "warp"]
-    columns: dict[str, Column] = {
-        worlds_name(count): [times[name, count].frame_ratio for name in names] for count in TIMED_WORLDS
-    }
+    columns = {worlds_name(count): [times[name, count].frame_ratio for name in names] for count in TIMED_WORLDS}
     return table_of("solver", map(_label, names), columns)
 
 

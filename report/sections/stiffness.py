@@ -113,9 +113,8 @@ def not_creep_under_load(results: Results) -> Claim:
     shipped, hardest = results.row[SHIPPED], results.row[HARDEST]
     formula = "measured stiffness with dmax raised, over that as shipped"
     stiffer = results.value("dmax_stiffness_ratio", formula, hardest.stiffness_n_m / shipped.stiffness_n_m)
-    before, after = (
-        results.value(f"drift_size_{row.case}", "size of the drift", abs(row.drift_mm_s)) for row in (shipped, hardest)
-    )
+    drifts = [(f"drift_size_{row.case}", abs(row.drift_mm_s)) for row in (shipped, hardest)]
+    before, after = (results.value(name, "size of the drift", size) for name, size in drifts)
     moves_more = greater(after, before, noise=noise_floor(results, "drift_floor"))
     outcome = all_of(at_least(stiffer, 2.0, why="clearly stiffer"), moves_more)
     numbers = {"dmax": hardest.pad_dmax, "stiffer": stiffer, "before": before, "after": after}

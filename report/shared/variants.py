@@ -65,16 +65,14 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
     floor = noise_floor(results, "slip_floor")
     slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound"))
     formula = "noise of the slip, of the baseline's slip"
-    seen = resolved(
-        results.value("floor_share", formula, PERCENT * floor / reference.slip_mm), 5.0, why="no change to speak of"
-    )
+    unseen = results.value("floor_share", formula, PERCENT * floor / reference.slip_mm)
+    seen = resolved(unseen, 5.0, why="no change to speak of")
     numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": case_html(farthest)}
     return Variants(reference, rows, slips, seen, numbers | {"baseline": reference.slip_mm, "floor": floor})
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
     """Tell whether a change [mm] is less than ``bound`` percent of a slip by more than noise; more is the opposite."""
-    limit = results.value(
-        f"{name}_limit", f"{bound.written} % of the slip, signs left out", bound / PERCENT * abs(slip)
-    )
+    formula = f"{bound.written} % of the slip, signs left out"
+    limit = results.value(f"{name}_limit", formula, bound / PERCENT * abs(slip))
     return greater(limit, change, noise=noise)

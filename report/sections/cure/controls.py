@@ -20,14 +20,11 @@ def _only_turning_creeps(results: Results) -> Claim:
     formula = "largest drift of the straight shake, in size"
     still = results.value("straight_drift", formula, largest_size([row.drift_mm_s for row in straight]))
     bound = results.chosen("straight_drift_bound", "a millimetre in a quarter of an hour", 0.001, "mm/s")
-    slowest = results.value(
-        "turning_drift", "the slower of both engines", extreme(min, [row.drift_mm_s for row in turning])
-    )
+    slower = extreme(min, (row.drift_mm_s for row in turning))
+    slowest = results.value("turning_drift", "the slower of both engines", slower)
     formula = "growth of the distance from the axis less that of the law, in size, of the latter"
-    offs = [
-        results.value(f"{row.case}_off", formula, departure(row.growth_per_s, row.predicted_growth_per_s))
-        for row in turning
-    ]
+    pairs = [(row.case, row.growth_per_s, row.predicted_growth_per_s) for row in turning]
+    offs = [results.value(f"{case}_off", formula, departure(*pair)) for case, *pair in pairs]
     off = results.value("turning_off", "largest of these", extreme(max, offs))
     tests = [at_most(still, bound), at_least(slowest, 1.0, why="a creep that anyone would see")]
     outcome = all_of(*tests, at_most(off, 1.0, why="the same creep"))
@@ -46,15 +43,12 @@ def _sparse_is_dense(results: Results) -> Claim:
 def _compensation_helps(results: Results) -> Claim:
     """Tell what creeps in a minute with the arm held still, with compensated positions and with the root cure."""
     before, after, best = (results.row[case] for case in ("rounded", "kept", "best"))
-    kept = after.increment_final_mm
     bound = results.chosen("creep_bound", "a millimetre or so in a minute", 0.02, "mm")
     formula = "slip with positions rounded over that with compensated ones"
     gain = results.value("kept_gain", formula, before.slip_mm / after.slip_mm)
-    rest = results.value(
-        "best_share", "of the former slip, that with the cure", PERCENT * best.slip_mm / before.slip_mm
-    )
-    outcome = all_of(
-        at_most(kept, bound), at_least(gain, 2.0, why="less by half"), at_most(rest, 50.0, why="less by half")
-    )
+    share = PERCENT * best.slip_mm / before.slip_mm
+    rest = results.value("best_share", "of the former slip, that with the cure", share)
+    less = at_least(gain, 2.0, why="less by half"), at_most(rest, 50.0, why="less by half")
+    outcome = all_of(at_most(after.increment_final_mm, bound), *less)
     numbers = {"slip": before.slip_mm, "slip_kept": after.slip_mm, "best": best.slip_mm}
     return Claim("compensation_helps", outcome, numbers | {"duration": before.shake_duration_s})

@@ -24,16 +24,13 @@ def _by_chance(*counts: float) -> float:
 def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
     formula = "worlds whose energy ends over 1 % above its start, or as no number"
-    gains = {
-        name: results.value(f"{name}_gains", formula, gathered(sum, [row[f"{name}_gain_count"] for row in rows]))
-        for name in VARIANTS
-    }
+    counts = {name: gathered(sum, (row[f"{name}_gain_count"] for row in rows)) for name in VARIANTS}
+    gains = {name: results.value(f"{name}_gains", formula, count) for name, count in counts.items()}
     formula = "the smaller count of both sets without it, and three times the root of one more than they differ by"
     cells = [row[f"{name}_gain_count"] for row in rows for name in ("plain", "aside")]
     chance = results.value("tumble_chance", formula, _by_chance, *cells)
-    worlds = results.value(
-        "tumble_count", "worlds with the exact term", gathered(sum, [row.world_count for row in rows])
-    )
+    total = gathered(sum, (row.world_count for row in rows))
+    worlds = results.value("tumble_count", "worlds with the exact term", total)
     outcome = all_of(at_most(gains["exact"], chance), at_least(worlds, 10_000, why="enough to see what is rare"))
     steps = {
         name: results.value(f"tumble_{name}", f"the {name} step", extreme(choose, [row.step_ms for row in rows]))

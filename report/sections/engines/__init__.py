@@ -73,9 +73,8 @@ def _lines(results: Results) -> Iterator[Line]:
         yield _line(results, engine, (name, newton), walks, sink)
     for model, name in MODELS.items():
         step = "0ms" if model == CONTINUOUS else LONG
-        long, short, pinch = (
-            results.row[f"{model}-{run}"] for run in (f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}")
-        )
+        runs = f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}"
+        long, short, pinch = (results.row[f"{model}-{run}"] for run in runs)
         halved = absent("1/s", "continuous time has no step") if model == CONTINUOUS else short.growth_per_s
         walks = [long.growth_per_s, halved]
         yield _line(results, model.replace("-", "_"), (name, long.release), walks, pinch.creep_mm_s)
@@ -84,10 +83,8 @@ def _lines(results: Results) -> Iterator[Line]:
 def _line(results: Results, key: str, named: tuple[str, str], walks: Sequence[Quantity], sink: Quantity) -> Line:
     """Derive a line from walks [1/s], with the whole step and with half of it, and the sinking [mm/s]."""
     formula = "in percent of the distance from the axis"
-    walk, short = (
-        results.value(f"{key}_{name}", formula, PERCENT * cell)
-        for name, cell in zip(("walk", "short_walk"), walks, strict=True)
-    )
+    names = f"{key}_walk", f"{key}_short_walk"
+    walk, short = (results.value(name, formula, PERCENT * rate) for name, rate in zip(names, walks, strict=True))
     sinking = results.value(f"{key}_sink", "how fast the capsule sinks", constant(1e3, "µm/mm") * sink)
     return Line(*named, walk, short, sinking)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import compress
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.values.quantities import Quantity, Value, combined
@@ -75,14 +76,9 @@ def points_of(results: Results) -> Points:
         cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
         floors[pads] = results.value(f"floor_{pads}", formula, combined(max, *cells))
     own_model = [row for row in settings if counts(row) and is_own_model(row)]
-    return Points(
-        results=results,
-        settings=settings,
-        references=[row for row in results.rows if row.method == "reference"],
-        worlds=[row for row in results.rows if row.case.startswith("worlds-")],
-        floors=floors,
-        backend_front=front(own_model, "pads", "backend"),
-    )
+    references = [row for row in results.rows if row.method == "reference"]
+    worlds = [row for row in results.rows if row.case.startswith("worlds-")]
+    return Points(results, settings, references, worlds, floors, front(own_model, "pads", "backend"))
 
 
 def front(rows: Sequence[Row], *groups: str) -> frozenset[str]:
@@ -92,9 +88,8 @@ def front(rows: Sequence[Row], *groups: str) -> frozenset[str]:
     def beats(other: tuple, one: tuple) -> bool:
         return other != one and other[0] == one[0] and other[1] <= one[1] and other[2] <= one[2]
 
-    return frozenset(
-        row.case for row, place in zip(rows, places, strict=True) if not any(beats(other, place) for other in places)
-    )
+    unbeaten = [not any(beats(other, place) for other in places) for place in places]
+    return frozenset(row.case for row in compress(rows, unbeaten))
 
 
 def counts(row: Row) -> bool:

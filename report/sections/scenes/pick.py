@@ -42,9 +42,8 @@ def _fails_as_published(results: Results) -> Claim:
     held = results.value("published_held", formula, gathered(sum, [row.held_count for row in mine]))
     count = results.value("published_shakes", "tries as published", gathered(sum, [row.seed_count for row in mine]))
     lifted = [row.lifted_count for row in mine if f"-{STEPS[1]}-" in row.case]
-    latest = results.value(
-        "published_latest", "last drop as published", extreme(max, [row.last_drop_s for row in mine])
-    )
+    last = extreme(max, (row.last_drop_s for row in mine))
+    latest = results.value("published_latest", "last drop as published", last)
     passed = at_most(latest, END_S, why="published: what is held then has passed")
     outcome = all_of(at_most(held, 0.0, why="published: none"), passed)
     numbers = {"count": count, "is_lifted": any(cell.value for cell in lifted), "latest": latest}
@@ -72,17 +71,14 @@ def _ball_creeps_out(results: Results, published: Value) -> Claim:
     soon = at_most(off, 20.0, why="soon after it has passed the edge, from which it still has to fall")
     formula = "time of the drop less the published one, in size, of the latter"
     from_published = results.value("ball_off", formula, departure(row.median_drop_s, published))
-    outcome = all_of(
-        soon, at_most(apart, 0.1, why="whatever the shake"), at_most(from_published, 5.0, why="the same time")
-    )
+    same = at_most(apart, 0.1, why="whatever the shake"), at_most(from_published, 5.0, why="the same time")
     numbers = {"creep": found.forecast_creep_mm_s, "margin": found.margin_mm, "when": when}
-    return Claim("ball_creeps_out", outcome, numbers | {"drop": row.median_drop_s, "published": published})
+    return Claim("ball_creeps_out", all_of(soon, *same), numbers | {"drop": row.median_drop_s, "published": published})
 
 
 def _cube_is_shaken_out(results: Results, published: Value) -> Claim:
     when, drop = results.row["cube-published-held"].forecast_drop_s, results.row["cube-2ms-published-c"].median_drop_s
-    early = results.value(
-        "cube_drop_share", "time of the drop, of when its creep alone would take it out", PERCENT * drop / when
-    )
+    formula = "time of the drop, of when its creep alone would take it out"
+    early = results.value("cube_drop_share", formula, PERCENT * drop / when)
     outcome = at_most(early, 80.0, why="well before").having_read(published)
     return Claim("cube_is_shaken_out", outcome, {"when": when, "drop": drop, "published": published})

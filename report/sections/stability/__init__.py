@@ -59,7 +59,7 @@ def derive(results: Results) -> Section:
     ends = [(by_name[name], holds, breaks) for name, holds, breaks in LIMITS.values()]
     columns = {"holds": [claim.numbers[holds] or claims.NOT_ONE for claim, holds, _ in ends]}
     columns["breaks"] = [
-        claim.numbers[breaks] or claims.NOT_ONE if breaks else claims.unseen(claim) for claim, _, breaks in ends
+        claim.numbers[end] or claims.NOT_ONE if end else claims.unseen(claim) for claim, _, end in ends
     ]
     figures = {"maps": _maps(results, critical, default_kd, is_so)}
     return Section(tables={"limits": table_of("what", LIMITS, columns)}, figures=figures, claims=told)

@@ -112,9 +112,8 @@ def clamp(results: Results) -> Claim:
     formula = "explicit bound at damping ratio 1: 1 / (√8 - 2)"
     predicted = results.value("clamp_predicted", formula, constant(1 / (8**0.5 - 2)))
     ends = {way: {is_stable(row) for row in rows if row.clamp == way} for way in UNCLAMPED}
-    never, always = (
-        Markup(", ").join(UNCLAMPED[way] for way, found in ends.items() if found == {kept}) for kept in (False, True)
-    )
+    ways = ([UNCLAMPED[way] for way, found in ends.items() if found == {kept}] for kept in (False, True))
+    never, always = map(Markup(", ").join, ways)
     is_one = not (never or always) and None not in (first.value, last.value) and first.value < last.value
     numbers: dict[str, Any] = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
     if not is_one:
@@ -157,13 +156,10 @@ def _range(
     results: Results, rows: Sequence[Row], column: str, name: str, formula: str, low: str = "least"
 ) -> tuple[Value, Value, Outcome]:
     """Derive the least and the most with which a run holds, and whether each between them does."""
-    flags, held = (
-        [is_stable(row) for row in sorted(rows, key=lambda row: row[column].value)],
-        [*filter(is_stable, rows)],
-    )
+    flags, held = map(is_stable, sorted(rows, key=lambda row: row[column].value)), list(filter(is_stable, rows))
     first = least(results, f"{name}_{low}", formula.format("least"), held, column)
     last = most(results, f"{name}_most", formula.format("largest"), held, column)
-    return first, last, contiguous(flags, first, last)
+    return first, last, contiguous([*flags], first, last)
 
 
 def size(results: Results, bound: Value) -> Claim:
@@ -185,9 +181,8 @@ def size(results: Results, bound: Value) -> Claim:
 def overlap(results: Results) -> Claim:
     rows = family(results, "overlap")
     formula = "exit speed over that of an undamped spring"
-    shares = [
-        results.value(f"exit_share_{r.case}", formula, PERCENT * r.exit_speed_mm_s / r.exit_bound_mm_s) for r in rows
-    ]
+    speeds = [(row.case, row.exit_speed_mm_s, row.exit_bound_mm_s) for row in rows]
+    shares = [results.value(f"exit_share_{case}", formula, PERCENT * speed / bound) for case, speed, bound in speeds]
     largest = results.value("exit_share_most", "largest share", extreme(max, shares))
     deepest = most(results, "overlap_deepest", "deepest start", rows, "overlap_mm")
     also = at_most(largest, 100.0, why="no faster than an undamped spring")
@@ -204,12 +199,12 @@ def gravity(results: Results) -> Claim:
 
 def long(results: Results) -> Claim:
     rows = family(results, "long")
-    columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
-    columns |= {"last": "increment_last_mm_per_cycle"}
-    cells = {name: cell_or_absent(rows[0] if rows else None, column) for name, column in columns.items()}
+    columns = "shake_duration_s", "increment_first_mm_per_cycle", "increment_last_mm_per_cycle"
+    duration, first, last = (cell_or_absent(rows[0] if rows else None, column) for column in columns)
     bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
     formula = "creep per cycle in the last tenth over that in the first"
-    growth = results.value("long_growth", formula, cells["last"] / cells["first"])
+    growth = results.value("long_growth", formula, last / first)
     is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
     also = HOLDS if is_lost else at_most(growth, bound)
-    return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
+    numbers = {"duration": duration, "first": first, "last": last, "ends": ends, "is_lost": is_lost, "bound": bound}
+    return family_claim(results, "long_run", rows, also, **numbers)

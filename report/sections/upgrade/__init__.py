@@ -138,9 +138,8 @@ def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
     """Tell whether what the change is not about slips as in the older release."""
     found, engine, pyramid = (ends.cells(headline) for headline in (MUJOCO_CONTACTS, MUJOCO_C, PYRAMID))
     formula = "larger change in slip where MuJoCo finds the contacts, of the older slip"
-    elsewhere = results.value(
-        "elsewhere_change", formula, combined(max, departure(*found[::-1]), departure(*engine[::-1])), across=True
-    )
+    larger = combined(max, departure(*found[::-1]), departure(*engine[::-1]))
+    elsewhere = results.value("elsewhere_change", formula, larger, across=True)
     formula = "change in slip with a pyramidal cone, of the older slip"
     moved = results.value("pyramid_change", formula, departure(*pyramid[::-1]), across=True)
     said = {"a": ends.old, "b": ends.new}
