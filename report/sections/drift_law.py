@@ -44,8 +44,7 @@ def derive(results: Results) -> Section:
     follows, sources = _follows(results, runs, offs), [cell for pair in pairs.values() for cell in pair]
     figure = Figure(lambda: _draw(runs), sources, {"follows": follows.outcome == HOLDS})
     tables = {"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)}
-    claims = [_by_hand(results), follows]
-    return Section(tables=tables, figures={"law": figure}, claims=claims)
+    return Section(tables=tables, figures={"law": figure}, claims=[_by_hand(results), follows])
 
 
 def _by_hand(results: Results) -> Claim:

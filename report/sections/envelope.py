@@ -33,8 +33,7 @@ def derive(results: Results) -> Section:
     about |= {"keeps": stiff.outcome == HOLDS, "drops": shipped.outcome == HOLDS}
     tables = {"shakes": _shakes(results, trace)}
     figures = {"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)}
-    claims = [shipped, stiff, _map_gain(results, trace)]
-    return Section(tables=tables, figures=figures, claims=claims)
+    return Section(tables=tables, figures=figures, claims=[shipped, stiff, _map_gain(results, trace)])
 
 
 def _shakes(results: Results, trace: Series) -> Table:

@@ -80,8 +80,7 @@ def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) ->
     gone, same = at_most(remaining, 50.0, why="most of it is gone"), at_most(rounded, 10.0, why="the same creep")
     formula = "noise of the drift, of MuJoCo Warp's creep"
     noise = results.value("creep_noise", formula, PERCENT * abs(noise_floor(results, "drift_floor") / numbers["warp"]))
-    seen = resolved(noise, 10.0, why="the same creep")
-    return Claim("creep_is_rounding", all_of(creeps, gone, same, seen), numbers)
+    return Claim("creep_is_rounding", all_of(creeps, gone, same, resolved(noise, 10.0, why="the same creep")), numbers)
 
 
 def _draw_motion(traces: dict[str, Series]) -> Drawing:

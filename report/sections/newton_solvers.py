@@ -181,8 +181,7 @@ def _rows_overflow(results: Results, rows: RowsBy) -> Claim:
     is_so = bool(few.failure) and not enough.failure
     needed = enough.peak_constraint_count
     given = results.chosen("rows_given", "given: as the solver comes with", 32)
-    outcome = all_of(decided(is_so, needed), at_least(needed, given))
-    return Claim("rows_overflow", outcome, {"needed": needed})
+    return Claim("rows_overflow", all_of(decided(is_so, needed), at_least(needed, given)), {"needed": needed})
 
 
 def _fails_sooner(rows: RowsBy) -> Claim:

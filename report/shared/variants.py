@@ -74,5 +74,4 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
     """Tell whether a change [mm] is less than ``bound`` percent of a slip by more than noise; more is the opposite."""
     formula = f"{bound.written} % of the slip, signs left out"
-    limit = results.value(f"{name}_limit", formula, bound / PERCENT * abs(slip))
-    return greater(limit, change, noise=noise)
+    return greater(results.value(f"{name}_limit", formula, bound / PERCENT * abs(slip)), change, noise=noise)

@@ -145,16 +145,14 @@ def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:
     is_so = bool(slipping and fine) and list(there) == [*slipping, *fine]
     numbers = {"until": slipping[-1] if slipping else "", "since": fine[0] if fine else ""}
     # Each release is looked at by itself: none is compared with another.
-    outcome = all_of(*(decided(is_so, slip, bound) for slip in there.values()))
-    return Claim("fine_since", outcome, numbers)
+    return Claim("fine_since", all_of(*(decided(is_so, slip, bound) for slip in there.values())), numbers)
 
 
 def _still_needed(every: Mapping[str, Found], bound: Quantity) -> Claim:
     slips = {way: [_slips(found, way)[0] for found in every.values()] for way in (MUJOCO, PYRAMID)}
     there = {way: [slip for slip in cells if slip.source] for way, cells in slips.items()}
     seen = [at_least(slip, bound) for cells in there.values() for slip in cells]
-    outcome = all_of(*seen) if all(there.values()) else Outcome("unknown", "not both were measured")
-    return Claim("still_needed", outcome)
+    return Claim("still_needed", all_of(*seen) if all(there.values()) else Outcome("unknown", "not both were measured"))
 
 
 def _with_mujoco(found: Found, bound: Quantity) -> Claim:

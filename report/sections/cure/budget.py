@@ -43,8 +43,7 @@ def derive(results: Results) -> Section:
         slip = results.row[case].slip_mm
         others.append(Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip}))
     tables = {"use": _use_table(results), "budget": _budget_table(results)}
-    claims = [_what_to_use(results), _budget_closes(results), *others]
-    return Section(tables=tables, claims=claims)
+    return Section(tables=tables, claims=[_what_to_use(results), _budget_closes(results), *others])
 
 
 def _use_table(results: Results) -> Table:
@@ -93,8 +92,7 @@ def _budget_closes(results: Results) -> Claim:
     numbers = {"closed": closed, "count": count, "far_closed": far_closed, "far": far, "least": least, "most": most}
     few = results.value("far_share", "of shipped pads in the farther shake, those of them", PERCENT * far_closed / far)
     tests = [at_least(closed, 8.0, why="not by chance"), at_least(part, 90.0, why="nearly all of them")]
-    outcome = all_of(*tests, at_most(few, 60.0, why="no more than some"))
-    return Claim("budget_closes", outcome, numbers)
+    return Claim("budget_closes", all_of(*tests, at_most(few, 60.0, why="no more than some")), numbers)
 
 
 def _budget_table(results: Results) -> Table:

@@ -38,5 +38,4 @@ def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     }
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
     spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, "rad/s")
-    numbers = {"worlds": worlds, "spin": spin, "gain": gain} | gains | steps
-    return Claim("tumbling_gains_nothing", outcome, numbers)
+    return Claim("tumbling_gains_nothing", outcome, {"worlds": worlds, "spin": spin, "gain": gain} | gains | steps)

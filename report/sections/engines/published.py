@@ -69,8 +69,7 @@ def derive(results: Results) -> Section:
     agreeing = results.value("agreeing", "how many agree", lambda *_: sum(agreed), *cells, across=True)
     count = results.value("compared", "numbers beside published ones", cell_count(cells), across=True)
     told = {"count": count, "agreeing": agreeing, "are_most": 2 * sum(agreed) > len(agreed)}
-    claim = Claim("as_others_published", at_least(agreeing, count), told)
-    return Section(tables={"published": table}, claims=[claim])
+    return Section(tables={"published": table}, claims=[Claim("as_others_published", at_least(agreeing, count), told)])
 
 
 def _line(results: Results, each: Published, ours: Quantity) -> tuple[Quantity | str | bool, ...]:

@@ -56,5 +56,4 @@ def _only_it_loses(rows: RowsBy, others: list[str]) -> Claim:
     wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
     lost = [row.plain.get("dropped") for row in wide]
     amplitudes = [row.shake_amplitude_m for row in wide]
-    outcome = decided(lost[0] is True and not any(lost[1:]), *amplitudes)
-    return Claim("only_it_loses", outcome, {"wide": amplitudes[0]})
+    return Claim("only_it_loses", decided(lost[0] is True and not any(lost[1:]), *amplitudes), {"wide": amplitudes[0]})

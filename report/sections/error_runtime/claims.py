@@ -62,8 +62,7 @@ def reference_converged(points: Points) -> Claim:
     least = results.value("low_error", formula, combined(partial(quantile, 0.1), *plotted))
     margin = results.value("reference_margin", "this error over the reference's own", least / worst)
     bound = results.chosen("reference_bound", "well below what is measured with it", 10.0)
-    numbers = {"worst": worst, "least": least, "margin": margin}
-    return Claim("reference_converged", at_least(margin, bound), numbers)
+    return Claim("reference_converged", at_least(margin, bound), {"worst": worst, "least": least, "margin": margin})
 
 
 def solver_effort(points: Points) -> Claim:

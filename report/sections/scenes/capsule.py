@@ -30,8 +30,7 @@ def derive(results: Results) -> Section:
     columns |= {"published": [published.get(variant, "") for variant in VARIANTS]}
     columns |= {"once steady": "steady_creep_mm_s", "by the law": "predicted_creep_mm_s"}
     tables = {"rates": table_of("in MuJoCo C", VARIANTS.values(), columns, rows)}
-    claims = [_as_published(results, published), _follows_law(results)]
-    return Section(tables=tables, claims=claims)
+    return Section(tables=tables, claims=[_as_published(results, published), _follows_law(results)])
 
 
 def _as_published(results: Results, published: dict[str, Value]) -> Claim:

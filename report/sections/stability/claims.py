@@ -202,8 +202,7 @@ def long(results: Results) -> Claim:
     columns = "shake_duration_s", "increment_first_mm_per_cycle", "increment_last_mm_per_cycle"
     duration, first, last = (cell_or_absent(rows[0] if rows else None, column) for column in columns)
     bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
-    formula = "creep per cycle in the last tenth over that in the first"
-    growth = results.value("long_growth", formula, last / first)
+    growth = results.value("long_growth", "creep per cycle in the last tenth over that in the first", last / first)
     is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
     also = HOLDS if is_lost else at_most(growth, bound)
     numbers = {"duration": duration, "first": first, "last": last, "ends": ends, "is_lost": is_lost, "bound": bound}

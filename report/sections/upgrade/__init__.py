@@ -78,8 +78,7 @@ def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[
     count = results.value("turned_count", "claims that one release upholds and another doesn't", constant(found))
     formula = "other claims that one release can tell and another can't"
     others = results.value("undecided_count", formula, constant(len(flipped) - found))
-    is_one = len(releases) < 2
-    outcome = Outcome("unknown", f"only Newton {releases[0]} has results") if is_one else decided(not found)
+    outcome = Outcome("unknown", f"only Newton {releases[0]} has results") if len(releases) < 2 else decided(not found)
     return Claim("claims_stand", outcome, {"count": count, "open": others})
 
 

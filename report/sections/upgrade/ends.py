@@ -30,8 +30,7 @@ def noise_of(results: Results, releases: Releases) -> Value:
 
 
 def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
-    formula = "later release less earlier one"
-    return results.value(name, formula, after - before, across=True)
+    return results.value(name, "later release less earlier one", after - before, across=True)
 
 
 @dataclass(frozen=True)
