@@ -7,7 +7,7 @@ from typing import Any
 from measured_report.files.errors import ReportError
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import within
-from measured_report.values.quantities import Quantity, absent
+from measured_report.values.quantities import Quantity
 
 PROGRAM = "experiments.simulation.headline"  # what measures it
 SECTION = "reproduction"
@@ -40,12 +40,11 @@ def repeats_of(edition: Edition, found: Mapping[str, Any]) -> Iterator[tuple[str
 
 def _compared(here: Quantity, tracked: Quantity, bound: Quantity, kind: str) -> tuple[str, bool]:
     """Say both and whether they differ; a run that fails where the tracked one did not differs."""
-    reasons = [each.reason for each in (here, tracked) if each.value is None]
-    difference = absent("mm", reasons[0]) if reasons else Quantity(abs(here.number - tracked.number), "mm", "")
+    difference = abs(here - tracked)
     outcome = within(difference, bound)
-    said = f"differs ({reasons[0]})" if reasons else WORDS[outcome.said]
+    words = f"differs ({difference.reason})" if difference.reason else WORDS[outcome.said]
     cells = (*map(_exact, (here, tracked, difference)), f"{bound} ({kind})")
-    return "{:>12}{:>14}{:>14}   {:22}".format(*cells) + said, outcome.name != "fails" and not reasons
+    return "{:>12}{:>14}{:>14}   {:22}".format(*cells) + words, outcome.name != "fails" and not difference.reason
 
 
 def _lines(edition: Edition, found: Mapping[str, Any], repeats: Sequence[str]) -> Iterator[str]:

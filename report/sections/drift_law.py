@@ -11,10 +11,8 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import PERCENT, Quantity, Value, absent, combined
 from measured_report.values.results import Results, Row
-from report.shared import arithmetic
-from report.shared import drawing as colours
-from report.shared.arithmetic import MS_PER_S, departure, largest_size, noise_floor, other_value, quantile, resolved
-from report.shared.drawing import mark_points
+from report.shared import arithmetic, drawing
+from report.shared.arithmetic import MS_PER_S, departure, largest_size, noise_floor, quantile, resolved
 from report.shared.tables import by_case
 
 order = 91
@@ -50,7 +48,7 @@ def derive(results: Results) -> Section:
 def _by_hand(results: Results) -> Claim:
     row, stiffness = results.row[SHIPPED], partial(arithmetic.Found(results.others).cell, "stiffness", SHIPPED)
     dmax = stiffness("dmax")
-    substep = other_value(results, "stiffness", "substep")
+    substep = arithmetic.other_value(results, "stiffness", "substep")
     step = results.value("step_ms", "substep in ms", MS_PER_S * substep)
     timeconst = results.value("timeconst_ms", "response over dmax", MS_PER_S * row.response_s / dmax)
     formula = "twice the drift that the left-out acceleration makes, over the response"
@@ -105,19 +103,21 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
 
 
 def _draw(runs: Sequence[Row]) -> Drawing:
-    drawing, axes = new_figure(7.2, 3.2)
+    figure, axes = new_figure(7.2, 3.2)
     law = sorted((1e3 * row.response_s.value, row.predicted_drift_mm_s.value) for row in runs)
     axes.plot(*zip(*law, strict=True), color=INK, linestyle="-", linewidth=1.0, marker="", label="the law")
     for case, colour, label in (
         ("", SERIES[5], "other pads"),
-        (SHIPPED, colours.SHIPPED, "shipped pads"),
-        (FIX, colours.STIFF, "stiff pads"),
+        (SHIPPED, drawing.SHIPPED, "shipped pads"),
+        (FIX, drawing.STIFF, "stiff pads"),
     ):
         mine = [row for row in runs if (row.case if row.case in (SHIPPED, FIX) else "") == case]
         points = [(1e3 * row.response_s.value, row.drift_mm_s.value) for row in mine]
-        mark_points(axes, points, marker="D" if case else "o", markersize=9 if case else 5, color=colour, label=label)
+        drawing.mark_points(
+            axes, points, marker="D" if case else "o", markersize=9 if case else 5, color=colour, label=label
+        )
     axes.set(xscale="log", yscale="log", xlabel="response time T of the friction rows [ms]", ylabel="drift [mm/s]")
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)
     axes.legend()
-    return drawing
+    return figure

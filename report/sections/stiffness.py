@@ -14,9 +14,8 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import PERCENT, constant
 from measured_report.values.results import Results, Row
-from report.shared import drawing as colours
+from report.shared import drawing
 from report.shared.arithmetic import SETTLES, extreme, is_held, noise_floor, other_value, quantile
-from report.shared.drawing import mark_points
 from report.shared.tables import by_case
 
 order = 90
@@ -160,7 +159,7 @@ def together_they_hold(results: Results) -> Claim:
 
 def draw_sweep(every: Sequence[Row], ke_alone: Sequence[Row], clamp_kd: float) -> Drawing:
     """Draw slip over ke; a run with no slip to show is a cross on the upper edge."""
-    drawing, axes = new_figure(7.2, 4.2)
+    figure, axes = new_figure(7.2, 4.2)
     fine = [row for row in every if row.case.startswith("sweep-") and row not in ke_alone]
     series = (("kd at its default", ke_alone, SERIES[5]), ("kd = 2√ke, damping ratio 1", fine, SERIES[4]))
     held = [row.slip_mm.value for _, rows, _ in series for row in rows if is_held(row)]
@@ -169,15 +168,15 @@ def draw_sweep(every: Sequence[Row], ke_alone: Sequence[Row], clamp_kd: float) -
         kept = [(row.pad_ke.value, row.slip_mm.value) for row in rows if is_held(row)]
         axes.plot(*zip(*kept, strict=True), label=label, color=colour, markevery=1)
         lost = [(row.pad_ke.value, top) for row in rows if not is_held(row)]
-        mark_points(axes, lost, marker="x", color=colour, clip_on=False, markersize=7)
-    for case, colour, label in ((SHIPPED, colours.SHIPPED, "shipped pads"), (FIX, colours.STIFF, "stiff pads")):
+        drawing.mark_points(axes, lost, marker="x", color=colour, clip_on=False, markersize=7)
+    for case, colour, label in ((SHIPPED, drawing.SHIPPED, "shipped pads"), (FIX, drawing.STIFF, "stiff pads")):
         points = [(row.pad_ke.value, row.slip_mm.value) for row in every if row.case == case and is_held(row)]
-        mark_points(axes, points, marker="D", markersize=9, color=colour, label=label, zorder=5)
+        drawing.mark_points(axes, points, marker="D", markersize=9, color=colour, label=label, zorder=5)
     axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="slip [mm]", ylim=(0.6 * min(held), top))
     clamp_ke = (clamp_kd / 2) ** 2
     axes.axvline(clamp_ke, color=INK, linewidth=1.0, linestyle=":")
     place: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "xytext": (6, 0), "textcoords": "offset points"}
     axes.annotate("2/kd = 2·dt\n(kd = 2√ke)", (clamp_ke, 0.42), **place)
     tick_125(axes.yaxis)
-    drawing.legend(loc="outside upper left", ncols=2)
-    return drawing
+    figure.legend(loc="outside upper left", ncols=2)
+    return figure

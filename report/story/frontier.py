@@ -1,6 +1,6 @@
 """Error against run time: engines and cures in one figure, and the rule by which one of them is advised."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from matplotlib.figure import Figure as Drawing
 
@@ -110,8 +110,7 @@ def figure(found: Found) -> Figure:
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
     def times(ratios: dict[int, Quantity]) -> list[Quantity]:
-        each = [(ratio, shipped[n].frame_ms.number / n) for n, ratio in ratios.items() if n in shipped]
-        return [replace(a, value=a.number * length, noise=(a.noise or 0.0) * length) for a, length in each]
+        return [ratio * (shipped[n].frame_ms.number / n) for n, ratio in ratios.items() if n in shipped]
 
     def draw() -> Drawing:
         drawing, axes = new_figure(7.2, 5.0)

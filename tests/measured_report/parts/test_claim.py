@@ -95,7 +95,7 @@ def results(toy) -> Results:
 
 def test_a_value_says_how_it_is_derived_or_why_it_is_chosen(results):
     a, b = (results.row[case].slip_mm for case in ("soft", "stiff"))
-    gain = results.value("gain", "soft over stiff", lambda a, b: a / b, a, b)
+    gain = results.value("gain", "soft over stiff", a / b)
     assert gain.source == "newton-1.4.0/values.json#/toy/gain"
     assert gain.entry == {
         "value": 6.3617 / 0.3124,
@@ -110,7 +110,7 @@ def test_a_value_says_how_it_is_derived_or_why_it_is_chosen(results):
 
 
 def test_what_has_no_value_says_why(results):
-    gone = results.value("half", "half of it", lambda a: a / 2, quantity(None, "it fell"))
+    gone = results.value("half", "half of it", quantity(None, "it fell") / 2)
     assert (gone.value, gone.reason) == (None, "it fell")
     for number, function in enumerate((lambda: 1 / 0, lambda: math.nan, lambda: math.inf)):
         value = results.value(f"nonsense{number}", "nonsense", function)

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 
+from measured_report.files.errors import ReportError
 from measured_report.values.noise import (
     Estimate,
     binomial_noise,
@@ -23,7 +24,7 @@ from measured_report.values.noise import (
     variance_of,
     welch,
 )
-from measured_report.values.quantities import Quantity, Value, noise_of, samples_of
+from measured_report.values.quantities import PERCENT, Quantity, Value, combined, noise_of, samples_of
 
 SIZES = st.floats(1e-12, 1e12)
 
@@ -140,3 +141,20 @@ def test_a_value_has_the_noise_of_its_sources_or_of_three_measurements_if_that_i
 def test_a_ratio_carries_the_noise_of_both_parts(above, below, share, other):
     noise = derived_noise(lambda a, b: a / b, [above, below], [share * above, other * below])
     assert noise >= 0.999 * max(share, other) * above / below
+
+
+A = Quantity(6.0, "mm", "toy.json#/rows/0/a_mm", noise=0.3, samples=(5.9, 6.0, 6.1, 6.0))
+B = Quantity(2.0, "s", "toy.json#/rows/0/b_s", noise=0.1, samples=(2.1, None, 1.9, 2.0))
+TERMS = A / B * B, A * B * B / 2, 1 / B, B / (A * A), 2 - A / A, PERCENT * abs(-A) / A, sum([A, A]), combined(max, A, A)
+
+
+def test_arithmetic_is_one_formula_of_what_was_measured():
+    term, formula = PERCENT * (1 - A / (A + A / B * B)), lambda a, b: 100 * (1 - a / (a + a / b * b))
+    assert (term.value, term.samples) == (formula(6.0, 2.0), samples_of(formula, [A, B]))
+    assert term.noise == noise_of(formula, [A, B], term.samples)
+    assert (term.reads, (A - A).noise, (A - A).samples[0]) == ({A.source, B.source}, 0.0, 0.0)
+    assert [term.unit for term in TERMS] == ["mm", "mm·s²", "1/s", "s/mm²", "1", "%", "mm", "mm"]
+    with pytest.raises(ReportError, match=r"^6 mm and 2.0 s have no unit in common: derive them in one$"):
+        A - B
+    with pytest.raises(ReportError, match="has no name to be shown by"):
+        _ = term.bare

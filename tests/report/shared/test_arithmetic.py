@@ -1,4 +1,4 @@
-"""Ratios, differences and cells that are not there, and what a section does without its row."""
+"""Cells that are not there, and what a section does without its row."""
 
 from dataclasses import replace
 
@@ -19,13 +19,13 @@ def results(toy) -> Results:
 
 def test_a_cell_that_is_not_there_says_why(results):
     soft = results.row["soft"]
-    assert arithmetic.cell_or_absent(soft, "slip_mm", "mm") == soft.slip_mm
+    assert arithmetic.cell_or_absent(soft, "slip_mm") == soft.slip_mm
     for row, column in ((soft, "drift_mm"), (None, "slip_mm")):
-        assert arithmetic.cell_or_absent(row, column, "mm", "it fell") == absent("mm", "it fell")
+        assert arithmetic.cell_or_absent(row, column, "it fell") == absent("mm", "it fell")
     found = arithmetic.Found({"toy": results})
-    assert found.cell("toy", "soft", "slip_mm", "mm") == soft.slip_mm
+    assert found.cell("toy", "soft", "slip_mm") == soft.slip_mm
     for section, case, reason in (("toy", "firm", "does not say"), ("noise", "soft", "has no results here")):
-        assert found.cell(section, case, "slip_mm", "mm").reason == f"section {section} {reason}"
+        assert found.cell(section, case, "slip_mm").reason == f"section {section} {reason}"
 
 
 def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():

@@ -15,7 +15,7 @@ NAMES = {
     "measuring/measurement": "Conditions Measurement absent",
     "measuring/batch": "Batch",
     "values/results": "Results Row",
-    "values/quantities": "Quantity",
+    "values/quantities": "Quantity constant combined",
     "findings/sections": "Outline",
     "parts/section": "Section Table Figure Download",
     "parts/figures": "new_figure",
