@@ -20,7 +20,7 @@ from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
-from report.shared.arithmetic import Found
+from report.shared.arithmetic import Sections
 
 __all__ = ["Plugins", "scripts"]
 MEDIA = Path(__file__).with_name("media")
@@ -72,8 +72,8 @@ class Plugins(plugins.Plugins):
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
-        found = Found({section: chapter.results for section, chapter in self.edition.chapters.items()})
-        return {"value": found.value, "cell": found.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
+        read = Sections({section: chapter.results for section, chapter in self.edition.chapters.items()})
+        return {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
 
     @property
     def data(self) -> Sequence[Path]:

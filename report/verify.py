@@ -16,19 +16,20 @@ SUFFIXES = ("", "-warp-cpu")
 WORDS = {"holds": "agrees", "cannot tell": "near the bound: measure again", "the opposite": "differs"}
 
 
-def verify(edition: Edition, found: Mapping[str, Any]) -> tuple[str, bool]:
+def verify(edition: Edition, measured: Mapping[str, Any]) -> tuple[str, bool]:
     """Return what was found, in lines, and whether it agrees with what is tracked."""
-    told = list(repeats_of(edition, found))
-    return "\n".join(_lines(edition, found, [line for line, _ in told])), all(agrees for _, agrees in told)
+    comparisons = list(repeats_of(edition, measured))
+    lines = _lines(edition, measured, [line for line, _ in comparisons])
+    return "\n".join(lines), all(agrees for _, agrees in comparisons)
 
 
-def repeats_of(edition: Edition, found: Mapping[str, Any]) -> Iterator[tuple[str, bool]]:
+def repeats_of(edition: Edition, measured: Mapping[str, Any]) -> Iterator[tuple[str, bool]]:
     """Compare what PROGRAM measured with each tracked run of the same cases on the same engine, of the same release."""
     if SECTION not in edition.chapters or "noise" not in edition.chapters:
         raise ReportError(f"newton {edition.project.release} has no results of {SECTION} and noise to compare with")
     results, noise = edition.chapters[SECTION].results, edition.chapters["noise"].results
-    here = found["machine"]["gpu" if found["machine"]["device"] == "cuda" else "cpu"]
-    for row, suffix in product(found["rows"], SUFFIXES):
+    here = measured["machine"]["gpu" if measured["machine"]["device"] == "cuda" else "cpu"]
+    for row, suffix in product(measured["rows"], SUFFIXES):
         if tracked := results.row[row["case"] + suffix]:
             processor = results.record.machine["cpu"] if suffix else results.record.processor
             is_same = here == processor == noise.record.processor  # for which the noise is known
@@ -47,10 +48,10 @@ def _compared(here: Quantity, tracked: Quantity, bound: Quantity, kind: str) -> 
     return "{:>12}{:>14}{:>14}   {:22}".format(*cells) + words, outcome.name != "fails" and not difference.reason
 
 
-def _lines(edition: Edition, found: Mapping[str, Any], repeats: Sequence[str]) -> Iterator[str]:
-    machine, chapter = found["machine"]["gpu"] or found["machine"]["cpu"], edition.chapters[SECTION]
+def _lines(edition: Edition, measured: Mapping[str, Any], repeats: Sequence[str]) -> Iterator[str]:
+    machine, chapter = measured["machine"]["gpu"] or measured["machine"]["cpu"], edition.chapters[SECTION]
     where = f"newton {edition.project.release} on {machine}"
-    yield f"{where}: measured in {found['measure_s']:.0f} s, after {found['compile_s']:.0f} s for kernels\n"
+    yield f"{where}: measured in {measured['measure_s']:.0f} s, after {measured['compile_s']:.0f} s for kernels\n"
     yield "{:12}{:>12}{:>14}{:>14}   {:22}".format("slip", "here", "tracked", "difference", "bound").rstrip()
     yield from repeats
     yield "\nnoise: of runs on the same processor; devices: chosen for others, whose noise is not known"

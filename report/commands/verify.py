@@ -16,7 +16,6 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print both and whether they agree within the noise; 1 when they differ."""
     refuse_unmeasured(project, arguments.release.asked)
     device = measuring_device(arguments.device or ("cuda" if gpus() else "cpu"), project.profile)
-    found = measure_headline(project, arguments.release, device, PROGRAM)
-    text, agrees = verify(derive_edition(project), found)
+    text, agrees = verify(derive_edition(project), measure_headline(project, arguments.release, device, PROGRAM))
     print(text)
     return int(not agrees)

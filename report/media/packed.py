@@ -74,6 +74,6 @@ def quaternions(poses: np.ndarray) -> np.ndarray:
     k[:, 3, :3] = np.stack([r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]], axis=1)
     k[:, :3, 3] = k[:, 3, :3]
     k[:, 3, 3] = trace
-    found = np.linalg.eigh(k)[1][:, :, -1]
-    turned = np.sum(found[1:] * found[:-1], axis=1) < 0.0
-    return found * np.where(np.append(0, np.cumsum(turned)) % 2, -1.0, 1.0)[:, None]
+    axes = np.linalg.eigh(k)[1][:, :, -1]
+    turned = np.sum(axes[1:] * axes[:-1], axis=1) < 0.0
+    return axes * np.where(np.append(0, np.cumsum(turned)) % 2, -1.0, 1.0)[:, None]

@@ -47,12 +47,12 @@ def _seen(results: Results, name: str, row: Row, extra: Value) -> Value:
     return results.value(name, formula, lambda known, _: max(100 * known, apart), *cells, unit="%", is_noise=True)
 
 
-def _costs_nothing(results: Results, case: str, pairs: Sequence[tuple[Value, Value]], known: Value) -> Claim:
+def _costs_nothing(results: Results, case: str, pairs: Sequence[tuple[Value, Value]], resolution: Value) -> Claim:
     seen_more = [more for more, noise in pairs if None in (more.value, noise.value) or more.value > noise.value]
     formula = "by how much a frame takes longer where it is seen, most of all numbers of worlds"
     worst = results.value(f"{case}_worst", formula, combined(max, constant(0.0, "%"), *seen_more))
     formula = "largest resolution of these: a frame that takes so much longer would be seen"
     unseen = results.value(f"{case}_unseen", formula, combined(max, *(noise for _, noise in pairs)), is_noise=True)
     slower = (within(more, noise, why="the resolution of the ratio") for more, noise in pairs)
-    outcome = all_of(fine_enough(unseen), *slower).having_read(known)
+    outcome = all_of(fine_enough(unseen), *slower).having_read(resolution)
     return Claim(f"{case}_costs_nothing", outcome, {"worst": worst, "unseen": unseen})

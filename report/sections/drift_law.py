@@ -46,7 +46,7 @@ def derive(results: Results) -> Section:
 
 
 def _by_hand(results: Results) -> Claim:
-    row, stiffness = results.row[SHIPPED], partial(arithmetic.Found(results.others).cell, "stiffness", SHIPPED)
+    row, stiffness = results.row[SHIPPED], partial(arithmetic.Sections(results.others).cell, "stiffness", SHIPPED)
     dmax = stiffness("dmax")
     substep = arithmetic.other_value(results, "stiffness", "substep")
     step = results.value("step_ms", "substep in ms", MS_PER_S * substep)
@@ -87,8 +87,8 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     slow = results.value("law_least", formula, combined(partial(quantile, 1 - MOST), *map(abs, laws)))
     scatter = results.value("law_noise", "noise of the drift, of that", floor / slow)
     outcome = all_of(at_most(within["most"], bound), resolved(noise, bound)).having_read(width, distinct)
-    if outcome == FAILS and (told := resolved(scatter, within["most"])) != HOLDS:
-        outcome = told.having_read(width, distinct)
+    if outcome == FAILS and (unclear := resolved(scatter, within["most"])) != HOLDS:
+        outcome = unclear.having_read(width, distinct)
     numbers: dict[str, Quantity] = {**within, "bound": bound, "width": width, "distinct": distinct}
     formula, tried = "runs that keep the cube, positions compensated", [row.pad_ke for row in results.rows]
     numbers["count"] = results.value("count_kept", formula, arithmetic.cell_count(offs))
@@ -104,7 +104,8 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
 
 def _draw(runs: Sequence[Row]) -> Drawing:
     figure, axes = new_figure(7.2, 3.2)
-    law = sorted((1e3 * row.response_s.value, row.predicted_drift_mm_s.value) for row in runs)
+    by_response = sorted(runs, key=lambda row: row.response_s.value)
+    law = [(1e3 * row.response_s.value, row.predicted_drift_mm_s.value) for row in by_response]
     axes.plot(*zip(*law, strict=True), color=INK, linestyle="-", linewidth=1.0, marker="", label="the law")
     for case, colour, label in (
         ("", SERIES[5], "other pads"),
@@ -113,9 +114,8 @@ def _draw(runs: Sequence[Row]) -> Drawing:
     ):
         mine = [row for row in runs if (row.case if row.case in (SHIPPED, FIX) else "") == case]
         points = [(1e3 * row.response_s.value, row.drift_mm_s.value) for row in mine]
-        drawing.mark_points(
-            axes, points, marker="D" if case else "o", markersize=9 if case else 5, color=colour, label=label
-        )
+        look = {"marker": "D", "markersize": 9} if case else {"marker": "o", "markersize": 5}
+        drawing.mark_points(axes, points, color=colour, label=label, **look)
     axes.set(xscale="log", yscale="log", xlabel="response time T of the friction rows [ms]", ylabel="drift [mm/s]")
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)

@@ -49,16 +49,16 @@ def derive(results: Results) -> Section:
     timed: Timed = RowsBy(results, rows, "device", "case", "worlds")
     # Of runs to the end, which are the same in the rows of all numbers of worlds.
     ran = {case: row for (device, case, _), row in reversed([*timed.items()]) if device == "cuda"}
-    base, differences, known = ran.get(REFERENCE, results.row[REFERENCE]).slip_mm, {}, {}
+    base, differences, resolutions = ran.get(REFERENCE, results.row[REFERENCE]).slip_mm, {}, {}
     for case, row in ran.items():
         name, formula = f"cuda_{case}_difference".replace("-", "_"), f"slip of {case} less that of {REFERENCE}"
         differences[case] = results.value(name, f"{formula}, on the same device", row.slip_mm - base)
     for device in DEVICES:
-        own = (row for (of, *_), row in timed.items() if of == device)
-        known[device] = resolution(results, f"{device}_resolution", own)
+        times = (row for (of, *_), row in timed.items() if of == device)
+        resolutions[device] = resolution(results, f"{device}_resolution", times)
     tables = {"audit": audit_table(results)}
     figures = {"cost": cost_figure(results, timed)}
-    claims = [_faster_on_gpu(results, timed, known["cuda"]), _faster_on_cpu(results, timed, known["cpu"])]
+    claims = [_faster_on_gpu(results, timed, resolutions["cuda"]), _faster_on_cpu(results, timed, resolutions["cpu"])]
     claims += [_less_memory(results, timed), _same_slip_on_gpu(results, differences)]
     return Section(tables=tables, figures=figures, claims=claims)
 
@@ -80,7 +80,7 @@ def _is_faster(results: Results, timed: Timed, device: str, worlds: int) -> Outc
     return greater(_saved(results, timed, device, ALL, worlds), 1.0, why="a gain worth naming")
 
 
-def _faster_on_gpu(results: Results, timed: Timed, known: Value) -> Claim:
+def _faster_on_gpu(results: Results, timed: Timed, resolved: Value) -> Claim:
     formula = "time of a frame exactly as shipped over that without all that is unneeded, timed in turn"
     gains, outcomes = [], []
     for worlds in (1, MANY_COUNT):
@@ -88,15 +88,15 @@ def _faster_on_gpu(results: Results, timed: Timed, known: Value) -> Claim:
         gains.append(results.value(f"cuda_gain_{worlds}", formula, 1 / row.frame_ratio))
         outcomes.append(_is_faster(results, timed, "cuda", worlds))
     numbers = {"one": gains[0], "many": gains[1], "worlds": timed["cuda", ALL, MANY_COUNT].worlds}
-    return Claim("faster_on_gpu", all_of(*outcomes).having_read(known), numbers)
+    return Claim("faster_on_gpu", all_of(*outcomes).having_read(resolved), numbers)
 
 
-def _faster_on_cpu(results: Results, timed: Timed, known: Value) -> Claim:
+def _faster_on_cpu(results: Results, timed: Timed, resolved: Value) -> Claim:
     """Tell how many times as fast it is at least: cores are shared, so that the ratio there is known badly."""
     row = timed["cpu", ALL, 1]
     formula = "time of a frame on the CPU exactly as shipped over that without all of it, less its resolution"
     gain = results.value("cpu_gain_least", formula, 1 / row.frame_ratio / (1 + row.ratio_resolution), is_noise=True)
-    return Claim("faster_on_cpu", _is_faster(results, timed, "cpu", 1).having_read(gain, known), {"gain": gain})
+    return Claim("faster_on_cpu", _is_faster(results, timed, "cpu", 1).having_read(gain, resolved), {"gain": gain})
 
 
 def _less_memory(results: Results, timed: Timed) -> Claim:
@@ -157,10 +157,10 @@ def cost_figure(results: Results, timed: Timed) -> Figure:
     device = _device(timed)
     counts = sorted({1, *(worlds for of, case, worlds in timed if (of, case) == (device, REFERENCE))})
     falls = [_fall(results, timed, device, worlds) for worlds in dict.fromkeys((counts[-1], 1))]
-    said, ends = Markup("{}: {}, then {}"), [[end.frame_ms for end in fall.ends] for fall in falls]
-    told = [said.format(worlds_name(fall.worlds), *each) for fall, each in zip(falls, ends, strict=True)]
+    line, ends = Markup("{}: {}, then {}"), [[end.frame_ms for end in fall.ends] for fall in falls]
+    lines = [line.format(worlds_name(fall.worlds), *each) for fall, each in zip(falls, ends, strict=True)]
     before, after = ends[0]
-    numbers: dict[str, Any] = {"times": Markup("; ").join(told), "worlds": worlds_name(counts[-1])}
+    numbers: dict[str, Any] = {"times": Markup("; ").join(lines), "worlds": worlds_name(counts[-1])}
     sources = [cell for fall in falls for cell in (*(step for step, _ in fall.steps.values()), fall.rest)]
     numbers |= {"before": before, "after": after}
     return Figure(lambda: _draw_falls(falls), [*sources, before, after], numbers)

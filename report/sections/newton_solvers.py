@@ -140,11 +140,11 @@ def _others_hold(rows: RowsBy, times: RowsBy, hands: dict[str, Value], bound: Qu
     fastest = min(timed, key=lambda name: timed[name].number, default="")
     names = [_label(name) for name in holding if "-" not in name]
     warp, ratio = rows["warp", "3cm"].slip_mm, timed.get(fastest, absent("1", "none of them was timed"))
-    told = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound, "warp": warp}
+    numbers = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound, "warp": warp}
     outcome = unclear[0] if unclear and not holding else decided(bool(holding), *read)
-    told |= {"is_timed": bool(fastest), "are_many": len(names) > 1, "ratio": ratio if fastest else ""}
-    told |= {"is_longer": (ratio.value or 0.0) - 1.0 > (ratio.noise or 0.0)}
-    return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio), told)
+    numbers |= {"is_timed": bool(fastest), "are_many": len(names) > 1, "ratio": ratio if fastest else ""}
+    numbers |= {"is_longer": (ratio.value or 0.0) - 1.0 > (ratio.noise or 0.0)}
+    return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio), numbers)
 
 
 def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) -> Claim:
@@ -171,8 +171,8 @@ def _contacts_strain(results: Results, rows: RowsBy) -> Claim:
         results.value(f"used_{shake}", "of what friction allows", PERCENT * row.friction_share)
         for shake, row in ((shake, rows["steel", shake]) for shake in ("3cm", "held"))
     )
-    kept = results.value("strain", "the same with the arm held still, of that shaken", PERCENT * held / shaken)
-    return Claim("contacts_strain", at_least(kept, 50.0, why="most of it"), {"shaken": shaken, "held": held})
+    strain = results.value("strain", "the same with the arm held still, of that shaken", PERCENT * held / shaken)
+    return Claim("contacts_strain", at_least(strain, 50.0, why="most of it"), {"shaken": shaken, "held": held})
 
 
 def _rows_overflow(results: Results, rows: RowsBy) -> Claim:
@@ -188,9 +188,9 @@ def _fails_sooner(rows: RowsBy) -> Claim:
     """Tell whether in a wide shake Steel alone loses the cube; that MuJoCo Warp alone does is the opposite."""
     lost = {name: bool(rows[name, "10cm"].dropped) for name in ("warp", "steel")}
     cells = [rows[name, "10cm"].wander_mm for name in lost]
-    found = OPPOSITE if lost["warp"] and not lost["steel"] else decided(lost["steel"] and not lost["warp"], *cells)
-    told = {"wide": rows["steel", "10cm"].shake_amplitude_m, "are_lost": lost["steel"]}
-    return Claim("fails_sooner", found.having_read(*cells), told)
+    outcome = OPPOSITE if lost["warp"] and not lost["steel"] else decided(lost["steel"] and not lost["warp"], *cells)
+    numbers = {"wide": rows["steel", "10cm"].shake_amplitude_m, "are_lost": lost["steel"]}
+    return Claim("fails_sooner", outcome.having_read(*cells), numbers)
 
 
 def _costs_more(times: RowsBy) -> Claim:

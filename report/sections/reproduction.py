@@ -48,8 +48,8 @@ def derive(results: Results) -> Section:
     shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
     _scene(results, shipped, stiff)
     slips, steady = _slips(results, shipped), _steady(results, shipped, results.trace("as-shipped"))
-    there = [row for row in results.rows if "slip_mm" in row]
-    tables = {"cases": by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})}
+    slipping = [row for row in results.rows if "slip_mm" in row]
+    tables = {"cases": by_case(slipping, {"slip": "slip_mm", "drift": "drift_mm_s"})}
     claims = [slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)]
     return Section(tables=tables, claims=claims)
 

@@ -71,9 +71,9 @@ def _reading(results: Results, row: Row) -> str:
         return "lost" if row.dropped else ""
     if at_most(row.slip_mm, bound) == HOLDS:
         return "holds"
-    for said, test, times in (("slips farther", at_least, 1.1), ("slips less", at_most, 0.9)):
+    for words, test, times in (("slips farther", at_least, 1.1), ("slips less", at_most, 0.9)):
         if test(row.slip_mm, replace(shipped, value=times * shipped.number)) == HOLDS:
-            return said
+            return words
     return "slips as far"
 
 

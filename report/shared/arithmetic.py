@@ -47,9 +47,9 @@ def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:
     return combined(choose, *(cell for cell in cells if cell.value is not None))
 
 
-def quantile(share: float, *found: float) -> float:
+def quantile(share: float, *numbers: float) -> float:
     """Return the number that so large a share of these do not exceed; which run is the farthest of many is chance."""
-    return sorted(found)[math.ceil(share * len(found)) - 1]
+    return sorted(numbers)[math.ceil(share * len(numbers)) - 1]
 
 
 def noise_floor(results: Results, name: str) -> Quantity:
@@ -59,13 +59,13 @@ def noise_floor(results: Results, name: str) -> Quantity:
 
 def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:
     """Tell whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
-    found = at_most(noise, bound, why=why)
+    outcome = at_most(noise, bound, why=why)
     reason = "the noise is larger than what is looked for"
-    return replace(found, name="unknown", reason=reason) if found == FAILS else found
+    return replace(outcome, name="unknown", reason=reason) if outcome == FAILS else outcome
 
 
 @dataclass(frozen=True)
-class Found:
+class Sections:
     """What sections of one release found; without a number, and with a reason, where a release lacks it."""
 
     results: Mapping[str, Results]
@@ -84,7 +84,7 @@ class Found:
 
 def other_value(results: Results, section: str, name: str) -> Quantity:
     """Return a value that an earlier section derived."""
-    return Found(results.others).value(section, name)
+    return Sections(results.others).value(section, name)
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:

@@ -12,8 +12,8 @@ STIFF, SHIPPED, TERM, CURE = SERIES[:4]
 
 def mark_points(axes: Axes, points: Iterable[tuple[float | None, float | None]], **style) -> None:
     """Mark the points that have both coordinates; a line goes through them only where the style has one."""
-    there = [point for point in points if None not in point]
-    axes.plot([x for x, _ in there], [y for _, y in there], **{"linestyle": "", "markevery": 1, **style})
+    complete = [point for point in points if None not in point]
+    axes.plot([x for x, _ in complete], [y for _, y in complete], **{"linestyle": "", "markevery": 1, **style})
 
 
 def name_lines(axes: Axes, names: Iterable[str]) -> None:

@@ -39,11 +39,11 @@ def table_of(
     """Make a table with a line for each name, of which ``rows`` has the row; the caption can name ``numbers``."""
     import pandas as pd  # it takes long, and what is kept from before needs none of it
 
-    rows, found = list(rows), dict[str, list]()
+    rows, filled = list(rows), dict[str, list]()
     for above, column in columns.items():
         cells = (cell_or_lost(row, column) for row in rows) if isinstance(column, str) else column
-        found[above] = list(map(cells, rows) if callable(cells) else cells)
-    return Table(pd.DataFrame(found, index=pd.Index(list(names), name=heading), dtype=object), numbers)
+        filled[above] = list(map(cells, rows) if callable(cells) else cells)
+    return Table(pd.DataFrame(filled, index=pd.Index(list(names), name=heading), dtype=object), numbers)
 
 
 def cell_or_lost(row: Row, column: str) -> Any:

@@ -53,15 +53,15 @@ def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
 def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) -> Variants:
     """Compare every row of the section, but for the cases ``apart``, with the row of the case ``baseline``."""
     reference, rows = results.row[baseline], [row for row in results.rows if row.case not in (baseline, *apart)]
-    found = {}
+    changes = {}
     for row in rows:
         formula = f"slip of {row.case} less that of {reference.case}"
-        found[row.case] = results.value(f"{row.case}_difference", formula, row.slip_mm - reference.slip_mm)
+        changes[row.case] = results.value(f"{row.case}_difference", formula, row.slip_mm - reference.slip_mm)
     formula = "largest difference in slip from the baseline, either way"
-    largest = results.value("largest_difference", formula, largest_size(found.values()))
+    largest = results.value("largest_difference", formula, largest_size(changes.values()))
     formula = "largest difference in slip from the baseline, of the baseline's slip"
     of_slip = results.value("largest_share", formula, PERCENT * largest / reference.slip_mm)
-    farthest = max(rows, key=lambda row: abs(found[row.case].value or 0.0), default=reference)
+    farthest = max(rows, key=lambda row: abs(changes[row.case].value or 0.0), default=reference)
     floor = noise_floor(results, "slip_floor")
     slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound"))
     formula = "noise of the slip, of the baseline's slip"

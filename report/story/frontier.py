@@ -8,7 +8,7 @@ from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, 
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
-from report.shared.arithmetic import Found
+from report.shared.arithmetic import Sections
 from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
 from report.shared.timing import TIMED_WORLDS
 
@@ -37,17 +37,17 @@ class Way:
     colour: str
     marker: str = "o"
 
-    def slip(self, found: Found, column: str = "slip_mm") -> Quantity:
+    def slip(self, sections: Sections, column: str = "slip_mm") -> Quantity:
         section, _, case = self.run.partition("/")
-        return found.cell(section, case, column)
+        return sections.cell(section, case, column)
 
-    def keeps(self, found: Found, bound: Quantity) -> Outcome:
+    def keeps(self, sections: Sections, bound: Quantity) -> Outcome:
         """Tell whether the slip stays below a bound; in another solver without weight too, and in the same shake."""
-        slips, tests = [self.slip(found)], []
+        slips, tests = [self.slip(sections)], []
         if self.is_other:
             section, _, variant = self.timed.partition("/")
-            slips.append(found.cell(section, f"{variant}-3cm", "slip_mm"))
-            tests.append(at_most(found.value(section, f"{variant}_hand"), found.value(section, "as_far")))
+            slips.append(sections.cell(section, f"{variant}-3cm", "slip_mm"))
+            tests.append(at_most(sections.value(section, f"{variant}_hand"), sections.value(section, "as_far")))
         return all_of(*(at_most(slip, bound) for slip in slips), *tests)
 
     @property
@@ -55,17 +55,17 @@ class Way:
         """Whether it is another solver than MuJoCo's."""
         return self.effort == SOLVER
 
-    def creep_mm(self, found: Found) -> float | None:
+    def creep_mm(self, sections: Sections) -> float | None:
         """Return the slip of a cycle of the shake, or what would be seen where it is less."""
         columns = "shake_duration_s", "shake_frequency_hz"
-        slip, (seconds, per_second) = self.slip(found), (self.slip(found, column).value for column in columns)
-        there = None not in (slip.value, seconds, per_second)
-        return max(slip.number, slip.noise or 0.0) / (seconds * per_second) if there else None
+        slip, (seconds, per_second) = self.slip(sections), (self.slip(sections, column).value for column in columns)
+        is_measured = None not in (slip.value, seconds, per_second)
+        return max(slip.number, slip.noise or 0.0) / (seconds * per_second) if is_measured else None
 
-    def ratios(self, found: Found) -> dict[int, Quantity]:
+    def ratios(self, sections: Sections) -> dict[int, Quantity]:
         """Return the times that were measured, by number of worlds."""
         section, _, name = self.timed.partition("/")
-        rows = found.results[section].rows if section in found.results else []
+        rows = sections.results[section].rows if section in sections.results else []
         mine = [row for row in rows if name in (row.case, row.plain.get("variant"))]
         times = {row.plain.get("worlds", ALONE): row[column] for row in mine for column in RATIOS if column in row}
         return {count: times[count] for count in (ALONE, MANY) if count in times and times[count].value is not None}
@@ -101,12 +101,12 @@ WAYS = (
 )
 
 
-def figure(found: Found) -> Figure:
+def figure(sections: Sections) -> Figure:
     """Draw the creep of each way against the time of a world's frame, alone and among many."""
-    rows = found.results["cure_cost"].rows if "cure_cost" in found.results else []
+    rows = sections.results["cure_cost"].rows if "cure_cost" in sections.results else []
     shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped" and row.frame_ms.value is not None}
-    ways = {way: way.ratios(found) for way in WAYS if shipped and way.creep_mm(found) is not None}
-    cells = [cell for way, ratios in ways.items() for cell in (way.slip(found), *ratios.values())]
+    ways = {way: way.ratios(sections) for way in WAYS if shipped and way.creep_mm(sections) is not None}
+    cells = [cell for way, ratios in ways.items() for cell in (way.slip(sections), *ratios.values())]
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
     def times(ratios: dict[int, Quantity]) -> list[Quantity]:
@@ -117,7 +117,7 @@ def figure(found: Found) -> Figure:
         for way, ratios in ways.items():
             x = [time.value for time in times(ratios)]
             style = {"marker": way.marker, "markevery": 1, "linestyle": ":", "linewidth": 0.8}
-            axes.plot(x, [way.creep_mm(found)] * len(x), label=way.name, color=way.colour, **style)
+            axes.plot(x, [way.creep_mm(sections)] * len(x), label=way.name, color=way.colour, **style)
         axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
         return drawing
@@ -126,38 +126,39 @@ def figure(found: Found) -> Figure:
     return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many, "right": right})
 
 
-def advice(found: Found) -> list[Claim]:
+def advice(sections: Sections) -> list[Claim]:
     """Advise what keeps the slip below one that can be seen, and below a tenth of that."""
     bounds = {"advice": ("reproduction", "slip_bound"), "ends_creep": ("newton_solvers", "ended_bound")}
-    return [_chosen(found, name, found.value(*bound)) for name, bound in bounds.items()]
+    return [_chosen(sections, name, sections.value(*bound)) for name, bound in bounds.items()]
 
 
-def _chosen(found: Found, name: str, bound: Quantity) -> Claim:
+def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     """Choose the fastest of those ways in Newton that keep the slip below the bound and take the least effort."""
-    tests = {way: way.keeps(found, bound) for way in WAYS if way.marker != IN_C}
-    kept = [way for way, test in tests.items() if test == HOLDS]
-    effort = min((way.effort for way in kept), default=PATCH)
-    timed = [way for way in kept if way.effort == effort and ALONE in way.ratios(found)]
+    tests = {way: way.keeps(sections, bound) for way in WAYS if way.marker != IN_C}
+    holding = [way for way, test in tests.items() if test == HOLDS]
+    effort = min((way.effort for way in holding), default=PATCH)
+    times = {way: ratios[ALONE] for way in holding if ALONE in (ratios := way.ratios(sections))}
+    timed = [way for way in times if way.effort == effort]
     near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
-    untimed = "what holds the cube was not timed" if kept else "nothing that was tried is seen to"
+    untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": none, "ratio": none, "bound": bound}
     numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio"), "")  # it does without
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
-    way = min(timed, key=lambda way: way.ratios(found)[ALONE].number)
-    ratios = way.ratios(found)
-    seen = found.value(*UNSEEN.get(way.name, ("", "")))
-    numbers |= {"way": way.name, "slip": way.slip(found), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
+    way = min(timed, key=lambda way: times[way].number)
+    ratios = way.ratios(sections)
+    seen = sections.value(*UNSEEN.get(way.name, ("", "")))
+    numbers |= {"way": way.name, "slip": way.slip(sections), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
     numbers["seen"] = "" if seen.value is None else seen
     is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
-    patches = [each for each in kept if each.effort == PATCH and ALONE in each.ratios(found)]
-    told = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
+    patches = [way for way in times if way.effort == PATCH]
+    flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
-        patch = min(patches, key=lambda each: each.ratios(found)[ALONE].number)
-        numbers |= {"patch": patch.name, "patch_slip": patch.slip(found), "patch_ratio": patch.ratios(found)[ALONE]}
-    read = [cell for cell in (seen, *(way.slip(found) for way in tests)) if cell.value is not None]
-    read += [each.ratios(found)[ALONE] for each in (*timed, *patches)]
+        patch = min(patches, key=lambda patch: times[patch].number)
+        numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
+    read = [cell for cell in (seen, *(way.slip(sections) for way in tests)) if cell.value is not None]
+    read += [times[way] for way in (*timed, *patches)]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
-    return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, told, strict=True)))
+    return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, flags, strict=True)))

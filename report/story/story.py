@@ -11,7 +11,7 @@ from measured_report.values.quantities import Quantity
 from report.sections.gap import CASES as CASES_OF_GAP
 from report.sections.priority import CUBE
 from report.sections.upgrade.ends import released
-from report.shared.arithmetic import CASES, Found
+from report.shared.arithmetic import CASES, Sections
 from report.shared.tables import table_of
 from report.story import frontier
 from report.story.figures import FIX, draw_mechanism, draw_setup, draw_suspects
@@ -46,34 +46,34 @@ UNSEEN, FAILED = Markup("not measured"), Markup("run failed")
 def derive(releases: Releases, shown: str) -> Section:
     """Derive figures, table and claims of the story of the release ``shown``."""
     every = {
-        release: Found({section: chapter.results for section, chapter in chapters.items()})
+        release: Sections({section: chapter.results for section, chapter in chapters.items()})
         for release, chapters in released(releases, shown).items()
     }
-    found = every[shown]
-    if "reproduction" not in found.results:
+    sections = every[shown]
+    if "reproduction" not in sections.results:
         return Section()
-    bound, dimensions = found.value("reproduction", "slip_bound"), _dimensions(found)
-    needed = {way: [_advice(_slips(found, way), bound) for found in every.values()] for way in WAYS}
-    tables = {"needed": table_of("release", every, needed), "setup": _setup(found, dimensions)}
-    slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm")
-    figures = {"suspects": _suspects(found), "mechanism": Figure(draw_mechanism, [slide])}
+    bound, dimensions = sections.value("reproduction", "slip_bound"), _dimensions(sections)
+    needed = {way: [_advice(_slips(sections, way), bound) for sections in every.values()] for way in WAYS}
+    tables = {"needed": table_of("release", every, needed), "setup": _setup(sections, dimensions)}
+    slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
+    figures = {"suspects": _suspects(sections), "mechanism": Figure(draw_mechanism, [slide])}
     figures["experiment"] = Figure(lambda: draw_setup(dimensions), list(dimensions.values()), dimensions)
-    figures["frontier"] = frontier.figure(found)
-    claims = [*frontier.advice(found), _fine_since(every, bound), _still_needed(every, bound)]
-    claims += [_with_mujoco(found, bound), _coarser_moves(found)]
+    figures["frontier"] = frontier.figure(sections)
+    claims = [*frontier.advice(sections), _fine_since(every, bound), _still_needed(every, bound)]
+    claims += [_with_mujoco(sections, bound), _coarser_moves(sections)]
     return Section(tables=tables, figures=figures, claims=claims)
 
 
-def _suspects(found: Found) -> Figure:
-    shares = {label: found.value(*place) for label, place in SUSPECTS.items()}
-    fix = found.value("reproduction", "stiff_share")
-    shipped, stiff = (found.cell("reproduction", case, "slip_mm") for case in CASES)
-    bound = found.value("friction", "cause_bound")
-    slips = {label: _changed(found, section) for label, (section, _) in SUSPECTS.items()}
-    others = {COARSE: [found.cell(*place) for place in COARSER], FIX: [stiff]}
+def _suspects(sections: Sections) -> Figure:
+    shares = {label: sections.value(*place) for label, place in SUSPECTS.items()}
+    fix = sections.value("reproduction", "stiff_share")
+    shipped, stiff = (sections.cell("reproduction", case, "slip_mm") for case in CASES)
+    bound = sections.value("friction", "cause_bound")
+    slips = {label: _changed(sections, section) for label, (section, _) in SUSPECTS.items()}
+    others = {COARSE: [sections.cell(*place) for place in COARSER], FIX: [stiff]}
     slips |= {label: cells for label, cells in others.items() if any(cell.source for cell in cells)}
     every = {**shares, FIX: fix}
-    less = greater(shipped, stiff, noise=found.value("noise", "slip_floor"))
+    less = greater(shipped, stiff, noise=sections.value("noise", "slip_floor"))
     numbers = {
         "shares": Markup(", ").join(Markup("{} {}").format(*pair) for pair in every.items()),
         "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound), less).said,
@@ -83,29 +83,29 @@ def _suspects(found: Found) -> Figure:
     return Figure(lambda: draw_suspects(slips, others, shipped, bound), cells, numbers)
 
 
-def _changed(found: Found, section: str) -> list[Quantity]:
+def _changed(sections: Sections, section: str) -> list[Quantity]:
     """Look up the slips of a section's variants; what it has besides them is of another question."""
-    if section not in found.results:
+    if section not in sections.results:
         return []
-    results = found.results[section]
-    own = [row for row in results.rows if f"{row.case}_difference" in results.derived]
-    return [row.slip_mm for row in own or map(results.row.__getitem__, ONE_THING.get(section, ()))]
+    results = sections.results[section]
+    variants = [row for row in results.rows if f"{row.case}_difference" in results.derived]
+    return [row.slip_mm for row in variants or map(results.row.__getitem__, ONE_THING.get(section, ()))]
 
 
-def _dimensions(found: Found) -> dict[str, Quantity]:
+def _dimensions(sections: Sections) -> dict[str, Quantity]:
     names = {"edge": "cube_edge", "mass": "cube_mass", "amplitude": "amplitude", "frequency": "frequency"}
-    numbers = {key: found.value("reproduction", name) for key, name in names.items()}
-    numbers["grip"] = found.cell("stiffness", "pad-ke-2.5e3", "normal_force_n")
-    return numbers | {"duration": found.cell("reproduction", "as-shipped", "shake_duration_s")}
+    numbers = {key: sections.value("reproduction", name) for key, name in names.items()}
+    numbers["grip"] = sections.cell("stiffness", "pad-ke-2.5e3", "normal_force_n")
+    return numbers | {"duration": sections.cell("reproduction", "as-shipped", "shake_duration_s")}
 
 
-def _setup(found: Found, numbers: Mapping[str, Quantity]) -> Table:
+def _setup(sections: Sections, numbers: Mapping[str, Quantity]) -> Table:
     """Tell what stays as it is in every run that does not say otherwise."""
 
     def told(text: str, *names: str) -> Markup:
-        return Markup(text).format(*(found.value("reproduction", name) for name in names))
+        return Markup(text).format(*(sections.value("reproduction", name) for name in names))
 
-    stiff = found.cell("stiffness", "pad-ke-2.5e5", "normal_force_n")
+    stiff = sections.cell("stiffness", "pad-ke-2.5e5", "normal_force_n")
     lines = {
         "robot": Markup("Franka FR3 with its hand, gravity compensated"),
         "cube": told("edge {}, mass {}, friction {}", "cube_edge", "cube_mass", "cube_friction"),
@@ -120,8 +120,8 @@ def _setup(found: Found, numbers: Mapping[str, Quantity]) -> Table:
     return table_of("part", lines, {"in every run": list(lines.values())})
 
 
-def _slips(found: Found, way: str) -> list[Quantity]:
-    return [found.cell(*place) for place in WAYS[way]]
+def _slips(sections: Sections, way: str) -> list[Quantity]:
+    return [sections.cell(*place) for place in WAYS[way]]
 
 
 def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
@@ -137,36 +137,37 @@ def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
     return Markup("✗ {} → {} {}").format(before.bare, "✗" if after.value >= bound.value else "✓", after)
 
 
-def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:
-    slips = {release: _slips(found, NEWTON)[0] for release, found in every.items()}
-    there = {release: slip for release, slip in slips.items() if slip.source}
-    slipping = [release for release, slip in there.items() if at_least(slip, bound) == HOLDS]
-    fine = [release for release in there if release not in slipping]
-    is_so = bool(slipping and fine) and list(there) == [*slipping, *fine]
+def _fine_since(every: Mapping[str, Sections], bound: Quantity) -> Claim:
+    slips = {release: _slips(sections, NEWTON)[0] for release, sections in every.items()}
+    measured = {release: slip for release, slip in slips.items() if slip.source}
+    slipping = [release for release, slip in measured.items() if at_least(slip, bound) == HOLDS]
+    fine = [release for release in measured if release not in slipping]
+    is_so = bool(slipping and fine) and list(measured) == [*slipping, *fine]
     numbers = {"until": slipping[-1] if slipping else "", "since": fine[0] if fine else ""}
     # Each release is looked at by itself: none is compared with another.
-    return Claim("fine_since", all_of(*(decided(is_so, slip, bound) for slip in there.values())), numbers)
+    return Claim("fine_since", all_of(*(decided(is_so, slip, bound) for slip in measured.values())), numbers)
 
 
-def _still_needed(every: Mapping[str, Found], bound: Quantity) -> Claim:
-    slips = {way: [_slips(found, way)[0] for found in every.values()] for way in (MUJOCO, PYRAMID)}
-    there = {way: [slip for slip in cells if slip.source] for way, cells in slips.items()}
-    seen = [at_least(slip, bound) for cells in there.values() for slip in cells]
-    return Claim("still_needed", all_of(*seen) if all(there.values()) else Outcome("unknown", "not both were measured"))
+def _still_needed(every: Mapping[str, Sections], bound: Quantity) -> Claim:
+    slips = {way: [_slips(sections, way)[0] for sections in every.values()] for way in (MUJOCO, PYRAMID)}
+    measured = {way: [slip for slip in cells if slip.source] for way, cells in slips.items()}
+    seen = [at_least(slip, bound) for cells in measured.values() for slip in cells]
+    outcome = all_of(*seen) if all(measured.values()) else Outcome("unknown", "not both were measured")
+    return Claim("still_needed", outcome)
 
 
-def _with_mujoco(found: Found, bound: Quantity) -> Claim:
-    before, after = _slips(found, MUJOCO)
+def _with_mujoco(sections: Sections, bound: Quantity) -> Claim:
+    before, after = _slips(sections, MUJOCO)
     is_halved = None not in (before.value, after.value) and 2.0 * after.number <= before.number
     outcome = all_of(at_least(before, bound), decided(is_halved, before, after))
     return Claim("with_mujoco", outcome, {"before": before, "after": after})
 
 
-def _coarser_moves(found: Found) -> Claim:
-    shipped, *coarse = (found.cell(*place) for place in (("lab", "as-shipped", "slip_mm"), *COARSER))
-    bound = found.value("friction", "cause_bound")
-    there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
-    least = max(0.01 * bound.value * shipped.value, shipped.noise or 0.0) if there else 0.0
-    moved = there and all(abs(slip.value - shipped.value) >= least for slip in coarse)
+def _coarser_moves(sections: Sections) -> Claim:
+    shipped, *coarse = (sections.cell(*place) for place in (("lab", "as-shipped", "slip_mm"), *COARSER))
+    bound = sections.value("friction", "cause_bound")
+    is_measured = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
+    least = max(0.01 * bound.value * shipped.value, shipped.noise or 0.0) if is_measured else 0.0
+    moved = is_measured and all(abs(slip.value - shipped.value) >= least for slip in coarse)
     numbers = dict(zip(("shipped", "impratio", "steps"), (shipped, *coarse), strict=True))
     return Claim("coarser_moves", decided(moved, shipped, *coarse, bound), numbers)

@@ -12,7 +12,7 @@ from measured_report.findings.sections import derive_section
 from measured_report.values.quantities import Quantity
 from report.sections import envelope, reproduction, upgrade
 from report.sections.error_runtime.runs import is_clamped
-from report.shared.arithmetic import Found
+from report.shared.arithmetic import Sections
 from report.story import frontier, story
 
 pytestmark = pytest.mark.usefixtures("unchanged")
@@ -81,10 +81,10 @@ def test_no_case_is_named_that_has_no_row(head):
 
 
 def test_every_way_was_run_and_timed():
-    found = Found(
+    found = Sections(
         {name: read(name, "1.8.0") for name in ("cure", "cure_cost", "error_runtime", "newton_solvers", "solver")}
     )
-    found = Found({**found.results, "reproduction": read("reproduction", "1.8.0"), "speed": read("speed", "1.8.0")})
+    found = Sections({**found.results, "reproduction": read("reproduction", "1.8.0"), "speed": read("speed", "1.8.0")})
     assert [way.name for way in frontier.WAYS if not way.slip(found).source] == []
     assert [way.name for way in frontier.WAYS if not way.ratios(found)] == ["VBD"], "which loses the cube"
     kept = {way.name: way.keeps(found, Quantity(1.0, "mm", "")).name for way in frontier.WAYS}

@@ -12,8 +12,8 @@ from report.shared.arithmetic import cell_count, extreme, rows_with
 TABLE = ("carried", "caught")  # motions on the table: turning with it, and put down at rest
 FREE = ("impact", "roll", "slide")
 """Motions on a plane whose contacts have no acceleration along their friction that could be left out."""
-Found = Mapping[str, Row]  # rows by variant: nothing done, the term of material points, the exact term
-Runs = Mapping[tuple[str, str, str], Found]  # runs by motion, body and engine
+Variants = Mapping[str, Row]  # rows by variant: nothing done, the term of material points, the exact term
+Runs = Mapping[tuple[str, str, str], Variants]  # runs by motion, body and engine
 
 
 def derive(results: Results) -> Section:
@@ -26,8 +26,8 @@ def derive(results: Results) -> Section:
 
 def _of(runs: Runs, motions: Iterable[str], variant: str) -> list[tuple[str, Row, Row]]:
     """Name the runs of these motions, each with nothing done and in a variant."""
-    both = {run: found for run, found in runs.items() if run[0] in motions and {"plain", variant} <= set(found)}
-    return [("_".join(run).replace(" ", "_"), found["plain"], found[variant]) for run, found in both.items()]
+    both = {run: rows for run, rows in runs.items() if run[0] in motions and {"plain", variant} <= set(rows)}
+    return [("_".join(run).replace(" ", "_"), rows["plain"], rows[variant]) for run, rows in both.items()]
 
 
 def _stays_as_it_is(results: Results, runs: Runs) -> Claim:

@@ -72,7 +72,7 @@ def _budget_closes(results: Results) -> Claim:
     least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, "mm")
     most = results.chosen("remainder_share", "as good as the law", 5.0, "%")
     runs = [row for row in rows_with(results, "kind", "pads", "shake") if row.kind == "run"]
-    kept = [row for row in runs if row.slip_mm.value is not None]
+    holding = [row for row in runs if row.slip_mm.value is not None]
 
     def count_closed(least: float, most: float, *found: float) -> int:
         cells = np.array(found)  # of a thousand runs, each moved in turn to find the noise
@@ -85,8 +85,8 @@ def _budget_closes(results: Results) -> Claim:
         slips = [row.slip_mm for row in rows]
         return closed, results.value(f"{name}kept_count", "runs that keep the cube", cell_count(slips))
 
-    closed, count = counted("", kept)
-    far_closed, far = counted("far_", [row for row in kept if (row["pads"], row.shake) == ("shipped", "10cm")])
+    closed, count = counted("", holding)
+    far_closed, far = counted("far_", [row for row in holding if (row["pads"], row.shake) == ("shipped", "10cm")])
     formula = "of the other runs that keep the cube, those of them"
     part = results.value("others_share", formula, PERCENT * (closed - far_closed) / (count - far))
     numbers = {"closed": closed, "count": count, "far_closed": far_closed, "far": far, "least": least, "most": most}

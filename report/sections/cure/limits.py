@@ -38,8 +38,8 @@ def _best_never_drops(results: Results) -> Claim:
 
 
 def _line(results: Results, runs: Mapping[str, Mapping[str, Row]], variant: str) -> dict[str, Value | str]:
-    tried = {run: found for run, found in runs.items() if {"plain", *VARIANTS[variant][1]} <= set(found)}
-    plain, mine = ([run for run, found in tried.items() if found[which].kept] for which in ("plain", variant))
+    tried = {run: rows for run, rows in runs.items() if {"plain", *VARIANTS[variant][1]} <= set(rows)}
+    plain, mine = ([run for run, rows in tried.items() if rows[which].kept] for which in ("plain", variant))
     lost, won = [run for run in plain if run not in mine], [run for run in mine if run not in plain]
     name = variant.replace("-", "_")
 

@@ -54,8 +54,8 @@ def derive(results: Results) -> Section:
 
 
 def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[str, Value], resolution: Value) -> Claim:
-    there = [case for case in measured if measured[case].value is not None]
-    fast = [case for case in there if law[case].value is not None and abs(law[case].value) > resolution.value]
+    cases = [case for case in measured if measured[case].value is not None]
+    fast = [case for case in cases if law[case].value is not None and abs(law[case].value) > resolution.value]
     formula = "growth less that of the law, in size, of the latter"
     shares = [results.value(f"{case}_off", formula, departure(measured[case], law[case])) for case in fast]
     largest = results.value("law_off", "largest of the departures from the law", extreme(max, shares))
@@ -92,9 +92,9 @@ def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolu
     plain, formula = measured["plain-c"], "change of the growth, in size, of the growth with nothing done"
     changes = [results.value(f"{name}_change", formula, departure(measured[f"{name}-c"], plain)) for name in NO_HELP]
     largest = results.value("setting_change", "largest of these changes", combined(max, *changes))
-    there = at_least(plain, resolution)
-    outcome = all_of(at_most(largest, 10.0, why="a cure would take more of it away"), there)
-    if there == FAILS:
+    grows = at_least(plain, resolution)
+    outcome = all_of(at_most(largest, 10.0, why="a cure would take more of it away"), grows)
+    if grows == FAILS:
         outcome = replace(outcome, name="unknown", reason="there is no growth to stop")
     return Claim("no_setting_stops_it", outcome, {"largest": largest})
 

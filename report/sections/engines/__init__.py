@@ -9,7 +9,7 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, Value, absent, combined, constant
 from measured_report.values.results import Results
 from report.sections.engines import published, robot
-from report.shared.arithmetic import Found, joined
+from report.shared.arithmetic import Sections, joined
 from report.shared.tables import Column, table_of
 
 order = 187
@@ -58,18 +58,18 @@ def derive(results: Results) -> Section:
     columns |= {"half the step": _shown([line.short_walk for line in lines], walk_bound)}
     columns |= {"sinks": _shown([line.sink for line in lines], sink_bound)}
     long = results.chosen("step", "given: the time step", 2.0, "ms")
-    said: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
-    engines = table_of("engine", [line.name for line in lines], columns, **said)
+    numbers: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
+    engines = table_of("engine", [line.name for line in lines], columns, **numbers)
     robots, others = robot.derive(results, MODELS), published.derive(results)
-    own = Section(tables={"engines": engines}, claims=[_walks_most_in_mujoco(results, lines)])
-    return joined([own, robots, Section(claims=[_test_lets_through(results)]), others])
+    first = Section(tables={"engines": engines}, claims=[_walks_most_in_mujoco(results, lines)])
+    return joined([first, robots, Section(claims=[_test_lets_through(results)]), others])
 
 
 def _lines(results: Results) -> Iterator[Line]:
-    found, newton = Found(results.others), f"Newton {results.record.identity.packages['newton']}"
+    sections, newton = Sections(results.others), f"Newton {results.record.identity.packages['newton']}"
     for engine, name in OURS.items():
-        walks = [found.cell("cure", f"{run}-{engine}", "growth_per_s") for run in ("plain", "half-step")]
-        sink = found.cell("scenes", f"within-pads-{engine}", "steady_creep_mm_s")
+        walks = [sections.cell("cure", f"{run}-{engine}", "growth_per_s") for run in ("plain", "half-step")]
+        sink = sections.cell("scenes", f"within-pads-{engine}", "steady_creep_mm_s")
         yield _line(results, engine, (name, newton), walks, sink)
     for model, name in MODELS.items():
         step = "0ms" if model == CONTINUOUS else LONG
@@ -101,8 +101,8 @@ def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     worst = results.value("worst_other", "fastest walk in another engine", combined(max, *others))
     times = results.value("times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk / worst)
     formula = "walk in MuJoCo's MJX with half the step, of that with the whole"
-    kept = results.value("kept", formula, PERCENT * mine.short_walk / mine.walk)
-    outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(kept, 90.0, why="about as much"))
+    halved = results.value("kept", formula, PERCENT * mine.short_walk / mine.walk)
+    outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(halved, 90.0, why="about as much"))
     return Claim("walks_most_in_mujoco", outcome, {"mine": mine.walk, "worst": worst, "short": mine.short_walk})
 
 

@@ -9,7 +9,7 @@ from measured_report.records.columns import column_of
 from measured_report.values.quantities import Quantity, constant
 from measured_report.values.results import Results
 from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
-from report.shared.arithmetic import Found, cell_count
+from report.shared.arithmetic import Sections, cell_count
 from report.shared.tables import Column, table_of
 
 
@@ -58,8 +58,8 @@ def derive(results: Results) -> Section:
     """Make the table and its claim; a record from before has no such rows."""
     if "orbit" not in results.row:
         return Section(unmeasured=("published", "as_others_published"))
-    found = Found({**results.others, results.record.section: results})
-    ours = [found.cell(each.section, each.case, each.column) for each in PUBLISHED]
+    sections = Sections({**results.others, results.record.section: results})
+    ours = [sections.cell(each.section, each.case, each.column) for each in PUBLISHED]
     lines = [_line(results, each, cell) for each, cell in zip(PUBLISHED, ours, strict=True)]
     above = ("what", "theirs", "ours", "off by", "within", "agrees")
     columns: dict[str, Column] = dict(zip(above, zip(*lines, strict=True), strict=True))
@@ -68,8 +68,9 @@ def derive(results: Results) -> Section:
     agreed = [line[-1] is True for each, line in zip(PUBLISHED, lines, strict=True) if not each.is_bound]
     agreeing = results.value("agreeing", "how many agree", lambda *_: sum(agreed), *cells, across=True)
     count = results.value("compared", "numbers beside published ones", cell_count(cells), across=True)
-    told = {"count": count, "agreeing": agreeing, "are_most": 2 * sum(agreed) > len(agreed)}
-    return Section(tables={"published": table}, claims=[Claim("as_others_published", at_least(agreeing, count), told)])
+    values = {"count": count, "agreeing": agreeing, "are_most": 2 * sum(agreed) > len(agreed)}
+    claim = Claim("as_others_published", at_least(agreeing, count), values)
+    return Section(tables={"published": table}, claims=[claim])
 
 
 def _line(results: Results, each: Published, ours: Quantity) -> tuple[Quantity | str | bool, ...]:

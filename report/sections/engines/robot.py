@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from measured_report.parts.claim import Claim, all_of, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import Found, cell_count, extreme
+from report.shared.arithmetic import Sections, cell_count, extreme
 from report.shared.tables import Column, cell_or_lost, creep_or_unseen, table_of
 from report.shared.timing import RowsBy
 
@@ -41,7 +41,7 @@ def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
     slips = [rows[model, "3cm"].slip_mm for model in others if rows[model, "3cm"].slip_mm.value is not None]
     worst = results.value("robot_worst", "farthest slip in another engine", extreme(max, slips))
     count = results.value("robot_count", "other contact models that keep the cube", cell_count(slips))
-    stiff = Found(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
+    stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
     still = [rows[model, "held"].slip_mm for model in others]
     still_worst = results.value("robot_worst_held", "the same with the arm held still", extreme(max, still))
     numbers = {"mine": mine, "held": held, "worst": worst, "count": count, "stiff": stiff, "still": still_worst}

@@ -29,11 +29,11 @@ PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "inte
 def derive(results: Results) -> Section:
     points = points_of(results)
     rk4 = claims.rk4_in_warp(points)
-    told = [claims.pads_decide(points), rk4, claims.rk4_with_stiff_pads(points)]
-    told += [claims.reference_converged(points), claims.solver_effort(points), claims.crossover(points)]
+    tests = [claims.pads_decide(points), rk4, claims.rk4_with_stiff_pads(points)]
+    tests += [claims.reference_converged(points), claims.solver_effort(points), claims.crossover(points)]
     errors = [row[ERROR] for row in points.settings]
     numerical = Figure(lambda: draw_numerical(points), errors, {"rk4_warp": rk4.outcome == HOLDS})
-    return Section(tables={"front": _front_table(points)}, figures={"numerical": numerical}, claims=told)
+    return Section(tables={"front": _front_table(points)}, figures={"numerical": numerical}, claims=tests)
 
 
 def _front_table(points: Points) -> Table:

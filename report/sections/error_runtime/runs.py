@@ -51,19 +51,19 @@ class Points:
 
     def converged(self, pads: str) -> Quantity:
         """Look up the grasp error of the converged solution with the cone and impratio as shipped."""
-        found = (row for row in self.references if row["pads"] == pads and is_own_model(row))
-        return next(found, self[f"{pads}/reference"])[GRASP]
+        solutions = (row for row in self.references if row["pads"] == pads and is_own_model(row))
+        return next(solutions, self[f"{pads}/reference"])[GRASP]
 
     def best(self, backend: str) -> list[Row]:
         """Select a backend's front by pads and time, but for rows that gain less than Warp's floor on the last."""
         rows = [row for row in self.settings if row.case in self.backend_front and row.backend == backend]
-        kept: list[Row] = []
+        best: list[Row] = []
         for row in sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row[TIME].value or 0.0)):
             floor = 0.0 if row.backend == "mujoco-c" else self.floors[row["pads"]].value or 0.0
-            is_first = not kept or kept[-1]["pads"] != row["pads"]
-            if is_first or row[ERROR].value < kept[-1][ERROR].value - floor:
-                kept.append(row)
-        return kept
+            is_first = not best or best[-1]["pads"] != row["pads"]
+            if is_first or row[ERROR].value < best[-1][ERROR].value - floor:
+                best.append(row)
+        return best
 
 
 def points_of(results: Results) -> Points:

@@ -35,10 +35,10 @@ def derive(results: Results) -> Section:
 
 def _as_published(results: Results, published: dict[str, Value]) -> Claim:
     formula, rows = "rate in MuJoCo C less the published one, in size, of the latter", results.row
-    told = [(variant, rows[f"{variant}-c"].creep_mm_s, rate) for variant, rate in published.items()]
-    found = [results.value(f"{variant}_from_published", formula, departure(*pair)) for variant, *pair in told]
-    largest = results.value("published_off", "largest of the departures from what was published", extreme(max, found))
-    count = results.value("published_count", "rates that were published", cell_count(found))
+    pairs = [(variant, rows[f"{variant}-c"].creep_mm_s, rate) for variant, rate in published.items()]
+    offs = [results.value(f"{variant}_from_published", formula, departure(*pair)) for variant, *pair in pairs]
+    largest = results.value("published_off", "largest of the departures from what was published", extreme(max, offs))
+    count = results.value("published_count", "rates that were published", cell_count(offs))
     return Claim("as_published", at_most(largest, 5.0, why="the same rate"), {"count": count, "largest": largest})
 
 
@@ -46,8 +46,8 @@ def _follows_law(results: Results) -> Claim:
     """Compare the steady rates with those of the law, which gives none with noslip."""
     rows = [results.row[f"{variant}-{engine}"] for engine in ENGINES for variant in VARIANTS]
     formula = "steady rate less that of the law, in size, of the latter"
-    told = [(row.case, row.steady_creep_mm_s, row.predicted_creep_mm_s) for row in rows]
-    found = [results.value(f"{case}_from_law", formula, departure(*pair)) for case, *pair in told if pair[1].value]
-    largest = results.value("law_off", "largest of the departures from the law", extreme(max, found))
-    count = results.value("law_count", "runs for which the law gives a rate", cell_count(found))
+    pairs = [(row.case, row.steady_creep_mm_s, row.predicted_creep_mm_s) for row in rows]
+    offs = [results.value(f"{case}_from_law", formula, departure(*pair)) for case, *pair in pairs if pair[1].value]
+    largest = results.value("law_off", "largest of the departures from the law", extreme(max, offs))
+    count = results.value("law_count", "runs for which the law gives a rate", cell_count(offs))
     return Claim("follows_law", at_most(largest, 1.0, why="the same rate"), {"count": count, "largest": largest})

@@ -46,11 +46,11 @@ class Point:
 
 def derive(results: Results) -> Section:
     points = [point for scene in SCENES for point in _points(results, scene)]
-    there = [point for point in points if point.factor.value is not None]
-    claim = _predicted(results, there)
+    predicted = [point for point in points if point.factor.value is not None]
+    claim = _predicted(results, predicted)
     numbers = {name: claim.numbers[name] for name in ("count", "scenes", "bound")}
     numbers["predicted"] = claim.outcome == HOLDS
-    figure = Figure(lambda: _draw(there), [point.measured for point in points], numbers)
+    figure = Figure(lambda: _draw(predicted), [point.measured for point in points], numbers)
     return Section(figures={"creep": figure}, claims=[claim])
 
 
@@ -58,9 +58,9 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
     resolution = other_value(results, "cure", "resolution")
     formula = "the larger of measured and predicted creep, of the smaller"
     for row in _rows(results, scene):
-        if found := _creep(results, scene, row, resolution):
+        if creeps := _creep(results, scene, row, resolution):
             name = f"{scene}_{row.case}_factor"
-            measured, predicted = found
+            measured, predicted = creeps
             factor = combined(max, measured / predicted, predicted / measured)
             yield Point(scene, measured, predicted, results.value(name, formula, factor))
 

@@ -60,10 +60,10 @@ def _elliptic_holds(results: Results) -> Claim:
 
 def _ball_creeps_out(results: Results, published: Value) -> Claim:
     """Tell whether the creep of a grasp that is not shaken at all says when the ball drops."""
-    found, row = results.row["ball-published-held"], results.row["ball-2ms-published-c"]
+    still, row = results.row["ball-published-held"], results.row["ball-2ms-published-c"]
     begin = results.chosen("hold_start", "when the creep began to be watched", 4.5, "s")
     formula = "time after which the ball has crept as far as it is from the edge"
-    when = results.value("ball_passes", formula, begin + found.margin_mm / found.forecast_creep_mm_s)
+    when = results.value("ball_passes", formula, begin + still.margin_mm / still.forecast_creep_mm_s)
     formula = "time of the drop less that, in size, of the latter"
     off = results.value("ball_drop_off", formula, departure(row.median_drop_s, when))
     formula = "last drop of the ball less the first"
@@ -72,7 +72,7 @@ def _ball_creeps_out(results: Results, published: Value) -> Claim:
     formula = "time of the drop less the published one, in size, of the latter"
     from_published = results.value("ball_off", formula, departure(row.median_drop_s, published))
     same = at_most(apart, 0.1, why="whatever the shake"), at_most(from_published, 5.0, why="the same time")
-    numbers = {"creep": found.forecast_creep_mm_s, "margin": found.margin_mm, "when": when}
+    numbers = {"creep": still.forecast_creep_mm_s, "margin": still.margin_mm, "when": when}
     return Claim("ball_creeps_out", all_of(soon, *same), numbers | {"drop": row.median_drop_s, "published": published})
 
 

@@ -51,18 +51,18 @@ def derive(results: Results) -> Section:
     safe = claims.safe(results, critical, default_kd)
     stiffest = max((row.pad_ke.value for row in default_kd), default=None)
     is_so = safe.outcome == HOLDS and not any(is_stable(row) for row in default_kd if row.pad_ke.value == stiffest)
-    told = [safe, claims.gain_goes(results), claims.clamp(results)]
-    told += [*(claims.crossover(results, name, margin) for name in ("shake", "grip")), claims.friction(results)]
-    told += [claims.masses(results), claims.size(results, depth), claims.overlap(results), claims.gravity(results)]
-    told += [claims.long(results)]
-    by_name = {claim.name: claim for claim in told}
+    tests = [safe, claims.gain_goes(results), claims.clamp(results)]
+    tests += [*(claims.crossover(results, name, margin) for name in ("shake", "grip")), claims.friction(results)]
+    tests += [claims.masses(results), claims.size(results, depth), claims.overlap(results), claims.gravity(results)]
+    tests += [claims.long(results)]
+    by_name = {claim.name: claim for claim in tests}
     ends = [(by_name[name], holds, breaks) for name, holds, breaks in LIMITS.values()]
     columns = {"holds": [claim.numbers[holds] or claims.NOT_ONE for claim, holds, _ in ends]}
     columns["breaks"] = [
         claim.numbers[end] or claims.NOT_ONE if end else claims.unseen(claim) for claim, _, end in ends
     ]
     figures = {"maps": _maps(results, critical, default_kd, is_so)}
-    return Section(tables={"limits": table_of("what", LIMITS, columns)}, figures=figures, claims=told)
+    return Section(tables={"limits": table_of("what", LIMITS, columns)}, figures=figures, claims=tests)
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row], is_so: bool) -> Figure:
@@ -75,6 +75,6 @@ def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row], 
     mine = {name: [row for row in rows if row["class"] == name] for name in CLASSES}
     formula = "cells of both maps that are"
     ends = [(count(results, f"maps_{name}_count", f"{formula} {name}", found), name) for name, found in mine.items()]
-    said = Markup(", ").join(Markup("{} {}").format(*end) for end in ends if end[0].value)
+    counts = Markup(", ").join(Markup("{} {}").format(*end) for end in ends if end[0].value)
     cells = [row.step_ms for row in rows] if critical and default_kd else [absent("s", "it was not measured")]
-    return Figure(lambda: draw_maps(panels), cells, {"ends": said, "is_so": is_so})
+    return Figure(lambda: draw_maps(panels), cells, {"ends": counts, "is_so": is_so})

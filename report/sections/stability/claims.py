@@ -34,15 +34,15 @@ least, most = partial(_end, min), partial(_end, max)  # derive the end of a colu
 
 def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome = HOLDS, **numbers: Any) -> Claim:
     """Claim that all rows of a family of which something is asked pass, and ``also``; ``failed`` names others."""
-    asked = [row for row in rows if passes(row) is not None]
-    failed = [row for row in asked if not passes(row)]
+    judged = [row for row in rows if passes(row) is not None]
+    failed = [row for row in judged if not passes(row)]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
     formula = f"runs of {name} of which something is asked"
-    own: dict[str, Any] = {"count": count(results, f"{name}_count", formula, asked), "failed_count": failed_count}
-    own |= {"failed": some_html([Markup("{} {}").format(case_html(row), row["class"]) for row in failed])}
+    counts: dict[str, Any] = {"count": count(results, f"{name}_count", formula, judged), "failed_count": failed_count}
+    counts |= {"failed": some_html([Markup("{} {}").format(case_html(row), row["class"]) for row in failed])}
     cells = [cell for row in rows for cell in judged_by(row)]
     outcome = all_of(at_most(failed_count, 0, why="all of them pass"), decided(True, *cells), also)
-    return Claim(name, outcome if rows else Outcome("unknown", "they were not measured"), own | numbers)
+    return Claim(name, outcome if rows else Outcome("unknown", "they were not measured"), counts | numbers)
 
 
 UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}  # ways around the clamp
@@ -60,8 +60,8 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     broken = [row for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
     first = least(results, "kd_100_breaks", "least ke above the shipped one that does not hold", broken, "pad_ke")
     below = math.inf if first.value is None else first.value
-    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < below]
-    limit = most(results, "kd_100_ke", "largest ke that holds at the shipped step", kept, "pad_ke")
+    stable = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < below]
+    limit = most(results, "kd_100_ke", "largest ke that holds at the shipped step", stable, "pad_ke")
     shipped = results.value("shipped_ke", "given: ke as shipped", constant(AS_SHIPPED.pad_ke))
     default_margin = results.value("kd_100_margin", "that ke over the shipped one", limit / shipped)
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
@@ -112,7 +112,7 @@ def clamp(results: Results) -> Claim:
     formula = "explicit bound at damping ratio 1: 1 / (√8 - 2)"
     predicted = results.value("clamp_predicted", formula, constant(1 / (8**0.5 - 2)))
     ends = {way: {is_stable(row) for row in rows if row.clamp == way} for way in UNCLAMPED}
-    ways = ([UNCLAMPED[way] for way, found in ends.items() if found == {kept}] for kept in (False, True))
+    ways = ([UNCLAMPED[way] for way, flags in ends.items() if flags == {holds}] for holds in (False, True))
     never, always = map(Markup(", ").join, ways)
     is_one = not (never or always) and None not in (first.value, last.value) and first.value < last.value
     numbers: dict[str, Any] = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
@@ -164,13 +164,13 @@ def _range(
 
 def size(results: Results, bound: Value) -> Claim:
     rows = family(results, "size")
-    kept = list(filter(passes, rows))
-    by_grip = {grip: [row for row in kept if row.grip == grip] for grip in ("as-shipped", "scaled")}
+    passing = list(filter(passes, rows))
+    by_grip = {grip: [row for row in passing if row.grip == grip] for grip in ("as-shipped", "scaled")}
     formula = "least edge that passes, grip"
     shipped = least(results, "size_shipped", f"{formula} as shipped", by_grip["as-shipped"], "cube_edge_mm")
     scaled = least(results, "size_scaled", f"{formula} scaled", by_grip["scaled"], "cube_edge_mm")
     smallest = {"as-shipped": shipped.value, "scaled": scaled.value}
-    lost = [row for row in rows if row not in kept]
+    lost = [row for row in rows if row not in passing]
     small = None not in smallest.values() and all(row.cube_edge_mm.value < smallest[row.grip] for row in lost)
     fails = [row for row in lost if row.grip == "as-shipped"]
     too_small = most(results, "size_fails", "largest edge that does not pass, grip as shipped", fails, "cube_edge_mm")

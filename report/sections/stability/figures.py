@@ -36,16 +36,16 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
         ke = np.geomspace(*one.get_xlim(), 200)
         one.plot(ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, linestyle="-", marker="", scaley=False)
     axes[-1, 0].set_xlabel("pad ke")
-    there = {row["class"] for _, rows, _, _ in panels for row in rows}
+    classes = {row["class"] for _, rows, _, _ in panels for row in rows}
     rate, rates = ("", "creeping") if is_narrow() else ("$1.2$", "creeping [mm/s]")
     handles: list[Any] = []
     with matplotlib.rc_context({"text.parse_math": True}):  # a mark that is text is a formula to Matplotlib
         for name, colour, mark in zip(CLASSES, COLOURS, MARKS, strict=True):
-            if name in there:
+            if name in classes:
                 style: dict[str, Any] = {"linestyle": "", "color": MAP_INK, "markersize": 5 if mark else 11}
                 patch = Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4)
                 handles.append((patch, Line2D([], [], marker=mark or rate, **style)))
-    names = [rates if name == "creeping" else name for name in CLASSES if name in there]
+    names = [rates if name == "creeping" else name for name in CLASSES if name in classes]
     drawing.legend(handles, names, loc="outside upper center", ncols=4, fontsize=9, handlelength=2.6, handleheight=1.5)
     return drawing
 
@@ -66,9 +66,9 @@ def _draw_map(axes: Axes, rows: Sequence[Row], marked: Mapping[str, float]) -> N
         if outlines:  # the cells of a colour are one shape, within limits that are set: it need not be measured
             axes.add_artist(PathPatch(Path.make_compound_path(*outlines), color=colour, linewidth=0.2, zorder=0.5))
     for name, mark in zip(CLASSES, MARKS, strict=True):
-        found = [place for place, row in cells.items() if row["class"] == name]
-        if mark and found:
-            x, y = zip(*found, strict=True)
+        places = [place for place, row in cells.items() if row["class"] == name]
+        if mark and places:
+            x, y = zip(*places, strict=True)
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
         if row["class"] == "creeping" and not is_narrow():  # where there is no room for numbers

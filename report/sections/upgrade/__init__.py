@@ -60,32 +60,32 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
 
 def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:
     cells = {release: tables.SLIP.cell(releases[release], release) for release in releases}
-    there = [release for release in releases if cells[release].value is not None]
-    found = {}
-    for before, after in pairwise(there):
+    measured = [release for release in releases if cells[release].value is not None]
+    outcomes = {}
+    for before, after in pairwise(measured):
         moved = change(results, f"slip_step_{after}", cells[before], cells[after])
-        found[before, after] = unchanged(cells[before], cells[after], moved, noise)
-    steps = [step for step, outcome in found.items() if outcome == FAILS]
-    outcome = decided(len(steps) == 1).having_read(*(cells[release] for release in there), noise)
-    outcome = next((step for step in found.values() if step.name == "unknown"), outcome)
-    if len(there) < 3:
+        outcomes[before, after] = unchanged(cells[before], cells[after], moved, noise)
+    steps = [step for step, outcome in outcomes.items() if outcome == FAILS]
+    outcome = decided(len(steps) == 1).having_read(*(cells[release] for release in measured), noise)
+    outcome = next((step for step in outcomes.values() if step.name == "unknown"), outcome)
+    if len(measured) < 3:
         outcome = Outcome("unknown", "no release between was measured")
     return Claim("in_one_step", nothing_to_explain(same) or outcome, {"steps": steps})
 
 
 def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[str]) -> Claim:
-    found = sum(flip.is_decided for flip in flipped)
-    count = results.value("turned_count", "claims that one release upholds and another doesn't", constant(found))
+    turned = sum(flip.is_decided for flip in flipped)
+    count = results.value("turned_count", "claims that one release upholds and another doesn't", constant(turned))
     formula = "other claims that one release can tell and another can't"
-    others = results.value("undecided_count", formula, constant(len(flipped) - found))
-    outcome = Outcome("unknown", f"only Newton {releases[0]} has results") if len(releases) < 2 else decided(not found)
+    others = results.value("undecided_count", formula, constant(len(flipped) - turned))
+    outcome = Outcome("unknown", f"only Newton {releases[0]} has results") if len(releases) < 2 else decided(not turned)
     return Claim("claims_stand", outcome, {"count": count, "open": others})
 
 
 def _same_speed(results: Results, ends: Ends) -> Claim:
     """Compare the frames of all cases of one world, which one release may have slowed by little each."""
-    asked = [replace(tables.SPEEDS[0], text=f"speed.{case}.frame_ms") for case in speed.labels]
-    pairs = [ends.cells(headline) for headline in asked]
+    frames = [replace(tables.SPEEDS[0], text=f"speed.{case}.frame_ms") for case in speed.labels]
+    pairs = [ends.cells(headline) for headline in frames]
     formula, ratios = "time of a frame over the older one", [after / before for before, after in pairs]
     least = results.value("frame_ratio_least", f"least {formula}", combined(min, *ratios), across=True)
     most = results.value("frame_ratio_most", f"most {formula}", combined(max, *ratios), across=True)
@@ -135,18 +135,18 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
 
 def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
     """Tell whether what the change is not about slips as in the older release."""
-    found, engine, pyramid = (ends.cells(headline) for headline in (MUJOCO_CONTACTS, MUJOCO_C, PYRAMID))
+    contacts, engine, pyramid = (ends.cells(headline) for headline in (MUJOCO_CONTACTS, MUJOCO_C, PYRAMID))
     formula = "larger change in slip where MuJoCo finds the contacts, of the older slip"
-    larger = combined(max, departure(*found[::-1]), departure(*engine[::-1]))
+    larger = combined(max, departure(*contacts[::-1]), departure(*engine[::-1]))
     elsewhere = results.value("elsewhere_change", formula, larger, across=True)
     formula = "change in slip with a pyramidal cone, of the older slip"
     moved = results.value("pyramid_change", formula, departure(*pyramid[::-1]), across=True)
-    said = {"a": ends.old, "b": ends.new}
+    labels = {"a": ends.old, "b": ends.new}
     for name, slips, numbers in (
-        ("mujoco_contacts", elsewhere, {"found": found[1], "c": engine[1], "elsewhere": elsewhere}),
+        ("mujoco_contacts", elsewhere, {"found": contacts[1], "c": engine[1], "elsewhere": elsewhere}),
         ("pyramid", moved, {"before": pyramid[0], "after": pyramid[1], "moved": moved}),
     ):
-        yield Claim(f"{name}_as_before", ends.one or at_most(slips, SAME, why="the same slip"), said | numbers)
+        yield Claim(f"{name}_as_before", ends.one or at_most(slips, SAME, why="the same slip"), labels | numbers)
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:

@@ -12,7 +12,7 @@ from measured_report.values.results import Results
 
 def released(releases: Releases, shown: str) -> Releases:
     """Return what a page compares: no trial with other packages than a release comes with, but for the one shown."""
-    return {name: found for name, found in releases.items() if name == shown or not read_label(name).pins}
+    return {name: chapters for name, chapters in releases.items() if name == shown or not read_label(name).pins}
 
 
 def up_to(releases: Releases, shown: str) -> Releases:

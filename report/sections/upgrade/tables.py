@@ -50,23 +50,23 @@ DRAWN = {
 }
 
 
-def side_by_side(heading: str, releases: Releases, asked: Mapping[str, Query]) -> Table:
-    lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in asked.values()]
+def side_by_side(heading: str, releases: Releases, queries: Mapping[str, Query]) -> Table:
+    lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in queries.values()]
     columns = {f"Newton {release}": cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)}
-    return table_of(heading, asked, columns)
+    return table_of(heading, queries, columns)
 
 
 def option_table(releases: Releases) -> Table:
     kinds = config().changes.settings  # of rows that are no runs: each has a name and a value
-    found: dict[str, dict[str, Quantity | str]] = {}
+    settings: dict[str, dict[str, Quantity | str]] = {}
     measured = {release: sections for release, sections in releases.items() if "upgrade" in sections}
     for release, sections in measured.items():
         for row in (row for name in SETTING_SECTIONS if name in sections for row in sections[name].results.rows):
             if row.kind in kinds:
-                found.setdefault(f"{kinds[row.kind]} {row.name}", {})[release] = row["value"]
+                settings.setdefault(f"{kinds[row.kind]} {row.name}", {})[release] = row["value"]
     differing = {
         name: values
-        for name, values in found.items()
+        for name, values in settings.items()
         if len({getattr(values.get(release), "value", values.get(release)) for release in measured}) > 1
     } or {"none": dict.fromkeys(measured, "")}
     lines = {release: [values.get(release, "–") for values in differing.values()] for release in measured}
@@ -103,9 +103,9 @@ def number_table(releases: Releases) -> Table:
     labels: list[Markup] = []
     columns: dict[str, list[Markup]] = {name: [] for name in releases}
     for headline in (Query(value, label=label) for label, value in config().changes.headlines.items()):
-        if found := points(releases, headline):
+        if history := points(releases, headline):
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
-            marks = {point.release: point.mark for point in found}
+            marks = {point.release: point.mark for point in history}
             for name, column in columns.items():
                 column.append(_marked(headline.cell(releases[name], name).bare, marks.get(name, "")))
     return table_of("number", labels, columns)

@@ -22,7 +22,7 @@ def test_a_cell_that_is_not_there_says_why(results):
     assert arithmetic.cell_or_absent(soft, "slip_mm") == soft.slip_mm
     for row, column in ((soft, "drift_mm"), (None, "slip_mm")):
         assert arithmetic.cell_or_absent(row, column, "it fell") == absent("mm", "it fell")
-    found = arithmetic.Found({"toy": results})
+    found = arithmetic.Sections({"toy": results})
     assert found.cell("toy", "soft", "slip_mm") == soft.slip_mm
     for section, case, reason in (("toy", "firm", "does not say"), ("noise", "soft", "has no results here")):
         assert found.cell(section, case, "slip_mm").reason == f"section {section} {reason}"

@@ -17,7 +17,7 @@ from measured_report.site.check import check_site
 from measured_report.values.evidence import Evidence
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
-from report.shared.arithmetic import Found
+from report.shared.arithmetic import Sections
 from report.story.frontier import WAYS, advice, figure
 from report.story.story import _advice
 from report.story.story import derive as story_of
@@ -123,7 +123,7 @@ def with_cells(results: Results, column: str, cells: dict[str, float]) -> Result
 def test_a_frame_takes_longer_by_more_than_is_known_of_it(editions, ratio, is_longer):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
     found["speed"] = with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": ratio})
-    assert advice(Found(found))[0].numbers["is_longer"] is is_longer
+    assert advice(Sections(found))[0].numbers["is_longer"] is is_longer
 
 
 RK4 = "newton-rk4-50-stiff-3cm-plain-rounded"
@@ -146,18 +146,18 @@ def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hol
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
     for name in ("reproduction", "cure", "newton_solvers"):
         found[name] = with_cells(found[name], "slip_mm", slips)
-    assert [(claim.outcome.name, claim.numbers["way"]) for claim in advice(Found(found))] == [advised, ends]
+    assert [(claim.outcome.name, claim.numbers["way"]) for claim in advice(Sections(found))] == [advised, ends]
 
 
 def test_an_argument_of_the_solver_at_hand_is_advised_before_a_faster_solver(editions):
     found = {section: chapter.results for section, chapter in editions["1.8.0"].chapters.items()}
-    assert advice(Found(found))[1].numbers["way"] == "Steel"
+    assert advice(Sections(found))[1].numbers["way"] == "Steel"
     found["cure"] = with_cells(found["cure"], "slip_mm", {RK4: 0.05})
-    assert advice(Found(found))[1].numbers["way"] == "RK4, stiff pads"
+    assert advice(Sections(found))[1].numbers["way"] == "RK4, stiff pads"
 
 
 def test_other_solvers_are_drawn_with_weight_and_what_is_not_seen_at_what_would_be(editions):
-    found = Found({section: chapter.results for section, chapter in editions["1.8.0"].chapters.items()})
+    found = Sections({section: chapter.results for section, chapter in editions["1.8.0"].chapters.items()})
     ways = {way.name: way for way in WAYS}
     assert ways["XPBD"].creep_mm(found) > 1.0, "with weight the cube slides out"
     steel = ways["Steel"].slip(found)
@@ -168,7 +168,7 @@ def test_other_solvers_are_drawn_with_weight_and_what_is_not_seen_at_what_would_
 def test_a_solver_whose_hand_goes_farther_is_not_advised(editions):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
     found["newton_solvers"] = with_cells(found["newton_solvers"], "slip_mm", {"xpbd-3cm": 0.01, "xpbd-weight": 0.01})
-    assert advice(Found(found))[1].numbers["way"] == "Kamino"
+    assert advice(Sections(found))[1].numbers["way"] == "Kamino"
 
 
 def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told_apart(editions):
@@ -176,27 +176,27 @@ def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told
     found["newton_solvers"] = with_cells(found["newton_solvers"], "slip_mm", NOT_KAMINO)
     untimed = found | {"speed": with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": None})}
     untimed["cure"] = with_cells(found["cure"], "slip_mm", {RK4: 5.0})
-    assert advice(Found(untimed))[0].outcome.reason == "what holds the cube was not timed"
+    assert advice(Sections(untimed))[0].outcome.reason == "what holds the cube was not timed"
     far = dict.fromkeys((row["case"] for row in found["cure"].record.rows), 5.0)
     none = found | {"cure": with_cells(found["cure"], "slip_mm", far)}
-    assert advice(Found(none))[1].outcome.reason == "nothing that was tried is seen to"
+    assert advice(Sections(none))[1].outcome.reason == "nothing that was tried is seen to"
     near = with_cells(found["cure"], "slip_mm", {RK4: 0.101})
     near = found | {"cure": replace(near, evidence=Evidence(repeats=found["cure"].evidence.repeats))}
-    assert advice(Found(near))[1].outcome.is_inconclusive
+    assert advice(Sections(near))[1].outcome.is_inconclusive
 
 
 def test_ways_are_drawn_where_shipped_pads_were_timed_with_one_world_alone(editions):
     results = {name: chapter.results for name, chapter in editions["1.8.0"].chapters.items()}
     record = results["cure_cost"].record
     alone = replace(record, rows=[row for row in record.rows if row["worlds"] == 1])
-    assert figure(Found({**results, "cure_cost": replace(results["cure_cost"], record=alone)})).draw()
+    assert figure(Sections({**results, "cure_cost": replace(results["cure_cost"], record=alone)})).draw()
 
 
 def test_with_nothing_to_change_nothing_is_to_be_taken(editions, templates):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
     found["reproduction"] = with_cells(found["reproduction"], "slip_mm", {"as-shipped": 0.05})
     words = templates.text("story.md.j2").words
-    for claim in advice(Found(found)):
+    for claim in advice(Sections(found)):
         assert "take" not in replace(claim, wording=words["claim", claim.name]).text
 
 
