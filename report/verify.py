@@ -11,8 +11,7 @@ from measured_report.values.quantities import Quantity
 
 PROGRAM = "experiments.simulation.headline"  # what measures it
 SECTION = "reproduction"
-SUFFIXES = ("", "-warp-cpu")
-"""Of names of the tracked cases, by where the same engine ran: on the device of the record, and on its CPU."""
+SUFFIXES = ("", "-warp-cpu")  # of tracked cases: on the device of the record, and on its CPU
 WORDS = {"holds": "agrees", "cannot tell": "near the bound: measure again", "the opposite": "differs"}
 
 

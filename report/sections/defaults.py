@@ -10,10 +10,8 @@ order = 205
 page = "releases"
 label = "own defaults"
 
-CASE, RUN = "own-defaults", ("frame_count", "device")
-"""The case, and what it has otherwise than the scene for being a run of its own."""
-MUJOCO = {"run_collision_detection": 1.0, "cone": 0.0}
-"""Options of a solver whose engine finds the contacts, and whose friction cone is a pyramid."""
+CASE, RUN = "own-defaults", ("frame_count", "device")  # the case, and what it has for being a run of its own
+MUJOCO = {"run_collision_detection": 1.0, "cone": 0.0}  # the engine finds the contacts; a pyramid
 
 
 def derive(results: Results) -> Section:

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import PERCENT, Quantity, Value, absent, combined
+from measured_report.values.quantities import PERCENT, Value, absent, combined
 from measured_report.values.results import Results, Row
 from report.shared import arithmetic, drawing
 from report.shared.arithmetic import MS_PER_S, departure, largest_size, noise_floor, quantile, resolved
@@ -70,11 +70,9 @@ def _by_hand(results: Results) -> Claim:
 def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Claim:
     """Ask it of most runs: which at the edge keep the cube is chance, and so is the farthest of all."""
     bound = results.chosen("law_bound", "one law", 1.5, "%")
-    quantiles = {"half": ("of half of the runs, at most", 0.5), "most": ("of nine in ten runs, at most", MOST)}
-    within = {
-        name: results.value(f"{name}_kept", f"departure from the law {words}", combined(partial(quantile, at), *offs))
-        for name, (words, at) in quantiles.items()
-    }
+    middle, far = combined(partial(quantile, 0.5), *offs), combined(partial(quantile, MOST), *offs)
+    half = results.value("half_kept", "departure from the law of half of the runs, at most", middle)
+    most = results.value("most_kept", "departure from the law of nine in ten runs, at most", far)
     responses, formula = [row.response_s for row in runs], "longest over shortest response of the friction rows"
     width = results.value("response_range", formula, combined(max, *responses) / combined(min, *responses))
     formula = "different responses of these runs, to a thousandth of themselves"
@@ -86,10 +84,10 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     formula, laws = "drift that the law gives to nine in ten runs, at least", [row.predicted_drift_mm_s for row in runs]
     slow = results.value("law_least", formula, combined(partial(quantile, 1 - MOST), *map(abs, laws)))
     scatter = results.value("law_noise", "noise of the drift, of that", floor / slow)
-    outcome = all_of(at_most(within["most"], bound), resolved(noise, bound)).having_read(width, distinct)
-    if outcome == FAILS and (unclear := resolved(scatter, within["most"])) != HOLDS:
+    outcome = all_of(at_most(most, bound), resolved(noise, bound)).having_read(width, distinct)
+    if outcome == FAILS and (unclear := resolved(scatter, most)) != HOLDS:
         outcome = unclear.having_read(width, distinct)
-    numbers: dict[str, Quantity] = {**within, "bound": bound, "width": width, "distinct": distinct}
+    numbers: dict[str, Quantity] = {"half": half, "most": most, "bound": bound, "width": width, "distinct": distinct}
     formula, tried = "runs that keep the cube, positions compensated", [row.pad_ke for row in results.rows]
     numbers["count"] = results.value("count_kept", formula, arithmetic.cell_count(offs))
     numbers["tried"] = results.value("tried_count", "runs that were tried", arithmetic.cell_count(tried))

@@ -35,12 +35,10 @@ def _part(results: Results, row: Row) -> str:
 
 def _cube_moves_in_fingers(results: Results) -> Claim:
     whole = results.row["cube-in-TCP"].displacement_mm
-    left, right = cells = [results.row[case].displacement_mm for case in FINGERS]
+    left, right = (results.row[case].displacement_mm for case in FINGERS)
     formula = "{} of the cube's displacements against the two fingers, of that against the TCP"
-    least, most = (
-        results.value(name, formula.format(which), PERCENT * combined(f, *cells) / whole)
-        for name, which, f in (("finger_share", "smaller", min), ("finger_share_most", "larger", max))
-    )
+    least = results.value("finger_share", formula.format("smaller"), PERCENT * combined(min, left, right) / whole)
+    most = results.value("finger_share_most", formula.format("larger"), PERCENT * combined(max, left, right) / whole)
     all_of_it = at_least(least, 95.0, why="as good as all of it"), at_most(most, 105.0, why="no more than all of it")
     moves = greater(whole, 0.0, noise=noise_floor(results, "slip_floor"), why="no motion at all")
     return Claim("cube_moves_in_fingers", all_of(*all_of_it, moves), {"whole": whole, "left": left, "right": right})

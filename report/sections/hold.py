@@ -25,8 +25,7 @@ LINES = {
     "hold-60s-stiff": ("held still, stiff pads", STIFF, "--"),
 }
 """Traces that are drawn: what they are called, colour and style. The second is of section reproduction."""
-PRECISION = ("c-double", "c-single", "warp")
-"""MuJoCo C in double precision, with positions rounded to single, and MuJoCo Warp, from one state."""
+PRECISION = ("c-double", "c-single", "warp")  # in C, with positions in double and in single precision; from one state
 
 
 def derive(results: Results) -> Section:

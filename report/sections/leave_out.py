@@ -39,8 +39,7 @@ labels = {
 MANY_COUNT = 16384  # the most worlds, for which there is a target
 COUNTS = {"there": "present", "used": "used"}
 REFERENCE, ALL = "untrimmed", "without-all"
-Timed = Mapping[tuple[str, str, int], Row]
-"""Rows by device, case and number of worlds; a row without anything where nothing was measured."""
+Timed = Mapping[tuple[str, str, int], Row]  # rows by device, case and number of worlds; empty where not measured
 WHOLE = (REFERENCE, "as-shipped", ALL)  # cases that are more than one thing left out
 
 
@@ -136,8 +135,7 @@ class Fall:
     """What frames of so many worlds take less, in percent of one exactly as shipped."""
 
     worlds: int
-    steps: Mapping[str, tuple[Quantity, Row]]
-    """By case, with one thing left out alone, timed in turn with all of it there."""
+    steps: Mapping[str, tuple[Quantity, Row]]  # by case, with one thing left out, timed in turn with all
     rest: Value  # what all left out together save beyond the sum of these
     ends: tuple[Row, Row]  # exactly as shipped, and without all of it
 

@@ -1,5 +1,6 @@
 """Newton's own solvers beside MuJoCo Warp: the box on a table, and the shake itself."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, all_of, at_least, at_most, decided, greater
@@ -37,10 +38,8 @@ def derive(results: Results) -> Section:
     rows = RowsBy(results, results.rows, "variant", "shake")
     times = RowsBy(results, results.rows, "variant", "worlds")
     bound = results.chosen("ended_bound", "a tenth of a slip that can be seen", 0.1, "mm")
-    seen: dict[str, Quantity] = {
-        "%/s": results.chosen("seen", "rounding of a place in single precision makes so much", 0.002, "%/s"),
-        "mm/s": results.chosen("creep_seen", "a millimetre in a quarter of an hour", 0.001, "mm/s"),
-    }
+    walk = results.chosen("seen", "rounding of a place in single precision makes so much", 2e-3, "%/s")
+    seen = {"%/s": walk, "mm/s": results.chosen("creep_seen", "a millimetre in a quarter of an hour", 1e-3, "mm/s")}
     tables = {"boxes": _box_table(results, seen), "shakes": _shake_table(rows), "times": _time_table(times)}
     has_steel = ("steel", "3cm") in rows
     offered = Claim("offered", (HOLDS if has_steel else FAILS).having_read(results.row["mujoco-2ms"].growth_per_s))
@@ -51,7 +50,7 @@ def derive(results: Results) -> Section:
         return Section(tables=tables, claims=claims, unmeasured=OF_STEEL)
     warp, steel = (rows[name, "3cm"].slip_mm for name in ("warp", "steel"))
     slips_less = Claim("slips_less", greater(warp, steel), {"warp": warp, "steel": steel})
-    claims += [_steel_stays(results, seen["%/s"]), slips_less, _anchors_help(rows)]
+    claims += [_steel_stays(results, walk), slips_less, _anchors_help(rows)]
     claims += [_contacts_strain(results, rows), _rows_overflow(results, rows), _fails_sooner(rows), _costs_more(times)]
     return Section(tables=tables, claims=claims)
 
@@ -60,7 +59,7 @@ def _label(name: str) -> str:
     return NAMES.get(name, name.capitalize())
 
 
-def _box_table(results: Results, seen: dict[str, Quantity]) -> Table:
+def _box_table(results: Results, seen: Mapping[str, Quantity]) -> Table:
     """Make a line for each of Newton's solvers; one that is excused has the reason beside its name."""
     names = list(dict.fromkeys(row["solver"] for row in results.rows if "solver" in row))
     excused = [row for row in results.rows if "of" in row and "solver" not in row]
@@ -72,7 +71,7 @@ def _box_table(results: Results, seen: dict[str, Quantity]) -> Table:
     return table_of("solver", solvers, columns, walk=seen["%/s"], creep=seen["mm/s"])
 
 
-def _of_box(results: Results, solver: str, end: str, seen: dict[str, Quantity]) -> Quantity | str:
+def _of_box(results: Results, solver: str, end: str, seen: Mapping[str, Quantity]) -> Quantity | str:
     """Say how fast the box walks outward, or creeps where the table stands still, if it is seen to."""
     row = results.row[f"{solver}-{end}"]
     is_turning = end.endswith("ms")
@@ -167,10 +166,8 @@ def _anchors_help(rows: RowsBy) -> Claim:
 
 def _contacts_strain(results: Results, rows: RowsBy) -> Claim:
     """Tell whether contacts carry as much along themselves where nothing pulls at the cube."""
-    shaken, held = (
-        results.value(f"used_{shake}", "of what friction allows", PERCENT * row.friction_share)
-        for shake, row in ((shake, rows["steel", shake]) for shake in ("3cm", "held"))
-    )
+    shaken = results.value("used_3cm", "of what friction allows", PERCENT * rows["steel", "3cm"].friction_share)
+    held = results.value("used_held", "of what friction allows", PERCENT * rows["steel", "held"].friction_share)
     strain = results.value("strain", "the same with the arm held still, of that shaken", PERCENT * held / shaken)
     return Claim("contacts_strain", at_least(strain, 50.0, why="most of it"), {"shaken": shaken, "held": held})
 

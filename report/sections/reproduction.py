@@ -27,8 +27,7 @@ labels = {
     "stiff-pads-warp-cpu": "stiff pads, Warp on the CPU",
 }
 
-OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
-"""Where the cases were measured besides, by how their names end."""
+OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}  # by how cases end
 FRAME_RATE = 60
 SCENE: tuple[tuple[str, float, str], ...] = (  # name, value and unit of what the scene sets
     ("cube_edge", round(1e3 * AS_SHIPPED.cube_edge_m), "mm"),

@@ -15,7 +15,7 @@ from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import PERCENT, constant
 from measured_report.values.results import Results, Row
 from report.shared import drawing
-from report.shared.arithmetic import SETTLES, extreme, is_held, noise_floor, other_value, quantile
+from report.shared.arithmetic import SETTLES, Sections, extreme, is_held, noise_floor, other_value, quantile
 from report.shared.tables import by_case
 
 order = 90
@@ -93,17 +93,15 @@ CONDITIONS = {  # what the cause takes, in words: section, value and the bound t
 
 def cause(results: Results) -> Claim:
     slip = has_slip(results)
-    outcomes = {
-        words: at_most(other_value(results, section, name), other_value(results, section, bound))
-        for words, (section, name, bound) in CONDITIONS.items()
-    }
+    value = Sections(results.others).value
+    outcomes = {words: at_most(value(name, a), value(name, b)) for words, (name, a, b) in CONDITIONS.items()}
     noise = noise_floor(results, "slip_floor")
     for case in ("as-shipped", "stiff-pads"):
-        less, more = (other_value(results, "contacts", f"restored_{case}_{size}_size") for size in ("small", "large"))
+        less, more = (value("contacts", f"restored_{case}_{size}_size") for size in ("small", "large"))
         outcomes[BACK] = all_of(outcomes[BACK], greater(more, less, noise=noise))
     lacking = Markup(", ").join(words for words, outcome in outcomes.items() if outcome != HOLDS)
     # Without a slip the others need not be known.
-    bound = other_value(results, "reproduction", "slip_bound")
+    bound = value("reproduction", "slip_bound")
     numbers = {"has_slip": slip != FAILS, "slip": results.row[SHIPPED].slip_mm, "lacking": lacking, "bound": bound}
     return Claim("cause", all_of(slip, *outcomes.values()), numbers)
 

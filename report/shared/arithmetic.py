@@ -10,13 +10,12 @@ from measured_report.records.columns import PLAIN, column_of
 from measured_report.values.quantities import PERCENT, Quantity, Term, absent, combined, constant
 from measured_report.values.results import Results, Row
 
-CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
-"""Cases that many sections measure, and what they are called."""
+CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}  # cases that many sections measure, by label
+PUBLISHED = "published, and not measured here"  # formula of a constant
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 MS_PER_S, MM_PER_M = constant(1e3, "ms/s"), constant(1e3, "mm/m")
-SETTLES = ("a change that settles the matter", 10.0)
-"""Why, and how many times less a slip has to be, for a bound that several sections choose."""
+SETTLES = ("a change that settles the matter", 10.0)  # a bound that sections choose: why, and how many times less
 
 
 def departure(a: Quantity, b: Quantity) -> Term:

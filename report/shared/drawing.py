@@ -6,8 +6,7 @@ from matplotlib.axes import Axes
 
 from measured_report.parts.figures import SERIES
 
-STIFF, SHIPPED, TERM, CURE = SERIES[:4]
-"""The colour of a condition, the same in every figure: stiff pads, as shipped, the left-out term, the root cure."""
+STIFF, SHIPPED, TERM, CURE = SERIES[:4]  # the colour of a condition, the same in every figure
 
 
 def mark_points(axes: Axes, points: Iterable[tuple[float | None, float | None]], **style) -> None:

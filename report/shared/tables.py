@@ -9,8 +9,7 @@ from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
-Column = str | Callable[[Row], Any] | Sequence
-"""A column of a table: a column of the record, what makes a cell of a row, or the cells."""
+Column = str | Callable[[Row], Any] | Sequence  # a column of the record, what makes a cell of a row, or the cells
 NAMED_COUNT = 6  # cases that a sentence names at most
 
 

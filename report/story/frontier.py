@@ -22,8 +22,7 @@ UNSEEN = {  # section and value of how much longer the frames of a way may take 
     "the root cure": ("cure_cost", "best_unseen"),
     "the root cure, stiff pads": ("cure_cost", "firm_unseen"),
 }
-NOTHING, ARGUMENT, SOLVER, PATCH = range(4)
-"""What it takes to have a way, in the order in which they are advised; an argument is one of MuJoCo's solver."""
+NOTHING, ARGUMENT, SOLVER, PATCH = range(4)  # what a way takes, in the order of advice; an argument of the solver
 
 
 @dataclass(frozen=True)

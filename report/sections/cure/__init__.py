@@ -21,8 +21,7 @@ labels = {
     "ke-kd-#-#-#-plain": "pads' ke {1}, kd {0}, {2} substeps",
 }
 
-PARTS = (turntable, controls, limits, bodies, tumbles, budget)
-"""The modules of its parts; the last one reads what the limits are."""
+PARTS = (turntable, controls, limits, bodies, tumbles, budget)  # its parts; the last reads what the limits are
 
 
 FILES = (  # said in full: what is kept of a section is made anew when a file changes that its code names

@@ -10,8 +10,7 @@ from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, extreme, rows_with
 
 TABLE = ("carried", "caught")  # motions on the table: turning with it, and put down at rest
-FREE = ("impact", "roll", "slide")
-"""Motions on a plane whose contacts have no acceleration along their friction that could be left out."""
+FREE = ("impact", "roll", "slide")  # motions on a plane: no acceleration along their friction to leave out
 Variants = Mapping[str, Row]  # rows by variant: nothing done, the term of material points, the exact term
 Runs = Mapping[tuple[str, str, str], Variants]  # runs by motion, body and engine
 
@@ -44,10 +43,8 @@ def _stays_as_it_is(results: Results, runs: Runs) -> Claim:
 
 def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
     formula = "growth of the distance from the axis with the exact term, of that with nothing done, in size"
-    left = [
-        results.value(f"left_{name}", formula, PERCENT * abs(exact.growth_per_s / plain.growth_per_s))
-        for name, plain, exact in _of(runs, TABLE, "exact")
-    ]
+    pairs = ((name, exact.growth_per_s / plain.growth_per_s) for name, plain, exact in _of(runs, TABLE, "exact"))
+    left = [results.value(f"left_{name}", formula, PERCENT * abs(ratio)) for name, ratio in pairs]
     largest = results.value("left_most", "largest of these", extreme(max, left))
     count = results.value("table_count", "runs on the table", cell_count(left))
     return Claim("stands_on_any_feet", at_most(largest, 1.0, why="it stands"), {"largest": largest, "count": count})

@@ -32,10 +32,10 @@ def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     total = gathered(sum, (row.world_count for row in rows))
     worlds = results.value("tumble_count", "worlds with the exact term", total)
     outcome = all_of(at_most(gains["exact"], chance), at_least(worlds, 10_000, why="enough to see what is rare"))
-    steps = {
-        name: results.value(f"tumble_{name}", f"the {name} step", extreme(choose, [row.step_ms for row in rows]))
-        for name, choose in (("shortest", min), ("longest", max))
-    }
+    steps = [row.step_ms for row in rows]
+    shortest = results.value("tumble_shortest", "the shortest step", extreme(min, steps))
+    longest = results.value("tumble_longest", "the longest step", extreme(max, steps))
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
     spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, "rad/s")
-    return Claim("tumbling_gains_nothing", outcome, {"worlds": worlds, "spin": spin, "gain": gain} | gains | steps)
+    numbers = {"worlds": worlds, "spin": spin, "gain": gain, "shortest": shortest, "longest": longest}
+    return Claim("tumbling_gains_nothing", outcome, numbers | gains)

@@ -12,10 +12,8 @@ from report.sections.error_runtime.runs import ENGINES, ERROR, PADS, TIME, Point
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}
-NAMED = ("newton", "newton-rk4", "cpu", "c", "c-rk4")
-"""Methods whose points have their substeps beside them; those of the others lie next to these."""
-LEAST_ERROR_MM = 1e-5
-"""Smaller errors are drawn on the left edge: no one can live with less, and the rest gets the room."""
+NAMED = ("newton", "newton-rk4", "cpu", "c", "c-rk4")  # methods whose points have their substeps beside them
+LEAST_ERROR_MM = 1e-5  # smaller errors are drawn on the left edge, which leaves the rest the room
 
 
 def draw_numerical(points: Points) -> Drawing:

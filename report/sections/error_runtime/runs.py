@@ -12,8 +12,7 @@ PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 METHODS = ("newton", "newton-each-substep", "mujoco", "newton-rk4", "mujoco-rk4", "cpu", "c", "c-rk4")
 ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
 ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
-LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m
-"""Chosen: farther than its edge from where the converged solution has it, the cube has left the grasp."""
+LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m  # chosen: farther off than its edge, the cube has left the grasp
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
@@ -32,8 +31,7 @@ class Points:
     references: Sequence[Row]
     worlds: Sequence[Row]  # many worlds at once, fewest first
     floors: Mapping[str, Value]  # distance of Warp from C with the same steps, by pads [mm]
-    backend_front: frozenset[str]
-    """Cases that no other setting of the same pads, model and backend beats in numerical error and run time."""
+    backend_front: frozenset[str]  # cases that no other beats in numerical error and run time
 
     def __getitem__(self, case: str) -> Row:
         return self.results.row[case]

@@ -4,7 +4,7 @@ from measured_report.parts.claim import Claim, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value, constant
 from measured_report.values.results import Results
-from report.shared.arithmetic import cell_count, departure, extreme
+from report.shared.arithmetic import PUBLISHED, cell_count, departure, extreme
 from report.shared.tables import Column, table_of
 
 ENGINES = ("c", "warp", "newton")
@@ -23,9 +23,8 @@ PUBLISHED_MM_S = {"recipe": 0.15499, "impratio-1": 1.5, "pyramidal": 2.3, "stiff
 
 def derive(results: Results) -> Section:
     rows = [results.row[f"{variant}-c"] for variant in VARIANTS]
-    formula = "published, and not measured here"
     rates = {variant: constant(rate, "mm/s") for variant, rate in PUBLISHED_MM_S.items()}
-    published = {variant: results.value(f"published_{variant}", formula, rate) for variant, rate in rates.items()}
+    published = {variant: results.value(f"published_{variant}", PUBLISHED, rate) for variant, rate in rates.items()}
     columns: dict[str, Column] = {"sinks": "creep_mm_s"}
     columns |= {"published": [published.get(variant, "") for variant in VARIANTS]}
     columns |= {"once steady": "steady_creep_mm_s", "by the law": "predicted_creep_mm_s"}

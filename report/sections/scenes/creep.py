@@ -22,16 +22,14 @@ SCENES = {  # scenes that have a creep and its prediction
     "turntable": "box on a turntable",
     "contacts": "shake test",
 }
-OTHERS = {"turntable": "cure", "contacts": "contacts"}
-"""Sections that have the rows of a scene, where another one has them."""
+OTHERS = {"turntable": "cure", "contacts": "contacts"}  # sections that have the rows of a scene, if another one
 COLUMNS = {  # columns measured and predicted, where they are no creep, or one that comes in jolts as well
     "turntable": ("growth_per_s", "predicted_growth_per_s"),
     "contacts": ("slide_mm", "predicted_slide_mm"),
     "capsule": ("steady_creep_mm_s", "forecast_creep_mm_s"),
 }
 MARKERS = ("o", "s", "^", "D", "v")
-SHAKE_S = 4.0
-"""How long the slide of the shake test was watched: two periods of a motion that repeats every second cycle of 1 Hz."""
+SHAKE_S = 4.0  # how long the slide was watched: two periods of a motion that repeats every second cycle
 
 
 @dataclass(frozen=True)

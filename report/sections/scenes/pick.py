@@ -6,7 +6,7 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import PERCENT, Value, constant
 from measured_report.values.results import Results
-from report.shared.arithmetic import departure, extreme, gathered
+from report.shared.arithmetic import PUBLISHED, departure, extreme, gathered
 from report.shared.tables import Column, table_of
 
 OBJECTS, STEPS = ("cube", "ball"), ("2ms", "10ms")
@@ -18,10 +18,8 @@ END_S = 20.0
 
 
 def derive(results: Results) -> Section:
-    cube, ball = (
-        results.value(f"published_{kind}_2ms", "published, and not measured here", constant(time, "s"))
-        for kind, time in PUBLISHED_DROP_S.items()
-    )
+    drops = {f"published_{kind}_2ms": constant(time, "s") for kind, time in PUBLISHED_DROP_S.items()}
+    cube, ball = (results.value(name, PUBLISHED, time) for name, time in drops.items())
     claims = [_fails_as_published(results), _ball_creeps_out(results, ball), _cube_is_shaken_out(results, cube)]
     return Section(tables={"drops": _table(results)}, claims=[*claims, _elliptic_holds(results)])
 

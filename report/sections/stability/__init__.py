@@ -10,7 +10,7 @@ from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import absent
 from measured_report.values.results import Results, Row
 from report.sections.stability import claims
-from report.sections.stability.claims import count, family
+from report.sections.stability.claims import NOT_ONE, count, family, unseen
 from report.sections.stability.figures import draw_maps
 from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, is_stable
 from report.shared.tables import table_of
@@ -57,10 +57,8 @@ def derive(results: Results) -> Section:
     tests += [claims.long(results)]
     by_name = {claim.name: claim for claim in tests}
     ends = [(by_name[name], holds, breaks) for name, holds, breaks in LIMITS.values()]
-    columns = {"holds": [claim.numbers[holds] or claims.NOT_ONE for claim, holds, _ in ends]}
-    columns["breaks"] = [
-        claim.numbers[end] or claims.NOT_ONE if end else claims.unseen(claim) for claim, _, end in ends
-    ]
+    columns = {"holds": [claim.numbers[holds] or NOT_ONE for claim, holds, _ in ends]}
+    columns["breaks"] = [claim.numbers[end] or NOT_ONE if end else unseen(claim) for claim, _, end in ends]
     figures = {"maps": _maps(results, critical, default_kd, is_so)}
     return Section(tables={"limits": table_of("what", LIMITS, columns)}, figures=figures, claims=tests)
 

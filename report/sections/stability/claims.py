@@ -121,8 +121,7 @@ def clamp(results: Results) -> Claim:
     return Claim("clamp_off", decided(is_one, first, last), numbers)
 
 
-MU = {"shake": 0.0187, "grip": 0.1}
-"""Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
+MU = {"shake": 0.0187, "grip": 0.1}  # friction of the pads, shaken harder and gripped less until the cube is lost
 
 
 def crossover(results: Results, name: str, margin: Value) -> Claim:
