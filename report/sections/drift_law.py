@@ -9,7 +9,7 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import PERCENT, Value, absent, combined
+from measured_report.values.quantities import PERCENT, Quantity, Value, absent, combined
 from measured_report.values.results import Results, Row
 from report.shared import arithmetic, drawing
 from report.shared.arithmetic import MS_PER_S, departure, largest_size, noise_floor, quantile, resolved

@@ -33,8 +33,7 @@ def _patch_rounds_up(results: Results) -> Claim:
     step = other_value(results, "stiffness", "substep")
     dt = results.value("step_ms", "the same in ms", MS_PER_S * step)
     least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", constant(1, "s") / step)
-    formula = "ke with which the damping ratio, kd / (2 √ke), is 1"
-    least_ke = results.value("step_ke", formula, least_kd * least_kd / 4)
+    least_ke = results.value("step_ke", "ke with which the damping ratio, kd / (2 √ke), is 1", least_kd * least_kd / 4)
     bound = results.chosen("rounding_bound", "rounded", 10.0, "%")
     numbers, outcomes = {"dt": dt, "least_kd": least_kd, "least_ke": least_ke}, []
     for name, given, least in (("kd", STIFF_PADS.pad_kd, least_kd), ("ke", STIFF_PADS.pad_ke, least_ke)):

@@ -71,16 +71,15 @@ def _box_table(results: Results, seen: Mapping[str, Quantity]) -> Table:
     return table_of("solver", solvers, columns, walk=seen["%/s"], creep=seen["mm/s"])
 
 
-def _of_box(results: Results, solver: str, end: str, seen: Mapping[str, Quantity]) -> Quantity | str:
+def _of_box(results: Results, name: str, end: str, seen: Mapping[str, Quantity]) -> Quantity | str:
     """Say how fast the box walks outward, or creeps where the table stands still, if it is seen to."""
-    row = results.row[f"{solver}-{end}"]
+    row = results.row[f"{name}-{end}"]
     is_turning = end.endswith("ms")
     cell = row["growth_per_s" if is_turning else "creep_mm_s"]
     if cell.value is not None and not row.stays:
         return "sinks in or lost"
     if is_turning:
-        formula = "growth of the distance from the axis, in percent of it"
-        cell = results.value(f"{solver}_{end}", formula, PERCENT * cell)
+        cell = results.value(f"{name}_{end}", "growth of the distance from the axis, in percent of it", PERCENT * cell)
     return cell if cell.value is None or abs(cell.value) >= seen[cell.unit].number else "not seen"
 
 

@@ -58,11 +58,10 @@ def _cube_does_not_move_slip(results: Results) -> Claim:
     low, shipped, high = (results.row[case] for case in CUBE)
     formula = "largest less smallest slip over the three stiffnesses of the cube"
     change = results.value("cube_slip_spread", formula, spread([row.slip_mm for row in (low, shipped, high)]))
-    formula = "that spread, of the slip as shipped"
-    of_shipped = results.value("cube_slip_share", formula, PERCENT * change / shipped.slip_mm)
+    share = results.value("cube_slip_share", "that spread, of the slip as shipped", PERCENT * change / shipped.slip_mm)
     floor = noise_floor(results, "slip_floor")
-    small = at_most(of_shipped, 2.0, why="no change to speak of")
-    outcome = small.having_read(floor) if small == HOLDS else within(change, floor).having_read(of_shipped)
+    small = at_most(share, 2.0, why="no change to speak of")
+    outcome = small.having_read(floor) if small == HOLDS else within(change, floor).having_read(share)
     return Claim("cube_does_not_move_slip", outcome, {"change": change})
 
 

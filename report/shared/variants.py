@@ -52,23 +52,22 @@ def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
 
 def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) -> Variants:
     """Compare every row of the section, but for the cases ``apart``, with the row of the case ``baseline``."""
-    reference, rows = results.row[baseline], [row for row in results.rows if row.case not in (baseline, *apart)]
+    base, rows = results.row[baseline], [row for row in results.rows if row.case not in (baseline, *apart)]
     changes = {}
     for row in rows:
-        formula = f"slip of {row.case} less that of {reference.case}"
-        changes[row.case] = results.value(f"{row.case}_difference", formula, row.slip_mm - reference.slip_mm)
+        case, formula = row.case, f"slip of {row.case} less that of {base.case}"
+        changes[case] = results.value(f"{case}_difference", formula, row.slip_mm - base.slip_mm)
     formula = "largest difference in slip from the baseline, either way"
     largest = results.value("largest_difference", formula, largest_size(changes.values()))
     formula = "largest difference in slip from the baseline, of the baseline's slip"
-    of_slip = results.value("largest_share", formula, PERCENT * largest / reference.slip_mm)
-    farthest = max(rows, key=lambda row: abs(changes[row.case].value or 0.0), default=reference)
+    of_slip = results.value("largest_share", formula, PERCENT * largest / base.slip_mm)
+    farthest = max(rows, key=lambda row: abs(changes[row.case].value or 0.0), default=base)
     floor = noise_floor(results, "slip_floor")
-    slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound"))
-    formula = "noise of the slip, of the baseline's slip"
-    unseen = results.value("floor_share", formula, PERCENT * floor / reference.slip_mm)
+    slips = at_least(base.slip_mm, other_value(results, "reproduction", "slip_bound"))
+    unseen = results.value("floor_share", "noise of the slip, of the baseline's slip", PERCENT * floor / base.slip_mm)
     seen = resolved(unseen, 5.0, why="no change to speak of")
     numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": case_html(farthest)}
-    return Variants(reference, rows, slips, seen, numbers | {"baseline": reference.slip_mm, "floor": floor})
+    return Variants(base, rows, slips, seen, numbers | {"baseline": base.slip_mm, "floor": floor})
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:

@@ -91,27 +91,25 @@ def crossover(points: Points) -> Claim:
     def rate_of_one(*cells: float) -> float:
         return float(np.median([1e3 * ratio / time for ratio, time in zip(cells[::2], cells[1::2], strict=True)]))
 
-    one_core = results.value("one_core_rate", formula, rate_of_one, *pairs, unit="world-s/s")
+    core = results.value("one_core_rate", formula, rate_of_one, *pairs, unit="world-s/s")
 
     def rate_of(row: Row) -> Value:
         formula, cells = "simulated seconds of all worlds together per second", (row.worlds, row.ms_per_s)
-        return results.value(f"rate_{row.case}", formula, lambda n, ms: 1e3 * n / ms, *cells, unit=one_core.unit)
+        return results.value(f"rate_{row.case}", formula, lambda n, ms: 1e3 * n / ms, *cells, unit=core.unit)
 
     rates = [rate_of(row) for row in rows]
     formula = "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones"
     pairs = [quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)]
-    crossover = results.value("crossover_worlds", formula, crossing, one_core, *pairs)
+    crossover = results.value("crossover_worlds", formula, crossing, core, *pairs)
     engine = runs.ENGINES[rows[0].backend]
     first, last = rates[0], rates[-1]
-    formula = "speed of C on one core over that of Warp with one world"
-    advantage = results.value("one_core_advantage", formula, one_core / first)
-    formula = "speed of Warp with the most worlds over that of C on one core"
-    gain = results.value("worlds_gain", formula, last / one_core)
-    is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
-    ends = greater(one_core, first), greater(last, one_core)
-    outcome = all_of(*ends, contiguous(is_ahead, *rates, one_core))
+    lead = results.value("one_core_advantage", "speed of C on one core over that of Warp with one world", core / first)
+    gain = results.value("worlds_gain", "speed of Warp with the most worlds over that of C on one core", last / core)
+    is_ahead = [None not in (rate.value, core.value) and rate.value >= core.value for rate in rates]
+    ends = greater(core, first), greater(last, core)
+    outcome = all_of(*ends, contiguous(is_ahead, *rates, core))
     at = "" if crossover.value is None else crossover  # which is nowhere where one engine is ahead throughout
-    numbers = {"advantage": advantage, "engine": engine, "crossover": at, "gain": gain}
+    numbers = {"advantage": lead, "engine": engine, "crossover": at, "gain": gain}
     return Claim("crossover", outcome, numbers | {"most": points.worlds[-1].worlds})
 
 

@@ -48,8 +48,8 @@ def _say_level(axes: Axes, level: float, text: str, side: str) -> None:
 def _set_axes(axes: Axes, rows: Sequence[Row], worlds: Sequence[Row]) -> None:
     times = [row[TIME].value for row in rows] + [_time_per_world(row) for row in worlds if row[TIME].value]
     axes.set(xscale="log", yscale="log")
-    axes.set(xlim=(0.4 * min(times), 4.0 * max(times)))
-    axes.set(ylim=(LEAST_ERROR_MM, 4.0 * max(row[ERROR].value for row in rows)))
+    limits = (LEAST_ERROR_MM, 4.0 * max(row[ERROR].value for row in rows))
+    axes.set(xlim=(0.4 * min(times), 4.0 * max(times)), ylim=limits)
     axes.minorticks_off()
     axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
 

@@ -64,12 +64,11 @@ def _ball_creeps_out(results: Results, published: Value) -> Claim:
     when = results.value("ball_passes", formula, begin + still.margin_mm / still.forecast_creep_mm_s)
     formula = "time of the drop less that, in size, of the latter"
     off = results.value("ball_drop_off", formula, departure(row.median_drop_s, when))
-    formula = "last drop of the ball less the first"
-    apart = results.value("ball_drop_spread", formula, row.last_drop_s - row.first_drop_s)
+    gap = results.value("ball_drop_spread", "last drop of the ball less the first", row.last_drop_s - row.first_drop_s)
     soon = at_most(off, 20.0, why="soon after it has passed the edge, from which it still has to fall")
     formula = "time of the drop less the published one, in size, of the latter"
     from_published = results.value("ball_off", formula, departure(row.median_drop_s, published))
-    same = at_most(apart, 0.1, why="whatever the shake"), at_most(from_published, 5.0, why="the same time")
+    same = at_most(gap, 0.1, why="whatever the shake"), at_most(from_published, 5.0, why="the same time")
     numbers = {"creep": still.forecast_creep_mm_s, "margin": still.margin_mm, "when": when}
     return Claim("ball_creeps_out", all_of(soon, *same), numbers | {"drop": row.median_drop_s, "published": published})
 
