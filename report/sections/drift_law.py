@@ -40,7 +40,7 @@ def derive(results: Results) -> Section:
     pairs = {row.case: (row.drift_mm_s, row.predicted_drift_mm_s) for row in runs}
     offs = [results.value(f"off_kept_{case}", formula, departure(*pair)) for case, pair in pairs.items()]
     follows, sources = _follows(results, runs, offs), [cell for pair in pairs.values() for cell in pair]
-    figure = Figure(lambda: _draw(runs), sources, {"follows": follows.outcome == HOLDS})
+    figure = Figure(partial(_draw, runs), sources, {"follows": follows.outcome == HOLDS})
     tables = {"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)}
     return Section(tables=tables, figures={"law": figure}, claims=[_by_hand(results), follows])
 

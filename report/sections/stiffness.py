@@ -55,7 +55,7 @@ def derive(results: Results) -> Section:
     alone, together = ke_alone_does_not_help(results, ke_alone), together_they_hold(results)
     numbers: dict[str, Any] = {"is_so": all_of(alone.outcome, together.outcome) == HOLDS, "clamp": clamp}
     numbers |= {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm}
-    sweep = Figure(lambda: draw_sweep(plain, ke_alone, clamp.value), [row.slip_mm for row in held], numbers)
+    sweep = Figure(partial(draw_sweep, plain, ke_alone, clamp.value), [row.slip_mm for row in held], numbers)
     rows = [results.row[case] for case in SHOWN]
     # a cube that was lost has other contacts than those with the pads.
     columns = {above: ["" if row.dropped else row[name] for row in rows] for above, name in COLUMNS.items()}

@@ -137,6 +137,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     holding = [way for way, test in tests.items() if test == HOLDS]
     effort = min((way.effort for way in holding), default=PATCH)
     times = {way: ratios[ALONE] for way in holding if ALONE in (ratios := way.ratios(sections))}
+    paces = {way: time.number for way, time in times.items()}
     timed = [way for way in times if way.effort == effort]
     near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
@@ -145,7 +146,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio"), "")  # it does without
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
-    way = min(timed, key=lambda way: times[way].number)
+    way = min(timed, key=paces.__getitem__)
     ratios = way.ratios(sections)
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
     numbers |= {"way": way.name, "slip": way.slip(sections), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
@@ -154,7 +155,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     patches = [way for way in times if way.effort == PATCH]
     flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
-        patch = min(patches, key=lambda patch: times[patch].number)
+        patch = min(patches, key=paces.__getitem__)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
     read = [cell for cell in (seen, *(way.slip(sections) for way in tests)) if cell.value is not None]
     read += [times[way] for way in (*timed, *patches)]

@@ -7,11 +7,10 @@ import numpy as np
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, contiguous, greater, within
-from measured_report.values.quantities import PERCENT, Value, combined, constant
-from measured_report.values.results import Row
+from measured_report.values.quantities import PERCENT, combined, constant
 from report.sections.error_runtime import runs
 from report.sections.error_runtime.runs import ERROR, GRASP, SHIPPED, Points
-from report.shared.arithmetic import cell_count, largest_size, quantile, resolved
+from report.shared.arithmetic import cell_count, gathered, largest_size, quantile, resolved
 
 
 def pads_decide(points: Points) -> Claim:
@@ -86,18 +85,11 @@ def crossover(points: Points) -> Claim:
     results, rows = points.results, points.worlds
     # From the times that it took in turn with each number of worlds: alone a core may run at another pace.
     formula = "simulated seconds of one world per second, MuJoCo C on one core, median of all comparisons"
-    pairs = [quantity for row in rows for quantity in (row.time_ratio, row.ms_per_s)]
-
-    def rate_of_one(*cells: float) -> float:
-        return float(np.median([1e3 * ratio / time for ratio, time in zip(cells[::2], cells[1::2], strict=True)]))
-
-    core = results.value("one_core_rate", formula, rate_of_one, *pairs, unit="world-s/s")
-
-    def rate_of(row: Row) -> Value:
-        formula, cells = "simulated seconds of all worlds together per second", (row.worlds, row.ms_per_s)
-        return results.value(f"rate_{row.case}", formula, lambda n, ms: 1e3 * n / ms, *cells, unit=core.unit)
-
-    rates = [rate_of(row) for row in rows]
+    second = constant(1e3, "ms·world-s/s²")  # of one world, in ms per s
+    median = gathered(np.median, (second * row.time_ratio / row.ms_per_s for row in rows))
+    core = results.value("one_core_rate", formula, median)
+    formula = "simulated seconds of all worlds together per second"
+    rates = [results.value(f"rate_{row.case}", formula, second * row.worlds / row.ms_per_s) for row in rows]
     formula = "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones"
     pairs = [quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)]
     crossover = results.value("crossover_worlds", formula, crossing, core, *pairs)
