@@ -143,13 +143,9 @@ def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "")
     if noise is None:
         quantities = [number for number in (a, b) if isinstance(number, Quantity)]
         known = [number for number in quantities if number.value is not None]
-        apart = combined(_difference, *known, unit=quantities[0].unit).noise if known else None
+        apart = combined(lambda a, *b: a - sum(b), *known, unit=quantities[0].unit).noise if known else None
         noise = Quantity(apart, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
     return decreases([a, b], noise=noise, why=why)
-
-
-def _difference(first: float, *others: float) -> float:
-    return first - sum(others)
 
 
 def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Outcome:

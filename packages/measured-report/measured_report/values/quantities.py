@@ -4,9 +4,10 @@ import json
 import math
 import operator
 import re
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partialmethod
 from itertools import zip_longest
 from typing import Any
 
@@ -18,9 +19,10 @@ from measured_report.records.columns import PLAIN
 from measured_report.records.record import Origin
 from measured_report.values.format import format_code, format_least, format_most, format_number, unit_label
 from measured_report.values.noise import WRITTEN_SHARE, derived_noise, sampled_noise
-from measured_report.values.units import product_unit
 
 VALUES_FILE = "values.json"
+POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
 MOST, LEAST = "most", "least"
 """Said on the page of a number that is a bound from above or below."""
 
@@ -47,18 +49,6 @@ class Pointer:
         return (int(found[1]), found[2]) if found else None
 
 
-def _operator(function: Callable[[Any, Any], Any], power: int = 0) -> "Callable[[Quantity, Quantity | float], Term]":
-    """Return what an operator makes of two quantities, or one and a number; ``power``: of the second in a product."""
-
-    def operate(a: "Quantity", b: "Quantity | float") -> "Term":
-        if not isinstance(b, Quantity | int | float):
-            return NotImplemented
-        b = b if isinstance(b, Quantity) else constant(b)
-        return combined(function, a, b, unit=product_unit(a.unit, b.unit, power) if power else "")
-
-    return operate
-
-
 @dataclass(frozen=True)
 class Quantity:
     """Holds a measured number, shown with a pointer to the file that holds it.
@@ -81,24 +71,19 @@ class Quantity:
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
     """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
 
-    __add__, __sub__ = _operator(operator.add), _operator(operator.sub)
-    __mul__, __truediv__ = _operator(operator.mul, 1), _operator(operator.truediv, -1)
-    __rmul__ = __mul__
+    def _with(self, function: Callable[..., Any], *others: "Quantity | float") -> "Term":
+        return combined(function, self, *others)
+
+    def _after(self, function: Callable[..., Any], number: float) -> "Term":
+        return combined(function, number, self)
 
     def __radd__(self, number: float) -> "Quantity":
         return self + number if number else self  # sum() begins with 0
 
-    def __rsub__(self, number: float) -> "Term":
-        return -self + number
-
-    def __rtruediv__(self, number: float) -> "Term":
-        return constant(number) / self
-
-    def __neg__(self) -> "Term":
-        return combined(operator.neg, self)
-
-    def __abs__(self) -> "Term":
-        return combined(abs, self)
+    __add__, __sub__ = partialmethod(_with, operator.add), partialmethod(_with, operator.sub)
+    __mul__, __truediv__ = partialmethod(_with, operator.mul), partialmethod(_with, operator.truediv)
+    __neg__, __abs__, __rmul__ = partialmethod(_with, operator.neg), partialmethod(_with, abs), __mul__
+    __rsub__, __rtruediv__ = partialmethod(_after, operator.sub), partialmethod(_after, operator.truediv)
 
     @property
     def reads(self) -> frozenset[str]:
@@ -252,7 +237,7 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any], samples: Se
     return max(float(noise), WRITTEN_SHARE * abs(function(*values))) if any(noises) else 0.0
 
 
-class Term(Quantity):
+class Term(Value):
     """Works a number out of its operands; ``results.value`` gives it a name, and with that a place on the page."""
 
     function: Callable[..., float]
@@ -260,17 +245,11 @@ class Term(Quantity):
     source = ""
 
     def __init__(self, function: Callable[..., float], operands: Sequence[Any], unit: str, across: bool):
-        refusal = "" if across else mixed(*(operand.origins for operand in operands))
+        origins = [operand.origins for operand in operands]
+        refusal = "" if across else mixed(*origins)
         value, reason = (None, refusal) if refusal else _evaluated(function, operands)
-        vars(self).update(function=function, operands=operands, unit=unit, value=value, reason=reason)
-
-    @cached_property
-    def origins(self) -> frozenset[Origin]:
-        return frozenset().union(*(operand.origins for operand in self.operands))
-
-    @cached_property
-    def reads(self) -> frozenset[str]:
-        return frozenset().union(*(operand.reads for operand in self.operands))
+        vars(self).update(value=value, unit=unit, reason=reason, origins=frozenset().union(*origins))
+        vars(self).update(function=function, operands=operands, roots=frozenset().union(*(o.reads for o in operands)))
 
     @cached_property
     def samples(self) -> Sequence[float | None]:
@@ -288,33 +267,43 @@ class Term(Quantity):
 
 
 def combined(function: Callable[..., float], *sources: Any, unit: str = "", across: bool = False) -> Term:
-    """Return what a function makes of quantities and series, in ``unit`` or else in that which they have in common.
+    """Return what a function makes of quantities, series and plain numbers, in ``unit`` or else in theirs.
 
     What it takes twice changes in both places at once. ReportError for quantities of unlike units.
     """
+    sources = tuple(source if hasattr(source, "reads") else constant(source) for source in sources)
     groups = [source.operands if isinstance(source, Term) else (source,) for source in sources]
     operands = {id(operand): operand for group in groups for operand in group}
-    places = {key: place for place, key in enumerate(operands)}
-    steps = [
-        (getattr(source, "function", None), [places[id(operand)] for operand in group])
-        for source, group in zip(sources, groups, strict=True)
-    ]
 
     def composed(*values: Any) -> float:
-        arguments = [
-            inner(*(values[place] for place in group)) if inner else values[group[0]] for inner, group in steps
-        ]
+        given = dict(zip(operands, values, strict=True))
+        inner = [[given[id(operand)] for operand in group] for group in groups]
+        arguments = [s.function(*v) if isinstance(s, Term) else v[0] for s, v in zip(sources, inner, strict=True)]
         # The largest or smallest of none is no number.
         return function(arguments, default=math.nan) if function in (max, min) else function(*arguments)
 
-    return Term(composed, tuple(operands.values()), unit or _common_unit(sources), across)
+    return Term(composed, tuple(operands.values()), unit or _unit_of(function, sources), across)
 
 
-def _common_unit(quantities: Sequence[Quantity]) -> str:
+def _unit_of(function: Callable[..., float], quantities: Sequence[Quantity]) -> str:
+    """Return the unit of a product or a ratio; what else is made of quantities has that which they have in common."""
+    if function in (operator.mul, operator.truediv):
+        a, b = (quantity.unit for quantity in quantities)
+        return _product_unit(a, b, 1 if function is operator.mul else -1)
     units = {quantity.unit: quantity for quantity in quantities if quantity.value is not None}
     if len(units) > 1:
         raise ReportError("{} and {} have no unit in common: derive them in one".format(*units.values()))
     return next(iter(units), quantities[0].unit if quantities else PLAIN)
+
+
+def _product_unit(a: str, b: str, power: int) -> str:
+    powers: Counter[str] = Counter()
+    for unit, sign in ((a, 1), (b, power)):
+        for below, symbol, exponent in FACTOR.findall(unit):
+            powers[symbol] += (-sign if below else sign) * max(1, POWERS.find(exponent))
+    del powers[PLAIN]
+    above, below = ([n + POWERS[k] * (k > 1) for n, k in sorted((+side).items())] for side in (powers, -powers))
+    return "/".join(["·".join(above) or PLAIN, *below])
 
 
 def _evaluated(function: Callable[..., float], sources: Sequence[Any]) -> tuple[float | None, str]:

@@ -217,18 +217,10 @@ class Results:
         if not is_unit(unit):
             raise ResultsError(f"the value {name} has the unit {unit}, which units in report.toml does not declare")
         term = combined(function, *sources, unit=unit, across=across)
-        self.derived[name] = Value(
-            value=term.value,
-            unit=unit,
-            source=f"{self.values_file}/{name}",
-            reason=term.reason,
-            origins=term.origins,
-            noise=None if is_noise else term.noise,
-            samples=() if is_noise else term.samples,
-            formula=formula,
-            sources=tuple(operand.source for operand in term.operands if operand.source),
-            roots=term.reads,
-        )
+        names = "value", "unit", "reason", "origins", *(() if is_noise else ("noise", "samples")), "roots"
+        sources = tuple(operand.source for operand in term.operands if operand.source)
+        fields = {name: getattr(term, name) for name in names} | {"sources": sources, "formula": formula}
+        self.derived[name] = Value(source=f"{self.values_file}/{name}", **fields)
         return self.derived[name]
 
     def chosen(self, name: str, why: str, value: float, unit: str = PLAIN) -> Value:
