@@ -33,13 +33,11 @@ if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs
     import numpy as np
 
 REPEATED_SHARE = 1e-3  # chosen: what repeats to the last bit here may round otherwise elsewhere, by this share
-EDGES = ("_p5", "_p95")
-"""Ends of columns that say how far the numbers spread of which a column has the median."""
+EDGES = ("_p5", "_p95")  # ends of columns that say how far the numbers spread of which a column has the median
 MEDIAN = math.sqrt(math.pi / 2)  # ratio of the spreads of the median of many numbers and of their mean
 AT_EDGE = 4.4
 """Chosen: a number so many normal deviations from all others is no chance, of which there is one in 100,000."""
-MEAN = "mean of"
-"""Begins the key of what the section on noise has many runs of."""
+MEAN = "mean of"  # begins the key of what the section on noise has many runs of
 Key = tuple[Any, ...]
 Cells = Mapping[str, Any]
 
@@ -121,8 +119,7 @@ class Column:
     samples: "np.ndarray"
     variances: "np.ndarray"
     freedoms: "np.ndarray"
-    counts: "np.ndarray"
-    """Measurements, or cards, that a row's mean is of."""
+    counts: "np.ndarray"  # measurements, or cards, that a row's mean is of
     is_of_cards: bool = False  # set where it has the part that cards of one kind have
 
     @cached_property
@@ -304,8 +301,7 @@ class Far:
     """Holds how far each measurement of each row of a column is from the others, in normal deviations."""
 
     keys: Sequence[Key]
-    deviations: "np.ndarray"
-    """By row and measurement; not a number where there is none."""
+    deviations: "np.ndarray"  # by row and measurement; not a number where there is none
 
     @property
     def events(self) -> Iterable[tuple[Key, int]]:

@@ -16,8 +16,7 @@ FALSE_SHARE = 0.01  # chosen: so large a share of the changes that are told may 
 PAIRS, CONFIDENCE = 0.999, 0.95
 """Chosen: so many of all pairs of runs of one case differ by no more than the tolerance, and how sure that is."""
 LEAST_RUNS = 4  # with fewer their spread says too little of a tolerance
-OUTLIER, LEAST_FENCED = 5.0, 6
-"""Chosen: an outlier is so many deviations from the median, and of no fewer numbers."""
+OUTLIER, LEAST_FENCED = 5.0, 6  # chosen: an outlier is so many deviations from the median, and of no fewer numbers
 NORMAL = NormalDist()
 Z = NORMAL.inv_cdf((1 + SURE) / 2)  # deviations that `SURE` of a normal distribution is within
 MOST_T, MOST_FREEDOM, TINY = 1e6, 1e9, 1e-300

@@ -23,8 +23,7 @@ from measured_report.values.noise import WRITTEN_SHARE, derived_noise, sampled_n
 VALUES_FILE = "values.json"
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
-MOST, LEAST = "most", "least"
-"""Said on the page of a number that is a bound from above or below."""
+MOST, LEAST = "most", "least"  # said on the page of a number that is a bound from above or below
 
 
 def local(text: str, release: str) -> str:
@@ -58,16 +57,13 @@ class Quantity:
 
     value: float | int | None
     unit: str
-    source: str
-    """Pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for."""
-    reason: str = ""
-    """Why there is no number, where there is none."""
+    source: str  # pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for
+    reason: str = ""  # why there is no number, where there is none
     origins: frozenset[Origin] = frozenset()
     """Releases and machines that it was measured with; none for what was not measured."""
     noise: float | None = None
     """How far the truth may be from it, in its unit; None where nobody knows, 0 for what is exact."""
-    formula: str = ""
-    """Words for how it is computed; of what was measured more than once between what."""
+    formula: str = ""  # words for how it is computed; of what was measured more than once between what
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
     """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
 
@@ -165,8 +161,7 @@ def constant(value: float, unit: str = PLAIN) -> Quantity:
     return Quantity(value, unit, "", noise=0.0)
 
 
-PERCENT = constant(100, "%")
-"""Makes a share one in percent, as ``PERCENT * a / b``."""
+PERCENT = constant(100, "%")  # makes a share one in percent, as ``PERCENT * a / b``
 
 
 @dataclass(frozen=True)
@@ -205,9 +200,8 @@ def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[f
     if None in given or not count:
         return []
     ways = [samples or count * (source.value,) for samples, source in zip(given, sources, strict=True)]
-    return [
-        None if None in values else _sampled(function, values) for values in zip_longest(*(way[:count] for way in ways))
-    ]
+    numbers = zip_longest(*(way[:count] for way in ways))
+    return [None if None in each else _sampled(function, each) for each in numbers]
 
 
 def _sampled(function: Callable[..., float], values: Sequence[float]) -> float | None:

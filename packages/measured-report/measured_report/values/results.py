@@ -24,8 +24,7 @@ if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs
     import pandas as pd
 
 
-MEANS = "rows"
-"""Begins the names of values that are means of several measurements of a row."""
+MEANS = "rows"  # begins the names of values that are means of several measurements of a row
 
 
 class ResultsError(ReportError):
@@ -145,8 +144,7 @@ class Results:
     """Results of the sections that stand before this one on the page."""
     derived: dict[str, Value] = field(default_factory=dict)  # every derived value by name, for the site's values file
     evidence: Evidence = field(default_factory=Evidence, repr=False)  # what all measurements of it say of its numbers
-    label: str = ""
-    """Name of the section in figures and tables."""
+    label: str = ""  # name of the section in figures and tables
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
     """What people call its cases, see ``label_of``; a number that is not there says of which run it is."""
 
