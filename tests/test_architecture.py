@@ -96,8 +96,8 @@ OF_LANGUAGES = re.compile(r"\bpad(?:Start|End)\b")
 
 def generator_files() -> dict[str, str]:
     """Texts of all files of the generator, by path."""
-    files = [path for path in sorted(GENERATOR.rglob("*")) if path.is_file() and "__pycache__" not in path.parts]
-    files = [path for path in files if not any(part.endswith(".egg-info") for part in path.parts)]
+    files = [path for path in sorted((GENERATOR / "measured_report").rglob("*")) if path.is_file()]
+    files = [path for path in files if "__pycache__" not in path.parts]
     return {path.relative_to(GENERATOR).as_posix(): path.read_text(encoding="utf-8", errors="ignore") for path in files}
 
 

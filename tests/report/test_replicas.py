@@ -11,7 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from conftest import SOURCES, derived, link
+from conftest import SOURCES
+from toys import derived, link
 
 from measured_report.changes.alarm import largest, power, rate_of, settings_text, summary
 from measured_report.changes.compare import Comparison, compare

@@ -5,16 +5,17 @@ import shutil
 from dataclasses import replace
 
 import pytest
-from conftest import link
 from markupsafe import escape
+from toys import link
 
 from measured_report.changes.compare import flips_between
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.findings.editions import derive_edition
 from measured_report.parts.claim import FAILS, HOLDS, Outcome
-from measured_report.parts.section import Figure
+from measured_report.parts.section import UNDRAWN, Figure
 from measured_report.records.record import write_record
+from measured_report.site.check import check_site
 
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
@@ -75,3 +76,8 @@ def test_no_claim_flips_by_noise_alone(release, editions, tmp_path):
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
     assert [flip.text for flip in flips_between(before, {name: after[name] for name in before})] == []
+
+
+def test_the_tracked_results_make_a_report_without_the_simulator(site):
+    assert check_site(site) == []
+    assert [path for path in site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []

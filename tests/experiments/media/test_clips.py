@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from conftest import link
+from toys import link
 
 from experiments.facts.clip_record import CLIPS, FIRST, RUNS, clips_state
 from experiments.facts.kept import kept_run

@@ -1,6 +1,6 @@
 """Tests of what the simulator does with the machine that it measures on."""
 
-from conftest import program
+from toys import program
 
 FIRST = """
 import sys

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import link
+from toys import link
 
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT

@@ -3,7 +3,7 @@
 import shutil
 
 import pytest
-from conftest import ROWS, TEMPLATE, Toy
+from toys import ROWS, TEMPLATE, Toy
 
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT

@@ -1,0 +1,83 @@
+"""The alarm: what can't be trusted is named first and is status 1, and what can't be compared is no flip."""
+
+from argparse import Namespace
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+import pytest
+from damage import damage
+from toys import MODULE, ROWS, TEMPLATE, compared
+
+from measured_report.changes import moves
+from measured_report.changes.alarm import diff_text
+from measured_report.changes.compare import Comparison
+from measured_report.commands import check as check_command
+from measured_report.commands import diff
+from measured_report.commands.options import FORMATS
+from measured_report.editions.project import Project
+from measured_report.editions.release import release_of
+from measured_report.files.config import config
+from measured_report.parts.claim import Claim
+from measured_report.records.record import write_record
+
+SOFT, STIFF = ROWS
+
+
+def say(section: str, claim: Claim) -> str:
+    """Words it by nothing but its test."""
+    return f"{section}.{claim.name} {claim.outcome.said}"
+
+
+def changed(project: Project, before: str = "1.8.0") -> Comparison:
+    return compared(project.of(before), project)
+
+
+def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
+    newer = toy.of("1.8.0")
+    arguments = Namespace(a=release_of("1.4.0"), b=release_of("1.8.0"), format="text", values="sums")
+    for change, kind in ((partial(damage, name="field: unit 'm'"), "damaged"), (Path.unlink, "missing")):
+        newer.measure()
+        newer.write("report/sections/other.py", MODULE)
+        newer.write("templates/sections/other.md.j2", (toy.project.templates / "sections/toy.md.j2").read_text())
+        newer.write("experiments/other.py", "")
+        for side in (toy, newer):
+            write_record(side.project.record_path("other"), side.record(section="other"))
+        assert diff.run(toy.project, arguments) == 0
+        capsys.readouterr()
+        change(newer.record_path)
+        assert diff.run(toy.project, arguments) == 1
+        assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
+
+
+@pytest.mark.parametrize(
+    ("cells", "cpu", "flipped"),
+    [({}, "A processor", ["helps"]), ({}, "Another", []), ({"frame_count": 450}, "A processor", [])],
+)
+def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(toy, monkeypatch, cells, cpu, flipped):
+    settings = replace(config(), cost_terms=["frame_count"])
+    monkeypatch.setattr(moves, "config", lambda: settings)
+    toy.write("report/sections/toy.py", MODULE.replace("slip_mm", "frame_ms"))
+    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("slip_mm", "frame_ms"))
+    costs = [{"case": case, "frame_count": 900, "frame_ms": cost} for case, cost in (("soft", 40.0), ("stiff", 2.0))]
+    toy.measure(costs)
+    newer = toy.of("1.8.0")
+    record = newer.record([{**costs[0], "frame_ms": 4.0, **cells}, {**costs[1], **cells}])
+    write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": cpu}))
+    found = changed(newer.project, before="1.4.0")
+    assert [flip.name for flip in found.flips] == flipped
+    assert any(note.startswith("speed and cost in toy: ") for note in found.notes) == (cpu == "Another")
+
+
+def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_markdown(toy, capsys, tmp_path):
+    toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
+    sides = {"a": release_of("1.4.0"), "b": release_of("1.8.0")}
+    for form in FORMATS:
+        assert diff.run(toy.project, Namespace(**sides, format=form, values="sums")) == 1
+        assert "toy" in capsys.readouterr().out
+        assert check_command.run(toy.project, Namespace(release=sides["a"], format=form, strict=True)) == 0
+        assert "holds" in capsys.readouterr().out
+    newer = toy.of("1.8.0")
+    newer.measure([{**SOFT, "failure": "<img> | [x](y) ``` @all"}, STIFF])
+    said = diff_text(changed(newer.project, before="1.4.0"), "", "markdown", say)
+    assert said.startswith("```text\n") and said.endswith("\n```") and "<img> | [x](y) ''' @all" in said

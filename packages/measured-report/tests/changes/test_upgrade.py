@@ -1,0 +1,91 @@
+"""Measuring for an upgrade: what it is held against, and where progress is said."""
+
+import os
+import subprocess
+import sys
+from argparse import Namespace
+from dataclasses import replace
+
+import pytest
+from toys import program
+
+from measured_report.commands import diff, upgrade
+from measured_report.commands.new import SKELETON
+from measured_report.commands.upgrade import base_of, lacking
+from measured_report.editions.project import Manifest, Project, write_manifest
+from measured_report.editions.release import release_of
+from measured_report.files.config import config
+from measured_report.files.errors import UsageError
+
+
+def test_progress_does_not_run_into_an_answer_for_a_program():
+    code = (
+        "import subprocess, sys; from measured_report.commands.upgrade import _answer_file; answer = _answer_file();"
+        "print('measuring', flush=True); subprocess.run(['echo', 'compiling']); print('{}', file=answer)"
+    )
+    done = program("-c", code)
+    assert (done.stdout, done.stderr) == ("{}\n", "measuring\ncompiling\n")
+
+
+def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(toy):
+    newer = toy.of("1.9.0")
+    toy.record_path.unlink()
+    assert base_of(newer.project) is None
+    for release, profile in (("1.4.0", "quick"), ("1.8.0", "full"), ("1.10.0", "full")):
+        for section in config().changes.deciding:
+            path = Project(release, profile, root=toy.project.root).record_path(section)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text("{}")
+    for profile in ("full", "quick"):
+        assert base_of(Project("1.9.0", profile, root=toy.project.root)) == "1.8.0"
+    measured = Project("1.8.0", root=toy.project.root)
+    write_manifest(measured.results, Manifest("1.8.0", "2026-11-11", ()))
+    for profile in ("full", "quick"):
+        pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
+        assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"
+    assert lacking(newer.project) == [*config().changes.deciding]
+
+
+def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monkeypatch):
+    def refuse(project, release, *others):
+        raise UsageError(f"{release} cannot run the scene")
+
+    monkeypatch.setattr(upgrade, "measure_what_can", refuse)
+    monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
+    asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
+    with pytest.raises(UsageError, match=r"1\.9\.0 cannot run the scene"):
+        upgrade.run(toy.project.of("1.9.0"), asked)
+
+
+def test_an_edition_is_never_compared_with_itself(toy):
+    given = Namespace(
+        device="cpu", since=release_of("1.4.0"), release=release_of("1.4.0"), format="text", a="1.4.0", b="1.4.0"
+    )
+    for command in (upgrade, diff):
+        with pytest.raises(UsageError, match=r"Newton 1\.4\.0 would be compared with itself; NEWTON= names another"):
+            command.run(toy.project, given)
+
+
+@pytest.mark.parametrize("edition", ["numpy", "scikit-learn", "opencv_Python"])
+def test_the_variable_of_make_is_the_package_s_own_whatever_is_in_its_name(tmp_path, edition):
+    """And reaches the command as the edition, or nothing would be measured and all be green."""
+    (tmp_path / "report.toml").write_text(f'edition = "{edition}"\n')
+    (tmp_path / "pyproject.toml").write_text(f'[project]\ndependencies = ["{edition}==1.4.0"]\n')
+    (tmp_path / "report/sections").mkdir(parents=True)
+    (tmp_path / "build.py").write_text((SKELETON / "build.py").read_text())
+    option = edition.upper().replace("-", "_")
+    told = {"TYPED": f"{option} A B", f"TYPED_{option}": "9.9.9", "TYPED_A": "9.9.9", "TYPED_B": "9.9.9"}
+    command = [sys.executable, "build.py", "upgrade"]
+    done = subprocess.run(command, cwd=tmp_path, env={**os.environ, **told}, capture_output=True, text=True)
+    assert done.stdout.startswith(f"{edition} 9.9.9 against 1.4.0: "), done.stderr
+
+
+def test_the_front_page_stays_the_own_edition_s_after_the_upgrade_of_an_older_one(toy, monkeypatch):
+    toy.measure()
+    toy.of("1.3.0").measure()
+    monkeypatch.setattr(upgrade, "measure_what_can", lambda project, *others: (project, True))
+    monkeypatch.setattr(upgrade, "verdict", lambda *others: [])
+    monkeypatch.setattr(upgrade, "deciding", lambda project: [])
+    project = replace(toy.project.of("1.3.0"))
+    upgrade.run(project, Namespace(device="cpu", since=release_of("1.4.0"), release=release_of("1.3.0"), format="text"))
+    assert '<meta name="release" content="1.4.0">' in toy.front

@@ -1,0 +1,106 @@
+"""The command line: what it refuses, what it must not import."""
+
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+
+import pytest
+from toys import program
+
+from measured_report.commands.command_line import main
+
+NO_GPU = {"PATH": "/nowhere"}
+"""Without nvidia-smi on it every machine has no GPU."""
+
+
+@pytest.fixture
+def command(monkeypatch) -> Iterator[None]:
+    """What ``command_line.main`` sets in its process, as it was before."""
+    stops = {stop: signal.getsignal(stop) for stop in (signal.SIGINT, signal.SIGTERM)}
+    monkeypatch.setenv("PATH", NO_GPU["PATH"])
+    yield
+    for stop, handler in stops.items():
+        signal.signal(stop, handler)
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-", ">/dev/full"])
+def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, closed):
+    done = subprocess.run(
+        ["bash", "-c", f'"$0" build.py help {closed}', sys.executable], cwd=outside, capture_output=True
+    )
+    assert (done.returncode, len(done.stderr.splitlines())) == ((1, 1) if "full" in closed else (0, 0))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["rerun", "--section", ""], "toy"),
+        (["rerun", "--section", "tay"], "SECTION=tay is no section; near it: toy"),
+        (["bisect", "--claim", "tay.x", "--a", "1.4.0", "--b", "1.8.0"], "tay.x is in no section; near it: toy"),
+        (["rerun", "--section", "toy"], "DEVICE=cpu"),
+        (["check", "--section", "nothing"], "--section nothing"),
+        (["nothing"], "report"),
+        (["report", "--device", "tpu"], "tpu"),
+        (["report", "--device", "cuda"], "no CUDA device"),
+        (["report", "--cluster", "local:0"], "CLUSTER=local:0"),
+        (["status", "--newton", "new"], "NEWTON=new"),
+        (["report", "--newton", "99.0"], "NEWTON=99.0"),
+        (["diff"], "required: --a, --b"),
+        (["diff", "--a", "1.4.0", "--b", "new"], "B=new"),
+        (["diff", "--a", "1.4.0", "--b", "99.0"], "99.0 has no results"),
+        (["publish", "--target", "ftp:x"], "TARGET="),
+        (["serve", "--port", "65536"], "PORT=65536"),
+    ],
+)
+def test_bad_input_gets_one_line_and_status_2(arguments, message, command, monkeypatch, capfd):
+    monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
+    assert main() == 2
+    said = capfd.readouterr()
+    assert message in said.err
+    assert len(said.err.splitlines()) == 1
+    assert said.out == ""
+
+
+def test_the_program_ends_with_the_status_of_its_command():
+    done = program("build.py", "nothing", **NO_GPU)
+    assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)
+
+
+def test_status_does_not_import_the_simulator():
+    code = (
+        "import sys, build; sys.argv = ['build.py', 'status']; build.main();"
+        "sys.exit(bool({'warp', 'newton', 'mujoco', 'matplotlib', 'pandas'} & set(sys.modules)))"
+    )
+    done = program("-c", code, **NO_GPU)
+    assert done.returncode == 0, done.stderr
+    assert "toy" in done.stdout
+
+
+def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(toy, command, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["build.py", "help"])
+    toy.write("report/commands/greet.py", '"""Say something."""\nOPTIONS = {}\n')
+    assert main() == 0
+    lines = {line.split()[1]: line for line in capsys.readouterr().out.splitlines() if line.startswith("make ")}
+    assert {"report", "rerun", "help", "greet"} <= set(lines)
+    assert all(len(line.split()) > 2 for line in lines.values())
+    assert lines["rerun"].endswith("[SECTION NEWTON WITH DEVICE CLUSTER PROFILE ADDRESS]")
+
+
+@pytest.mark.parametrize(
+    ("typed", "arguments", "status"),
+    [
+        ({"SECTION": "tay"}, ["rerun"], "near it: toy"),
+        ({"SECTION": "frction"}, ["rerun", "--section", "tay"], "near it: toy"),
+        ({"SECTON": "toy"}, ["rerun"], "SECTON= is no variable of make here; near it: SECTION"),
+        ({"STRICT": "yes"}, ["check"], "STRICT=1 or left out, not STRICT=yes"),
+    ],
+)
+def test_what_was_typed_behind_make_is_an_option(typed, arguments, status, command, monkeypatch, capsys):
+    monkeypatch.setenv("MAKELEVEL", "1")
+    monkeypatch.setenv("TYPED", " ".join(typed))
+    for name, value in typed.items():
+        monkeypatch.setenv(f"TYPED_{name}", value)
+    monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
+    assert main() == 2
+    assert status in capsys.readouterr().err

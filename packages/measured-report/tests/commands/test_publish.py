@@ -1,0 +1,230 @@
+"""Publishing: into a folder, onto a branch; whole, or not at all, and nothing else is touched."""
+
+import os
+import re
+import shutil
+import signal
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from toys import ROWS, git
+
+from measured_report.commands import publish as publishing
+from measured_report.commands.publish import SUMS, publish, sums
+from measured_report.files.atomic import digests_below
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.site.check import check_site
+
+pytestmark = pytest.mark.usefixtures("built")
+
+
+@pytest.fixture
+def place(toy, tmp_path) -> Path:
+    """Where the site was published."""
+    publish(toy.project.site, f"dir:{tmp_path / 'www'}")
+    return tmp_path / "www"
+
+
+def change(toy, slip_mm: float = 5.0) -> None:
+    """Build another site."""
+    toy.measure([{**ROWS[0], "slip_mm": slip_mm}, ROWS[1]])
+    toy.build()
+
+
+def test_publishing_replaces_the_folder_that_was_published(toy, place):
+    assert check_site(place) == []
+    (place / "old.html").write_text("old")
+    change(toy)
+    publish(toy.project.site, f"dir:{place}")
+    assert (place / "cause.html").read_text() == toy.page and not (place / "old.html").exists()
+    assert check_site(place) == [] and [path.name for path in place.parent.iterdir() if "www" in path.name] == ["www"]
+
+
+def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
+    letter = written_by_the_user(tmp_path / "mine")
+    (tmp_path / "link").symlink_to(tmp_path / "mine")
+    targets = [f"dir:{tmp_path}/{name}" for name in ("mine", "link", "no/where", "long" * 64)]
+    for target in (*targets, "dir:/proc/www", "dir:~no-one/www", "dir:/", "dir:", "ftp:x", ""):
+        with pytest.raises(UsageError) as error:
+            publish(toy.project.site, target)
+        assert "\n" not in str(error.value)
+    assert letter.read_text() == "dear" and (tmp_path / "link").is_symlink()
+
+
+def written_by_the_user(folder: Path) -> Path:
+    folder.mkdir()
+    (folder / "letter.txt").write_text("dear")
+    return folder / "letter.txt"
+
+
+def test_an_empty_folder_may_become_the_site_and_what_is_published_can_be_read_by_all(toy, tmp_path):
+    (tmp_path / "www").mkdir(mode=0o700)
+    publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert check_site(tmp_path / "www") == []
+    modes = {path.is_dir(): path.stat().st_mode & 0o777 for path in (tmp_path / "www").rglob("*")}
+    assert modes == {True: 0o755, False: 0o644} and (tmp_path / "www").stat().st_mode & 0o777 == 0o755
+
+
+def test_a_quick_look_is_not_published(toy, tmp_path):
+    quick = replace(toy, project=replace(toy.project, profile="quick"))
+    quick.measure()
+    quick.build()
+    with pytest.raises(UsageError, match="quick look"):
+        publish(quick.project.site, f"dir:{tmp_path / 'www'}")
+
+
+def spoil(site: Path, more: bytes = b'<a href="x">x</a>') -> None:
+    """Let a page lead nowhere, as if it had been built so."""
+    index = site / "index.html"
+    index.write_bytes(index.read_bytes() + more)
+    (site / SUMS).write_text(sums({path: digest for path, digest in digests_below(site).items() if path != SUMS}))
+
+
+DAMAGES = {
+    "replaced": lambda site: (site / "license.txt").write_text("<script>alert(1)</script>"),
+    "stranger": lambda site: (site / "more.html").write_text("more"),
+    "link": lambda site: (site / "passwd").symlink_to("/etc/passwd"),
+    "folder": lambda site: (site / "all").symlink_to("/"),
+    "no sums": lambda site: (site / SUMS).unlink(),
+    "sums of bytes": lambda site: (site / SUMS).write_bytes(b"\xff"),
+    "pipe": lambda site: os.mkfifo(site / "pipe"),
+    "problem": spoil,
+    "bytes": lambda site: spoil(site, b"\xff"),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
+def test_only_what_the_build_made_and_the_check_passes_is_published(toy, place, damage):
+    before = digests_below(place)
+    damage(toy.project.site)
+    with pytest.raises(ReportError, match=r"^not published[^\n]+$"):
+        publish(toy.project.site, f"dir:{place}")
+    assert digests_below(place) == before
+
+
+@pytest.fixture
+def remote(toy, tmp_path) -> Path:
+    """A bare repository, which is the origin of the one that the project is in."""
+    bare = tmp_path / "bare.git"
+    bare.mkdir()
+    git(bare, "init", "--quiet", "--bare")
+    root = toy.project.root
+    (root / ".gitignore").write_text("/site/*\n/.cache/\n")
+    for words in ("init --quiet", "add .", "commit --quiet -m a", f"remote add origin {bare}"):
+        git(root, *words.split())
+    return bare
+
+
+def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remote, tmp_path):
+    root = toy.project.root
+    git(root, "push", "--quiet", "origin", "HEAD:refs/backup/refs/heads/gh-pages")  # whose name ends alike
+    before = [git(root, *arguments) for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))]
+    assert publish(toy.project.site, "") == "origin, branch gh-pages"
+    change(toy)
+    publish(toy.project.site, "")
+    assert git(remote, "rev-list", "--count", "gh-pages") == "1"
+    git(root, "checkout", "--quiet", "--", "results")
+    after = [git(root, *arguments) for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))]
+    assert before == after
+    there = tmp_path / "there"
+    git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), str(there))
+    assert (there / "cause.html").read_text() == toy.page and check_site(there) == []
+
+
+@pytest.fixture(params=["worktree", "shallow"])
+def clone(request, toy, remote, tmp_path) -> Path:
+    """A copy of the project, with its site, as git makes copies."""
+    root, there = toy.project.root, tmp_path / "copy"
+    git(root, "push", "--quiet", "origin", "HEAD:refs/heads/main")
+    git(remote, "symbolic-ref", "HEAD", "refs/heads/main")
+    if request.param == "worktree":
+        git(root, "worktree", "add", "--quiet", str(there))
+    else:
+        git(tmp_path, "clone", "--quiet", "--depth", "1", remote.as_uri(), str(there))
+    shutil.copytree(toy.project.site, there / "site", dirs_exist_ok=True)
+    return there
+
+
+def test_publishing_leaves_a_clone_whole_whoever_publishes_next(toy, remote, clone):
+    root = toy.project.root
+    before = [git(clone, *words) for words in (("for-each-ref",), ("count-objects",))]
+    publish(clone / "site", "")
+    assert [git(clone, *words) for words in (("for-each-ref",), ("count-objects",))] == before
+    change(toy)
+    publish(toy.project.site, "")  # somebody else
+    for words in ("fsck --strict", "gc --quiet --prune=now", "log --all", "fetch --quiet", "fsck --strict"):
+        git(clone, *words.split())
+    publish(clone / "site", "")
+    assert git(clone, "status", "--short") == "" and git(remote, "rev-list", "--count", "gh-pages") == "1"
+    git(remote, "config", "receive.denyNonFastForwards", "true")
+    with pytest.raises(UsageError, match=r"^not published: git: .*non-fast-forward.*$"):
+        publish(root / "site", "")
+    git(root, "fsck", "--strict")
+
+
+def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origin(toy, remote, tmp_path):
+    inner = toy.project.root / "inner"
+    shutil.copytree(toy.project.site, inner / "site")
+    with pytest.raises(UsageError, match="no git repository of its own"):
+        publish(inner / "site", "")
+    assert git(remote, "for-each-ref") == ""
+
+
+@pytest.mark.parametrize(
+    "target",
+    [
+        "git:https://someone:secr@et@there/x.git",
+        "ftp:https://someone:secret@there/x.git",
+        "dir:https://someone:secret@there/www",
+    ],
+)
+def test_finding_8_a_token_is_not_printed(toy, remote, monkeypatch, target):
+    settings = {"COUNT": "1", "KEY_0": f"url.{remote.parent}/.insteadOf", "VALUE_0": "https://someone:secr@et@there/"}
+    for name, value in settings.items():
+        monkeypatch.setenv(f"GIT_CONFIG_{name}", value)
+    remote.rename(remote.with_name("x.git"))
+    try:
+        said = publish(toy.project.site, target)
+    except UsageError as error:
+        said = str(error)
+    assert "://there/" in said and "et@" not in said
+
+
+def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
+    git(toy.project.root, "push", "--quiet", "origin", "HEAD:refs/heads/gh-pages", "HEAD:refs/heads/main")
+    before = git(remote, "for-each-ref")
+    for target in ("", "git:origin", "git:origin#main"):
+        with pytest.raises(UsageError, match="it was left alone"):
+            publish(toy.project.site, target)
+    assert git(remote, "for-each-ref") == before
+
+
+@pytest.mark.parametrize(
+    "target",
+    ["nowhere", "fd::17", "--upload-pack=touch x"]
+    + [f"origin#{branch}" for branch in ("a..b", "@", "HEAD", "a b", "-x", "refs/heads/z")],
+)
+def test_what_git_can_not_publish_to_is_one_line(toy, remote, target):
+    with pytest.raises(UsageError) as error:
+        publish(toy.project.site, f"git:{target}")
+    assert not re.search("\n|usage|exit status 1$", str(error.value))
+
+
+def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(toy.project.root.parent))
+    with pytest.raises(UsageError, match="not a git repository"):
+        publish(toy.project.site, "")
+    monkeypatch.setenv("PATH", "/nowhere")
+    with pytest.raises(UsageError, match="needs git, which is not there; TARGET=dir:PATH needs nothing"):
+        publish(toy.project.site, "")
+
+
+def test_what_a_killed_publish_leaves_goes_with_the_next(toy, tmp_path, monkeypatch):
+    monkeypatch.setattr(publishing, "replace", lambda *folders: os.kill(os.getpid(), signal.SIGKILL))
+    if not (child := os.fork()):
+        publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert os.waitpid(child, 0)[1] == signal.SIGKILL
+    monkeypatch.undo()
+    publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert check_site(tmp_path / "www") == [] and not any((toy.project.root / publishing.ASIDE).iterdir())

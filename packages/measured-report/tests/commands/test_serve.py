@@ -1,0 +1,56 @@
+"""Serving: what changes is built again, and what is asked for answered."""
+
+import os
+import shutil
+import threading
+import time
+from http.client import HTTPConnection
+
+from toys import TEMPLATE
+
+from measured_report.commands.serve import Server, stamp
+from measured_report.editions.project import INPUTS
+
+
+def test_what_changes_is_built_again(toy):
+    server, built = Server(toy.project.site, 0), []
+
+    def build() -> None:
+        toy.build()
+        built.append(toy.page)
+
+    folders = [toy.project.root / name for name in INPUTS]
+    threading.Thread(target=server.follow, args=(folders, build), daemon=True).start()
+    while not built:  # the test has no limit of its own: it must not be a question of time
+        time.sleep(0.05)
+    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("Stiff", "Stiffer"))
+    while len(built) < 2:
+        time.sleep(0.05)
+    assert "Stiff is" in built[0] and "Stiffer is" in built[1]
+    server.shutdown()
+    server.server_close()
+
+
+def test_a_folder_that_vanishes_while_it_is_looked_at_ends_nothing(toy, monkeypatch):
+    scan = os.scandir
+
+    def vanish(place):
+        if str(place).endswith("templates/sections"):
+            shutil.rmtree(place, ignore_errors=True)
+        return scan(place)
+
+    monkeypatch.setattr(os, "scandir", vanish)
+    assert stamp(toy.project.root / name for name in INPUTS) and not (toy.project.root / "templates/sections").exists()
+
+
+def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
+    toy.build()
+    (tmp_path / "secret").write_text("secret")
+    with Server(toy.project.site, 0) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        for path, status in {"/": 200, "/nothing": 404, "/../secret": 404, "/%2e%2e/secret": 404}.items():
+            connection = HTTPConnection("127.0.0.1", server.server_port)
+            connection.request("GET", path)
+            assert connection.getresponse().status == status, path
+        server.shutdown()
+    assert capfd.readouterr().err == ""

@@ -1,0 +1,132 @@
+"""Releases: what NEWTON and WITH mean, what it is called, and that what is installed is what was asked for.
+
+Packaging alone: a small repository that is named newton stands for a checkout, and nothing is simulated.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from toys import Toy, git
+
+from measured_report.editions import environment
+from measured_report.editions.environment import environment_of
+from measured_report.editions.project import Manifest, write_manifest
+from measured_report.editions.release import read_label, release_of
+from measured_report.editions.status import expected_packages
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.root import ROOT
+from measured_report.measuring import machine, measure
+from measured_report.records import identity
+from measured_report.records.identity import package_versions
+from measured_report.records.record import write_record
+
+
+@pytest.mark.parametrize(
+    ("text", "label"),
+    [
+        ("1.8", "1.8.0"),
+        ("1.8.0", "1.8.0"),
+        ("1.9.0rc1", "1.9.0rc1"),
+        ("1.9.0.dev20261122", "1.9.0.dev20261122"),
+        ("1.8+warp-1.19+mujoco-warp-4.0.0", "1.8.0+mujoco-warp-4.0.0+warp-1.19"),
+        ("1.9.0.dev0+g1a2b3c4.edited", "1.9.0.dev0+g1a2b3c4.edited"),
+        ("1.8.0@nvidia-h100", "1.8.0@nvidia-h100"),
+    ],
+)
+def test_a_label_is_read(text, label):
+    assert str(read_label(text)) == label
+    for wrong in ("new", "", "1", "1.8.0+", "1.8.0@", "1.8.0+warp", "../1.8.0", "1.8.0+g1", "1.8.0@A/B"):
+        assert read_label(wrong) is None
+
+
+def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
+    commit = git(checkout, "rev-parse", "--short=7", "HEAD")
+    clean = release_of(str(checkout))
+    assert str(clean) == f"1.9.0.dev0+g{commit}" and clean.date
+    (checkout / "newton/__init__.py").write_text("x = 2\n")
+    release_of.cache_clear()
+    edited, source = release_of(str(checkout)), identity.checkout_source(checkout)
+    assert str(edited) == f"1.9.0.dev0+g{commit}.edited"
+    (checkout / "newton/__init__.py").write_text("x = 3\n")
+    assert identity.checkout_source(checkout) != source and environment_of(edited, ROOT) == environment_of(clean, ROOT)
+
+
+def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
+    first = git(checkout, "rev-parse", "HEAD")
+    (checkout / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.10.0.dev0"\n')
+    git(checkout, "commit", "--quiet", "-a", "-m", "two")
+    named = {release_of(f"{where}@{first}") for where in (checkout, f"git+file://{checkout}")}
+    assert {str(release) for release in named} == {f"1.9.0.dev0+g{first[:7]}"}
+    assert {release.requirement for release in named} == {f"newton[sim] @ git+file://{checkout}@{first}"}
+    assert str(release_of(f"{checkout}@main")).startswith("1.10.0.dev0+g")
+    with pytest.raises(UsageError, match="cannot be fetched"):
+        release_of(f"{checkout}@nothing")
+
+
+def test_with_names_packages(tmp_path):
+    release = release_of("1.8", "warp-lang==1.19.0 mujoco-warp==4.0.0")
+    assert str(release) == "1.8.0+mujoco-warp-4.0.0+warp-1.19.0"
+    assert release_of(str(release)) == replace(release, asked=str(release))
+    for bad in ("warp", "numpy==1.0", "warp-lang>=1", "warp-lang==1.0;x"):
+        with pytest.raises(UsageError, match="WITH="):
+            release_of("1.8.0", bad)
+
+
+@pytest.mark.skipif(not shutil.which("uv", path=Path(sys.executable).parent), reason="there is no uv")
+def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_of_it_measures(tmp_path):
+    """So that an edition of any day can be measured, and weighs no more than it must."""
+    environment._make(folder := tmp_path / ".venv-numpy-1.26.4", "NUMPY=1.26.4", ["--requirement", os.devnull])
+    environment._lend(folder)
+    environment._lend(folder)
+    (tmp_path / "report.toml").write_text('edition = "numpy"\n')
+    code = "import measured_report.measuring.run, measured_report.records.traces, sys; print('pandas' in sys.modules)"
+    bare = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    done = subprocess.run([folder / "bin/python", "-c", code], cwd=tmp_path, env=bare, capture_output=True, text=True)
+    assert done.stdout == "False\n", done.stderr
+    assert sum(path.stat().st_size for path in folder.rglob("*") if not path.is_symlink()) < 1 << 20
+
+
+def test_a_measurement_refuses_what_is_not_installed():
+    from measured_report.measuring.run import edition_of
+
+    installed = package_versions()["newton"]
+    assert edition_of(None) == edition_of(f"{installed}@cpu").removesuffix("@cpu") == installed
+    for other in ("1.0.0", f"{installed}+warp-0.1.0", "nonsense"):
+        with pytest.raises(ReportError, match="is not what is installed here"):
+            edition_of(other)
+
+
+def test_edited_code_is_stale(toy, checkout):
+    (checkout / "newton/__init__.py").write_text("x = 2\n")
+    release_of.cache_clear()
+    release = release_of(str(checkout))
+    edited = toy.of(str(release))
+    edited.project.results.mkdir(parents=True)
+    write_manifest(edited.project.results, Manifest(release.asked, "", ()))
+    write_record(edited.record_path, edited.record(identity=replace(edited.record().identity, packages=now(edited))))
+    assert edited.state().kind == "fresh"
+    # Whoever wrote the manifest may have written the repository's settings as well.
+    git(checkout, "config", "core.fsmonitor", f"touch {checkout}/ran; false")
+    (checkout / "newton/__init__.py").write_text("x = 3\n")
+    assert edited.state().summary == "stale: packages" and not (checkout / "ran").exists()
+
+
+def now(side: Toy) -> dict[str, str]:
+    return dict(expected_packages(side.project))
+
+
+def test_one_machine_never_takes_the_place_of_another(toy, capsys):
+    assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
+    assert measure.kept_by(toy.project, "nvidia-h200", ["toy"]).release == "1.4.0@nvidia-h200"
+    assert "1.4.0@nvidia-h200" in capsys.readouterr().out
+    apart = toy.project.of("1.4.0@nvidia-h200")
+    assert measure.kept_by(apart, "nvidia-h200", ["toy"]) == apart
+    with pytest.raises(UsageError, match="nvidia-h200"):
+        measure.kept_by(apart, "cpu", ["toy"])
+    record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
+    assert machine.machine_of(record) == "nvidia-h100-80gb-hbm3"

@@ -1,0 +1,177 @@
+"""What goes wrong outside: damage, kills, hostile text."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import matplotlib
+import pytest
+from batches import is_running
+from damage import FIELDS, RECORD_WAYS, TRACE_WAYS, damage
+from markupsafe import Markup
+from toys import MODULE, ROWS, TEMPLATE, killed_at
+
+from measured_report.editions.environment import requirements
+from measured_report.files.atomic import RecordError, recover
+from measured_report.files.cache import Cache
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
+from measured_report.findings.editions import editions_of
+from measured_report.pages.prose import Templates
+from measured_report.records.record import load_record, trace_path, write_record
+from measured_report.records.traces import load_trace, packed
+from measured_report.site.check import check_site
+
+
+def refusal(path: Path, trace: Path | None = None) -> str:
+    with pytest.raises(RecordError) as error:
+        load_trace(trace) if trace else load_record(path)
+    return str(error.value)
+
+
+def test_every_damage_to_a_record_is_named_in_one_line(toy):
+    folder = toy.record_path.parent
+    whole = {path.name: path.read_bytes() for path in folder.iterdir()}
+    unnamed = []
+    for way in RECORD_WAYS:
+        damage(toy.record_path, way)
+        try:
+            load_record(toy.record_path)
+            unnamed.append(f"{way}: taken for whole")
+        except RecordError as error:
+            said = str(error)
+            if "newton-1.4.0/toy" not in said or "\n" in said or len(said) > 500 or not said.isprintable():
+                unnamed.append(f"{way}: {said!r}")
+        toy.record_path.rmdir() if toy.record_path.is_dir() else toy.record_path.unlink()
+        for name, content in whole.items():
+            (folder / name).write_bytes(content)
+    assert unnamed == []
+    assert len(RECORD_WAYS) >= 200
+
+
+@pytest.mark.parametrize("way", TRACE_WAYS)
+def test_every_damage_to_a_trace_is_named_with_and_without_its_seal(toy, way):
+    trace = trace_path(toy.record_path, "stiff")
+    damage(trace, way)
+    for said in (refusal(toy.record_path), refusal(toy.record_path, trace)):
+        assert said.startswith("newton-1.4.0/toy.stiff.csv.gz ") and "\n" not in said
+    if way.startswith("place: "):
+        toy.build()
+        assert "root:" not in toy.page and not list(toy.project.site.rglob("*.gz"))
+
+
+def test_a_trace_of_another_measurement_is_named(toy):
+    other = packed(toy.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.4]})[1]
+    trace_path(toy.record_path, "stiff").write_bytes(other)
+    assert refusal(toy.record_path).endswith("toy.stiff.csv.gz is not the trace that was measured with toy.json")
+
+
+def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
+    newer = toy.of("1.8.0")
+    newer.measure()
+    damage(newer.record_path, "field: unit 'm'")
+    said = "the unit of slip_mm is given as m, and its name says mm"
+    toy.build()
+    assert 'id="toy"' in toy.page
+    assert check_site(toy.project.site) == ["newton-1.8.0/index.html: there is no claim on any page"]
+    left_out = editions_of(toy.project)["1.8.0"].left_out
+    assert [(state.kind, state.notes) for state in left_out] == [
+        ("damaged", (f"newton-1.8.0/toy.json is no whole record: {said}",))
+    ]
+
+
+def test_a_record_that_does_not_fit_on_the_disk_changes_nothing(toy, monkeypatch):
+    before = {path.name: path.read_bytes() for path in toy.record_path.parent.iterdir()}
+
+    def full(descriptor):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match="No space left"):
+        write_record(toy.record_path, toy.record([{**ROWS[0], "slip_mm": 1.0}]), {})
+    assert {path.name: path.read_bytes() for path in toy.record_path.parent.iterdir()} == before
+
+
+WORKERS = """
+import os, sys, time
+from measured_report.files.processes import workers
+def work(number):
+    os.write(1, b"%d\\n" % os.getpid())
+    time.sleep(60)
+with workers(2, "fork") as pool:
+    list(pool.map(work, range(8)))
+"""
+
+
+@pytest.mark.parametrize("sent", [signal.SIGKILL, signal.SIGTERM])
+def test_no_process_outlives_the_one_that_started_it(sent):
+    main = subprocess.Popen([sys.executable, "-c", WORKERS], cwd=ROOT, stdout=subprocess.PIPE, text=True)
+    started = [int(main.stdout.readline()) for _ in range(2)]
+    main.send_signal(sent)
+    main.wait()
+    main.stdout.close()
+    while any(map(is_running, started)):  # the test has no limit of its own: it must not be a question of time
+        time.sleep(0.05)
+
+
+FORGED = "\ue0000\ue001 [click](javascript:alert(1)) ![](https://example.org/x.png)"
+
+
+def test_text_of_a_record_is_never_a_token_of_the_page(toy):
+    row = {**ROWS[0], "slip_mm": None, "slip_mm_reason": "[click](javascript:alert(1)) <b>&"}
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + "\n{{ rows[0].slip_mm_reason }} {{ rows[0].slip_mm }}\n")
+    toy.measure([row, ROWS[1]])
+    toy.build()
+    assert 'href="javascript' not in toy.page and check_site(toy.project.site) == []
+    with pytest.raises(RecordError, match=r"U\+E000"):
+        toy.measure([{**row, "slip_mm_reason": FORGED}, ROWS[1]])
+    toy.write("templates/forged.md.j2", "# Title\n\n{{ text }} {{ other }}\n")
+    text = Templates(toy.project.templates).text("forged.md.j2")
+    html = text.prose("forged", {"text": Markup(FORGED), "other": FORGED}).html({})
+    assert "href" not in html and "<img" not in html
+
+
+def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeypatch):
+    toy.write("report/sections/toy.py", MODULE.replace('label="x"', r'label="$\\frac{1}{2}$"'))
+    toy.build()
+    before = toy.page
+    assert "frac{1}{2}$</text>" in toy.page
+    for name, value in {"text.usetex": True, "font.size": 40.0, "axes.grid": False}.items():
+        monkeypatch.setitem(matplotlib.rcParams, name, value)
+    shutil.rmtree(toy.project.site)
+    shutil.rmtree(Cache(toy.project.root).folder)
+    toy.build()
+    assert toy.page == before
+
+
+@pytest.mark.parametrize("name", [way for way in FIELDS if way.startswith(("newton ", "package "))])
+def test_only_plain_versions_of_the_simulator_are_installed(toy, name):
+    data = json.loads(toy.record_path.read_text())
+    FIELDS[name](data)
+    with pytest.raises((ReportError, TypeError)):
+        requirements(toy.project.root, data["identity"]["packages"])
+
+
+@pytest.mark.parametrize("stop", range(1, 9))
+def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
+    """The process is killed before each of the steps in turn that change what lies in the folder."""
+    before = [row["slip_mm"] for row in load_record(toy.record_path).rows]
+    rows = [{**row, "slip_mm": 2.0} for row in ROWS]
+    traces = {name: packed(toy.record_path, name, {"time_s": [0.0], "x_mm": [9.0]}) for name in ("stiff", "soft")}
+
+    def changes(event: str, arguments: tuple) -> bool:
+        is_written = event == "open" and "toy" in str(arguments[0]) and str(arguments[1]).startswith("w")
+        return is_written or event in ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.replace")
+
+    ended = killed_at(stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces))
+    assert recover(toy.record_path.parent.parent, load_record) == []
+    found = load_record(toy.record_path)
+    assert [row["slip_mm"] for row in found.rows] in (before, [2.0, 2.0])
+    assert ended or found.rows[0]["slip_mm"] == 2.0
+    expected = {"toy.json", *(f"toy.{case}.csv.gz" for case in found.traces)}
+    assert {path.name for path in toy.record_path.parent.iterdir()} == expected

@@ -1,0 +1,140 @@
+"""What comes from outside: records, manifests, traces and half-finished work that somebody else may have written."""
+
+import gzip
+import json
+import os
+import re
+import resource
+import shutil
+from argparse import Namespace
+
+import pytest
+from toys import MODULE, ROWS
+
+from measured_report.changes.compare import faults_of
+from measured_report.commands import page
+from measured_report.editions.project import Manifest, write_manifest
+from measured_report.editions.release import release_of
+from measured_report.files.atomic import RecordError, recover
+from measured_report.files.errors import ReportError
+from measured_report.findings.editions import derive_edition
+from measured_report.records import traces
+from measured_report.records.record import load_record, trace_path, write_record
+from measured_report.records.traces import load_trace
+from measured_report.site.check import check_site
+
+
+def test_a_site_that_is_a_link_costs_nothing_where_it_leads(toy, tmp_path):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine/letter.txt").write_text("dear")
+    toy.project.site.symlink_to(tmp_path / "mine")
+    with pytest.raises(ReportError, match="it was left alone"):
+        toy.build()
+    (tmp_path / "mine/letter.txt").unlink()
+    for end_mm in (0.4, 0.5):  # what is empty, or was built, may be built there
+        toy.measure(end_mm=end_mm)
+        toy.build()
+    assert check_site(tmp_path / "mine") == []
+
+
+@pytest.mark.parametrize("text", [b"\xff", b"x = " + b"[" * 5_000, b"sections = 3\n"], ids=["byte", "deep", "kind"])
+def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
+    manifest = toy.record_path.with_name("edition.toml")
+    write_manifest(manifest.parent, Manifest("1.4.0", "", ("toy", "lost")))
+    manifest.write_bytes(manifest.read_bytes() + text)
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    edition = derive_edition(toy.project)
+    assert [(fault.kind, fault.section) for fault in faults_of(edition)] == [("damaged", "edition.toml")]
+    assert 'id="toy"' in toy.page
+
+
+@pytest.mark.parametrize(("count", "said"), [(12_000_000, "cells"), (33 << 20, "holds more than 64 MiB")])
+def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(
+    toy, count, said, monkeypatch
+):
+    assert count > traces.CELL_LIMIT
+    monkeypatch.setattr(traces, "CELL_LIMIT", traces.CELL_LIMIT // 8)  # which takes a second to come to
+    trace = trace_path(toy.record_path, "stiff")
+    trace.write_bytes(gzip.compress(b"a\n" + b"1\n" * count, compresslevel=1))
+    before_kb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    with pytest.raises(RecordError, match=said):
+        load_trace(trace)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before_kb < 400 << 10
+
+
+@pytest.mark.parametrize("text", ["\u202e", "\x1b[2J", "\u2028"])
+def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_terminal(toy, text, capsys):
+    rows = [{**ROWS[0], "case": f"so{text}ft"}, ROWS[1]]
+    with pytest.raises(RecordError, match=r"^newton-1\.4\.0/toy\.json is no whole record: "):
+        write_record(toy.record_path, toy.record(rows))
+    data = toy.record_path.read_text().replace('"command": "make"', f'"command": {json.dumps("make" + text)}')
+    toy.record_path.write_text(data)
+    manifest = toy.record_path.with_name("edition.toml")
+    write_manifest(manifest.parent, Manifest(f"1.4.0{text}", "", ("toy",)))
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    said = capsys.readouterr().err
+    assert len(said.splitlines()) == 2 and not any(text in line for line in said.splitlines())
+    assert (
+        "newton-1.4.0/toy.json is no whole record" in said and "newton-1.4.0/edition.toml is no whole manifest" in said
+    )
+
+
+LOST = [{**row, "slip_mm": None, "slip_mm_reason": "lost"} for row in ROWS]
+
+
+@pytest.mark.parametrize(
+    ("rows", "breaks"),
+    [
+        (LOST, "math.sqrt(stiff.slip_mm.value)"),
+        ([{**row, "slip_mm": 0.0} for row in ROWS], "math.log(soft.slip_mm.value)"),
+        (ROWS[1:], "assert rows[1]"),
+        (ROWS, "rows[0].slip_mm.value.unknown"),
+    ],
+    ids=["null", "zero", "one row", "attribute"],
+)
+def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_stand(toy, rows, breaks, capsys):
+    toy.write(
+        "report/sections/toy.py", f"import math\n{MODULE}".replace("    return Sec", f"    {breaks}\n    return Sec")
+    )
+    toy.measure(rows)
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    [line] = capsys.readouterr().err.splitlines()
+    assert re.match(r"not shown: newton-1.4.0/toy.json: report/sections/toy.py:23: \w+Error", line)
+    assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
+
+
+def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_its_section_stands(toy, capsys):
+    toy.write(
+        "templates/front.md.j2", '# A report\n\n{% if sections %}{{ sections.toy.row["stiff"].note.code }}{% endif %}\n'
+    )
+    toy.measure([{**row, "note": "as text"} for row in ROWS])
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    [line] = capsys.readouterr().err.splitlines()
+    assert line.startswith("not shown: templates/front.md.j2:3: 'str object' has no attribute")
+    assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page
+
+
+WHOLE_DAMAGES = {
+    "text": lambda whole: (whole / "toy.json").write_text("{"),
+    "deep": lambda whole: (whole / "toy.json").write_text("[" * 100_000),
+    "pipe": lambda whole: ((whole / "toy.json").unlink(), os.mkfifo(whole / "toy.json")),
+    "link": lambda whole: ((whole / "toy.json").unlink(), (whole / "toy.json").symlink_to(whole.parent / "toy.json")),
+    "other": lambda whole: (whole / "noise.json").write_text("{}"),
+    "trace": lambda whole: (whole / "toy.stiff.csv.gz").write_bytes(b"x"),
+    "empty": lambda whole: [path.unlink() for path in whole.iterdir()],
+}
+
+
+@pytest.mark.parametrize("damage_to", WHOLE_DAMAGES.values(), ids=WHOLE_DAMAGES)
+def test_finding_5_what_waits_to_be_put_in_place_is_read_before_it_is_believed(toy, damage_to):
+    folder = toy.record_path.parent
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    whole = folder / ".toy.whole"
+    shutil.copytree(folder, whole, ignore=shutil.ignore_patterns(".toy.whole"))
+    damage_to(whole)
+    [said] = recover(folder.parent, load_record)
+    assert said.startswith("damaged: ") and said.endswith("is at newton-1.4.0/.toy.damaged") and "\n" not in said
+    assert {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()} == before
+    assert recover(folder.parent, load_record) == []
+    write_record(toy.record_path, toy.record())
+    assert load_record(toy.record_path)

@@ -1,0 +1,196 @@
+"""Building again: what was made before is made again when anything that it was made from has changed, and else not."""
+
+import pickle
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from toys import MODULE, REPORT, ROWS, TEMPLATE, Toy, program
+
+from measured_report.files.cache import Cache
+from measured_report.findings import cache as derived
+from measured_report.findings.editions import editions_of
+from measured_report.records.record import write_record
+
+SECTION = """
+from measured_report.parts.section import Section
+
+order = {order}
+page = "limits"
+reads = {named}
+
+def derive(results):
+    with open({log!r}, "a") as log:
+        log.write("{name} ")
+    {reads}
+    return Section()
+"""
+READS = {
+    "reader": 'results.value("twice", "twice the gain", lambda a: 2 * a, results.others["toy"].derived["gain"])',
+    "alone": "",
+}
+
+
+def files(site: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(site)): path.read_bytes() for path in sorted(site.rglob("*")) if path.is_file()}
+
+
+def from_nothing(toy: Toy) -> dict[str, bytes]:
+    """Build the site where nothing was kept."""
+    shutil.rmtree(Cache(toy.project.root).folder)
+    shutil.rmtree(toy.project.site)
+    toy.build()
+    return files(toy.project.site)
+
+
+def rewritten(old: str, new: str) -> Callable[[Toy], None]:
+    """A change of the toy's template or module."""
+    assert old in TEMPLATE + MODULE
+
+    def change(toy: Toy) -> None:
+        toy.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
+        toy.write("report/sections/toy.py", MODULE.replace(old, new))
+
+    return change
+
+
+EXTENDED = '{% extends "layout/base.html.j2" %}{% block subject %}A toy.{% endblock %}'
+CHANGES: dict[str, Callable[[Toy], None]] = {
+    "a word of a claim": rewritten("It helps", "It aids"),
+    "what it derives": rewritten("a / b", "a / b + 1"),
+    "a page": lambda toy: toy.write("templates/pages/cause.md.j2", "# Other suspects\n"),
+    "a block of a layout": lambda toy: toy.write("templates/base.html.j2", EXTENDED),
+    "a number": lambda toy: toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}]),
+    "its trace": lambda toy: toy.measure(end_mm=0.7),
+    "the simulator's side": lambda toy: toy.write("experiments/scene.py", "def slip():\n    return 2.0\n"),
+    "another release": lambda toy: toy.of("1.8.0").measure(),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_change_of_anything_is_seen(built, change):
+    before = files(built.project.site)
+    CHANGES[change](built)
+    built.build()
+    after = files(built.project.site)
+    assert after != before
+    assert after == from_nothing(built)
+
+
+def test_a_module_that_the_section_imports_counts(toy):
+    (toy.project.root / "report/sections/toy.py").unlink()
+    module = "from report.sections.toy.label import LABEL\n" + MODULE.replace('label="x"', "label=LABEL")
+    toy.write("report/sections/toy/__init__.py", module)
+    toy.write("report/sections/toy/label.py", 'LABEL = "x"\n')
+    toy.build()
+    assert ">x</text>" in toy.page
+    toy.write("report/sections/toy/label.py", 'LABEL = "y"\n')
+    toy.build()
+    assert ">y</text>" in toy.page and ">x</text>" not in toy.page
+
+
+def test_what_is_installed_counts(monkeypatch):
+    before = derived.installed.__wrapped__()
+    monkeypatch.setattr(derived.metadata, "version", lambda name: "9.9")
+    assert derived.installed.__wrapped__() != before
+
+
+def with_readers(toy: Toy, order: int = 2) -> Path:
+    """Write both; returns where they say that they are derived."""
+    log = toy.project.root / "log"
+    for name, reads in READS.items():
+        toy.write(f"experiments/{name}.py", "")
+        toy.write(
+            f"report/sections/{name}.py",
+            SECTION.format(name=name, reads=reads, named=("toy",) if reads else (), order=order, log=str(log)),
+        )
+        toy.write(f"templates/sections/{name}.md.j2", f"# Section {name}\n\n{{{{ rows[0].slip_mm }}}}\n")
+        measure(toy, name)
+    return log
+
+
+def measure(toy: Toy, name: str, slip_mm: float = 1.0) -> None:
+    rows = [{"case": "one", "slip_mm": slip_mm}]
+    write_record(toy.project.record_path(name), toy.record(rows, section=name), {})
+
+
+def test_only_what_reads_a_record_is_derived_again(toy):
+    log = with_readers(toy)
+
+    def derived() -> list[str]:
+        log.write_text("")
+        toy.build()
+        return log.read_text().split()
+
+    toy.build()
+    assert derived() == []
+    measure(toy, "alone", 2.0)
+    assert derived() == ["alone"]
+    measure(toy, "reader", 2.0)
+    assert derived() == ["reader"]
+    toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}])
+    assert derived() == ["reader"]
+    toy.record_path.unlink()
+    assert derived() == ["reader"]
+    toy.measure()
+    assert derived() == ["reader"]
+    assert files(toy.project.site) == from_nothing(toy)
+
+
+def left_out(toy: Toy) -> dict[str, str]:
+    [edition] = editions_of(toy.project).values()
+    return {state.section: "; ".join(state.notes) for state in edition.left_out}
+
+
+def test_a_section_reads_only_what_it_names_and_what_stands_before_it(toy):
+    with_readers(toy, order=0)
+    assert "report/sections/reader.py reads toy, which stands after it" in left_out(toy)["reader"]
+    with_readers(toy, order=2)
+    assert left_out(toy) == {}
+    reader = toy.project.root / "report/sections/reader.py"
+    toy.write("report/sections/reader.py", reader.read_text().replace("reads = ('toy',)", "reads = ()"))
+    assert "report/sections/reader.py reads toy, which its line reads = (...) does not name" in left_out(toy)["reader"]
+
+
+def test_a_site_that_was_altered_is_built_again(built):
+    before = files(built.project.site)
+    built.page_path.write_text("altered")
+    (built.project.site / "more.html").write_text("more")
+    (built.project.site / "style.css").unlink()
+    built.build()
+    assert files(built.project.site) == before
+
+
+ENTRIES = ("site", "full.1.4.0.toy")
+DAMAGE: dict[str, Callable[[Path], object]] = {
+    "half": lambda path: path.write_bytes(path.read_bytes()[: path.stat().st_size // 2]),
+    "a folder": lambda path: (path.unlink(), path.mkdir()),
+    "of another kind": lambda path: path.write_bytes(pickle.dumps("other") + pickle.dumps({"other": 1})),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_an_entry_that_is_damaged_is_made_again(built, damage):
+    before = files(built.project.site)
+    cache = Cache(built.project.root).folder
+    assert {path.name for path in cache.iterdir()} >= set(ENTRIES)
+    for name in ENTRIES:
+        DAMAGE[damage](cache / name)
+    (built.project.root / "templates" / "unused.md.j2").write_text("new")
+    built.build()
+    assert files(built.project.site) == before
+
+
+def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
+    """In two folders, languages, time zones, and orders of what has none."""
+    sites = []
+    for name, environment in {
+        "a place": {"PYTHONHASHSEED": "1", "TZ": "UTC", "LC_ALL": "C", "HOME": str(tmp_path / "home")},
+        "ein Ört": {"PYTHONHASHSEED": "2", "TZ": "Asia/Kathmandu", "LC_ALL": "de_DE.UTF-8", "MPLBACKEND": "agg"},
+    }.items():
+        shutil.copytree(toy.project.root, tmp_path / name)
+        assert program("-c", REPORT, tmp_path / name, "1.4.0", **environment).returncode == 0
+        sites.append(files(tmp_path / name / "site"))
+    assert [path for path in sites[0] if sites[0][path] != sites[1].get(path)] == []
+    assert len(sites[0]) == len(sites[1]) > 10

@@ -1,0 +1,13 @@
+"""Whoever measures on this machine is not waited for."""
+
+import gc
+
+import pytest
+
+from measured_report.measuring import batch
+
+
+@pytest.fixture(autouse=True)
+def apart(monkeypatch, tmp_path):
+    monkeypatch.setattr(batch, "LOCK", tmp_path / "lock")
+    gc.freeze()  # or each fork looks through all that this process has

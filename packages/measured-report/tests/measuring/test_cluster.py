@@ -1,0 +1,127 @@
+"""Sections measured by a cluster's workers, which are killed, are unfit and have other code."""
+
+import gc
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import batches
+import pytest
+from batches import rows_of, section_of, spans
+
+pytest.importorskip("distributed", reason="make test installs the extra that has it")
+
+from distributed import Client
+
+from measured_report.files.errors import ReportError
+from measured_report.measuring import cluster
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.cluster import cluster_pools, connected
+from measured_report.measuring.section import Loop
+
+SCHEDULER = """
+import sys
+from dask import config
+from distributed import Nanny, Scheduler, SpecCluster
+
+own = {"host": "127.0.0.1", "dashboard": False, "dashboard_address": "127.0.0.1:0"}
+kinds = [{"shared": 1}, {"exclusive": 1}][: int(sys.argv[1])]
+options = [{**own, "nthreads": 1, "memory_limit": 0, "silence_logs": 50, "resources": kind} for kind in kinds]
+workers = {number: {"cls": Nanny, "options": each} for number, each in enumerate(options)}
+if __name__ == "__main__":
+    config.set({"distributed.scheduler.allowed-failures": 2, "distributed.deploy.lost-worker-timeout": "1h"})
+    with SpecCluster(workers, {"cls": Scheduler, "options": own}, silence_logs=50) as cluster:
+        print(cluster.scheduler_address, flush=True)
+        sys.stdin.read()
+"""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def tidy():
+    """What Dask leaves says so when it is collected, which breaks whatever Python is compiling just then."""
+    yield
+    gc.collect()
+
+
+def started(outside: Path, count: int) -> subprocess.Popen:
+    command, pipe = [sys.executable, "-c", SCHEDULER, str(count)], subprocess.PIPE
+    own = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of their own
+    return subprocess.Popen(command, cwd=outside, env=own, stdin=pipe, stdout=pipe, text=True)
+
+
+@pytest.fixture(scope="module")
+def address(outside):
+    """Address of a cluster of a worker for what is shared and one for the rest, as somebody may have started it."""
+    with started(outside, 2) as process:
+        yield process.stdout.readline().strip()
+        process.communicate()
+
+
+@pytest.fixture
+def scheduler(address) -> str:
+    """The same address, once all workers are there: those that a test killed take a while to come back."""
+    with Client(address) as client:
+        client.wait_for_workers(2)
+    return address
+
+
+def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler, capsys):
+    whole = section_of(toy, batches.plan(str(log), "abcdef", 0.2, exclusive="cf"))
+    mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
+    doomed = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed")
+    with cluster_pools(scheduler, "cpu", None, 1) as pools:
+        assert not Loop([whole, mortal], *pools).run()
+        assert Loop([doomed], *pools).run()
+    reason = "die: its process was killed, and once more when it was alone"
+    assert f"doomed: measuring failed; what was there is kept: {reason}" in capsys.readouterr().err
+    assert [row["case"] for row in rows_of(toy)] == [*"abcdef", "sum"]
+    times = spans(log)
+    for exclusive in "cf":
+        begin, end = times.pop(exclusive)
+        assert all(other[1] <= begin or end <= other[0] for other in times.values()), "it was alone"
+
+
+@pytest.mark.parametrize(
+    ("device", "processor", "reason"),
+    [
+        ("cpu", None, "has other code or packages"),
+        ("cpu", "nvidia-h200", "has no CUDA device, and this is of nvidia-h200"),
+        ("cuda", "nvidia-h200", "DEVICE=cuda"),
+    ],
+)
+def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, processor, reason):
+    if not processor:
+        monkeypatch.setattr(cluster, "digest_here", lambda: "0" * 64)
+    with pytest.raises(ReportError, match=reason) as error, cluster_pools(scheduler, device, processor, 1):
+        pass
+    assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(outside, toy, monkeypatch, stop):
+    monkeypatch.setattr(cluster, "SILENT_S", 10.0)
+    with started(outside, 1) as process:
+        address = process.stdout.readline().strip()
+        lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
+        with lacks, cluster_pools(address, "cpu", None, 1):
+            pass
+        gone = pytest.raises(ReportError, match="the scheduler is gone; what is finished is kept")
+        with gone, connected(address, "cpu") as client:
+            pools = [cluster.ClusterPool(client, resource) for resource in ("shared", "exclusive")]
+            Loop([section_of(toy, batches.single(Batch("end", os.kill, (process.pid, stop))))], *pools).run()
+        monkeypatch.setattr(cluster, "CONNECT_S", 0.5)
+        unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
+        with unreachable, connected(address, "cpu"):
+            pass
+        process.kill()
+        process.wait()
+
+
+def test_finding_6_only_who_has_the_key_of_the_run_is_let_in():
+    with connected("local", "cpu", 1) as client:
+        client.wait_for_workers(2, timeout=30.0)
+        assert client.submit(os.getpid, resources={"exclusive": 1}).result() != os.getpid()
+        addresses = [client.scheduler.address, *client.nthreads()]
+        assert all(address.startswith("tls://127.0.0.1:") for address in addresses), "Dask asks for the run's own key"

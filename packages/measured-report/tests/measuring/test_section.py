@@ -1,0 +1,170 @@
+"""The loop: sections in batches, measured by processes of this host, and what may go wrong meanwhile."""
+
+import importlib
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from datetime import datetime
+from pathlib import Path
+
+import batches
+import numpy as np
+import pytest
+from batches import begun, rows_of, running, section_of
+
+from measured_report.files.errors import ReportError
+from measured_report.measuring import batch
+from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
+from measured_report.measuring.pool import host_pools
+from measured_report.measuring.run import section_module
+from measured_report.measuring.section import Loop
+from measured_report.records.record import load_record
+
+
+def fails(*sections, count: int = 1) -> bool:
+    """Measure sections; whether one fails."""
+    with host_pools(count) as pools:
+        return Loop(sections, *pools).run()
+
+
+def test_a_record_is_put_together_from_its_batches(toy, log):
+    assert not fails(section_of(toy, batches.plan(str(log), "abc", exclusive="b")))
+    assert begun(log) == ["a", "c", "b"], "what measures times is measured last"
+    record = load_record(toy.record_path)
+    assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
+    assert record.machine["host"]
+
+
+def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):
+    pair = [Batch(name, batches.meet, (str(log), name, ["a", "b"])) for name in "ab"]  # neither ends without the other
+    alone = [Batch(name, batches.work, (str(log), name), exclusive=True) for name in "de"]
+    assert not fails(section_of(toy, batches.all_of([*alone, *pair])), count=2)
+    assert [line.split()[:2] for line in log.read_text().splitlines()][-4:] == [
+        *(["begin", "d"], ["end", "d"], ["begin", "e"], ["end", "e"])
+    ]
+    assert not running(log)
+
+
+def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
+    failing = section_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
+    ending = section_of(toy, batches.single(Batch("end", sys.exit, ("ended",))), "ending-one")
+    odd = section_of(toy, batches.single(Batch("odd", os.listdir, (lambda: None,))), "odd-one")
+    assert fails(failing, ending, odd, section_of(toy, batches.plan(str(log), "a")))
+    said = capsys.readouterr().err
+    kept = "measuring failed; what was there is kept:"
+    assert re.search(rf"bad-one: {kept} bad: batches.py:\d+: ValueError: as a test\n", said)
+    assert re.search(rf"odd-one: {kept} odd: .", said)
+    assert re.search(rf"ending-one: {kept} end: .*SystemExit: ended\n", said)
+    assert len(rows_of(toy)) == 2
+
+
+class Clock(datetime):
+    """Says what it was told to, one after the other."""
+
+    @classmethod
+    def now(cls, zone):
+        return cls.fromisoformat(TOLD.pop(0))
+
+
+TOLD: list[str] = []
+
+
+def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go_is_said(monkeypatch):
+    monkeypatch.setattr(batch, "datetime", Clock)
+    TOLD[:] = "2026-01-02T00:00:00+00:00", "2026-01-01T00:00:00+00:00", "1970-01-01T00:00:00+00:00"
+    found = measure_batch(Batch("a", int), "cpu")
+    assert found.started <= found.ended
+    TOLD[:] = TOLD[-1:]
+    with pytest.raises(BatchError, match="the clock of this machine says 1970-01-01"):
+        measure_batch(Batch("a", int), "cpu")
+
+
+def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
+    mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
+    doomed = section_of(toy, batches.single(Batch("die", batches.die_after, (str(log),))), "doomed")
+    assert fails(mortal, doomed, section_of(toy, batches.plan(str(log), "efgh", 0.1)), count=2)
+    said, reason = capsys.readouterr().err, "die: its process was killed, and once more when it was alone"
+    assert "mortal/die: its process was killed; it is tried again alone" in said
+    assert f"doomed: measuring failed; what was there is kept: {reason}" in said
+    assert [row["case"] for row in rows_of(toy)] == [*"efgh", "sum"]
+    assert begun(log).count("die") == 2 and toy.project.record_path("mortal").is_file() and not running(log)
+
+
+def test_numbers_of_numpy_are_kept_as_numbers(toy):
+    row = {"case": "a", "slip_mm": np.float32(1.5), "hold_count": np.int64(3), "holds": np.bool_(True)}
+    lost = {"case": "b", "slip_mm": np.float32("nan"), "hold_count": 1, "holds": False}
+    assert not fails(section_of(toy, handed(batches.Rows([row, lost], {"a": {"time_s": np.arange(2.0)}}))))
+    first, second = rows_of(toy)
+    assert first == {"case": "a", "slip_mm": 1.5, "hold_count": 3, "holds": True}
+    assert second["slip_mm"] is None and second["slip_mm_reason"] == "the measurement gave nan"
+
+
+@pytest.mark.parametrize(
+    ("returned", "reason"),
+    [
+        (None, "'NoneType' object has no attribute 'rows'"),
+        (batches.Rows([1]), "'int' object has no attribute 'items'"),
+        (batches.Rows([{"case": "a", "slip_mm": [1.0]}]), r"\[1.0\] is no number, text, yes or no"),
+        (batches.Rows([{"case": "a"}], {"a": {"time_s": [[1.0]]}}), r"\[1.0\] is no number, text, yes or no"),
+        (batches.Rows([{"case": "a"}], {1: {1: [1.0]}}), "'1' is no column name"),
+    ],
+)
+def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, reason):
+    before = rows_of(toy)
+    assert fails(section_of(toy, handed(returned)))
+    said = capsys.readouterr().err
+    assert re.fullmatch(f"toy: measuring failed; what was there is kept: .*{reason}\n", said)
+    assert rows_of(toy) == before
+
+
+def handed(returned) -> Plan:
+    """A section that measures nothing and hands this over."""
+    yield [Batch("a", os.getpid)]
+    return returned
+
+
+DRIVER = """
+import batches
+import signal
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+from measured_report.editions.project import Project
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.section import Loop
+from measured_report.measuring.pool import host_pools
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+root, log = sys.argv[1:]
+toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
+slow = batches.single(Batch("slow", batches.work, (log, "slow", 600.0)))
+with host_pools(2) as pools:
+    Loop([batches.section_of(toy, batches.plan(log, "ab")), batches.section_of(toy, slow, "slow")], *pools).run()
+"""
+
+
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL])
+def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(toy, log, outside, sent):
+    toy.record_path.unlink()
+    command = [sys.executable, "-c", DRIVER, str(toy.project.root), str(log)]
+    own = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of its own
+    driver = subprocess.Popen(command, cwd=outside, env=own, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    while "begin slow" not in log.read_text() or not toy.record_path.exists():
+        assert driver.poll() is None, driver.stderr.read()
+        time.sleep(0.02)
+    driver.send_signal(sent)
+    said = driver.communicate(timeout=300.0)[1]  # half of what the batch would take
+    assert not running(log)
+    assert driver.returncode == -sent and "Traceback" not in said
+    assert [row["case"] for row in rows_of(toy)] == ["a", "b", "sum"]
+    assert [path.name for path in Path(toy.record_path).parent.glob("slow*")] == []
+
+
+def test_a_section_that_cannot_be_imported_is_one_line(tmp_path, monkeypatch):
+    (tmp_path / "broken.py").write_text("\nimport nothing\n")
+    monkeypatch.setattr(importlib.import_module("experiments"), "__path__", [str(tmp_path)])
+    with pytest.raises(ReportError, match=r"^broken.py:2: ModuleNotFoundError: No module named 'nothing'$"):
+        section_module("broken")

@@ -1,0 +1,125 @@
+"""Freshness: what makes a record stale, and what does not."""
+
+import pytest
+
+from measured_report.records import identity as of_records
+from measured_report.records.identity import identity_of, sections
+
+SOURCES = {
+    "experiments/toy.py": '''"""A section."""
+from experiments.middle import firm, loose
+
+RUNS = 3
+
+
+def measure(conditions):
+    """Measure it."""
+    assert RUNS, "no runs"
+    return [firm(run) - loose(run) for run in range(RUNS)]
+''',
+    "experiments/middle.py": """from experiments.far import scaled
+from measured_report.records.columns import PLAIN
+
+ROBOT = "assets/robot.urdf"
+
+
+def firm(run, factor=2.0):
+    if run < 0:
+        raise ValueError(f"{run} is negative")
+    return scaled(run) * factor
+
+
+def loose(run):
+    return len(ROBOT) + len(PLAIN) + run
+
+
+def unused():
+    return 1
+""",
+    "experiments/far.py": """LIMIT = 10.0
+
+
+def scaled(run):
+    return min(run, LIMIT)
+""",
+}
+
+
+@pytest.fixture
+def chain(toy):
+    """The toy with a section that is measured through two other modules."""
+    for name, text in SOURCES.items():
+        toy.write(name, text)
+    toy.measure()
+    return toy
+
+
+def replace_in(toy, old: str, new: str) -> None:
+    """Replace a text wherever the experiments have it."""
+    paths = [path for path in (toy.project.root / "experiments").rglob("*.py") if old in path.read_text()]
+    assert paths
+    for path in paths:
+        toy.write(path.relative_to(toy.project.root).as_posix(), path.read_text().replace(old, new))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('"""Measure it."""', '"""Something else."""  # a remark'),
+        ("LIMIT = 10.0", "LIMIT = (\n    10.0\n)"),
+        ("is negative", "is perhaps negative"),
+        ('"no runs"', 'f"{RUNS} runs"'),
+        ("return 1", "return 2"),
+        ("def unused", "def later():\n    return 3\n\n\ndef unused"),
+        ("scaled", "limited"),
+        ("LIMIT", "BOUND"),
+        ("PLAIN", "REASON"),
+        ("import firm, loose", "import loose, firm as firm"),
+    ],
+)
+def test_what_changes_no_row_leaves_a_record_fresh(chain, old, new):
+    replace_in(chain, old, new)
+    assert chain.state().kind == "fresh"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "file"),
+    [
+        ("RUNS = 3", "RUNS = 4", "toy"),
+        ("factor=2.0", "factor=3.0", "middle"),
+        ("ValueError", "TypeError", "middle"),
+        ("LIMIT = 10.0", "LIMIT = 11.0", "far"),
+        ("return min", "return max", "far"),
+        ("firm(run) - loose(run)", "loose(run) - firm(run)", "toy"),
+        ("LIMIT = 10.0", "LIMIT = 10.0\nprint(LIMIT)", "far"),
+    ],
+)
+def test_what_may_change_a_row_makes_it_stale(chain, old, new, file):
+    replace_in(chain, old, new)
+    assert f"code: experiments/{file}.py" in chain.state().notes
+
+
+def test_all_of_a_module_counts_that_is_handed_on_whole(chain):
+    replace_in(chain, "from experiments.far import scaled", "from experiments import far")
+    replace_in(chain, "scaled(run) * factor", "(far or None).scaled(run) * factor")
+    replace_in(chain, "LIMIT = 10.0", "LIMIT = 10.0\nprint(LIMIT)")  # and does something when it is imported
+    chain.measure()
+    replace_in(chain, "return min", "return max")
+    assert "code: experiments/far.py" in chain.state().notes
+
+
+def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, monkeypatch):
+    full, quick = (identity_of("toy", profile, toy.project.root) for profile in ("full", "quick"))
+    assert full.config != quick.config
+    assert full.code == quick.code
+    text = toy.record_path.read_text().replace("A processor", "Another")
+    toy.record_path.write_text(text)
+    assert toy.state().kind == "fresh"
+    installed = {**toy.packages, "warp-lang": "9.9"}
+    monkeypatch.setattr(of_records.metadata, "version", installed.__getitem__)
+    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
+
+
+def test_what_an_editor_locks_beside_a_section_is_no_section(toy):
+    (toy.project.root / "report/sections/.#toy.py").symlink_to("somebody@here.1:2")
+    assert sections(toy.project.root) == ["toy"]

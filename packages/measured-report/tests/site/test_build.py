@@ -1,0 +1,163 @@
+"""The site: built from results made by hand, checked, and published in one step."""
+
+import json
+import os
+from dataclasses import replace
+
+import pytest
+from toys import MODULE, ROWS, TEMPLATE
+
+from measured_report.files.config import config
+from measured_report.files.errors import ReportError
+from measured_report.records.record import write_record
+from measured_report.site import pages
+from measured_report.site.check import check_site
+from measured_report.site.pages import rows_csv
+
+
+def test_a_section_takes_three_files_and_passes_the_check(toy):
+    toy.build()
+    assert check_site(toy.project.site) == []
+    assert '<data value="0.3124" data-src="newton-1.4.0/toy.json#/rows/1/slip_mm">0.31</data>&nbsp;mm' in toy.page
+    assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
+    assert "A processor" in toy.page and "make rerun SECTION=toy" in toy.page
+    values = json.loads((toy.project.site / "data/values.json").read_text())
+    assert values["toy"]["gain"]["formula"] == "soft over stiff"
+    assert (toy.project.site / "data/newton-1.4.0/toy.json").read_bytes() == toy.record_path.read_bytes()
+    assert (toy.project.site / "data/newton-1.4.0/toy.stiff.csv.gz").is_file()
+
+
+def test_text_from_results_is_no_markup(toy):
+    evil = '<script>alert(1)</script> *a* `b` "c"'
+    toy.measure([{**ROWS[0], "case": evil}, ROWS[1]])
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + "\nFirst: {{ rows[0].case }}\n")
+    toy.build()
+    assert "<script>" not in toy.page
+    assert toy.page.count("&lt;script&gt;alert(1)&lt;/script&gt; *a* `b`") == 2
+    assert check_site(toy.project.site) == []
+
+
+def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
+    told = replace(config(), repository="https://git.example/shake")
+    monkeypatch.setattr(pages, "config", lambda: told)
+    toy.build()
+    line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(True)
+    assert f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">' in toy.page
+    assert (
+        "git clone https://git.example/shake report &amp;&amp; cd report &amp;&amp; make rerun SECTION=toy" in toy.page
+    )
+
+
+END = "{% endtable %}\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (END, END + "{{ nothing }}", "nothing"),
+        (END, END + '{{ claim("nothing") }}', "toy has no claim 'nothing'; it has: helps"),
+        (END, END + "{{ 3.5 }}", "says nothing of where it comes from"),
+        (END, END + "{% if %}", "templates/sections/toy.md.j2"),
+        (END, END + "It slips\n6.36 mm.", r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed"),
+        *(
+            (END, f"{END}It is {number} so.", f"{number} is typed")
+            for number in ("37 %", "3.7 times", "2 m/s", "5 kg/m³")
+        ),
+        ("It does not.", "It does not, by {{ 3.5 }}.", "toy.md.j2 prints 3.5, which says nothing"),
+        (END, END + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}', "prints 3.5, which"),
+        ("order = 1", "order = 'x'", "toy.py has no line such as order = 125"),
+        ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: cause"),
+        ("order = 1", "order = 1\nreads = ('no',)", "toy.py reads 'no', and there is no such section"),
+        ("order = 1", "order = (", "cannot read report/sections/toy.py: "),
+        ("order = 1", "order = 1\nimport nothing", r"report/sections/toy.py:8: .*No module named 'nothing'"),
+        ("def derive", "def other", r"toy.py has no function derive\(results\)"),
+        ("return Section", "Section", "toy.py: derive returns a NoneType, and not a Section"),
+    ],
+)
+def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_site(built, old, new, message):
+    before = built.page
+    built.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
+    built.write("report/sections/toy.py", MODULE.replace(old, new))
+    with pytest.raises(ReportError, match=message) as error:
+        built.build()
+    assert "\n" not in str(error.value)
+    assert built.page == before
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("raise OSError('no ink')", "report/sections/toy.py:12: OSError: no ink"),
+        ("1 / 0", "report/sections/toy.py:12: ZeroDivisionError: division by zero"),
+        ("return None", "it draws a builtins.NoneType"),
+        ("axes.set_ylabel('x [m]')", r"its axis 'x \[m\]' has another unit than what it draws, mm"),
+    ],
+)
+def test_a_figure_that_throws_where_all_of_it_is_there_stops_the_build_and_nothing_is_left_behind(built, line, said):
+    before = built.page
+    built.write("report/sections/toy.py", MODULE.replace("axes.legend()", line))
+    with pytest.raises(ReportError, match=f"the figure toy-way can't be drawn: .*{said}"):
+        built.build()
+    assert built.page == before
+    assert not list(built.project.root.glob(".site-*"))
+
+
+def test_a_name_that_is_no_utf_8_stops_no_build(toy):
+    for folder in ("templates", "results", "results/newton-1.4.0", "assets"):
+        (toy.project.root / folder / os.fsdecode(b"\xff.json")).write_text("x")
+    toy.build()
+    assert check_site(toy.project.site) == []
+
+
+def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_longer_fits(toy):
+    toy.write("assets/robot.urdf", "<robot name='other'/>")
+    toy.build()
+    assert "config: assets/robot.urdf" in toy.page and "renews it" in toy.page
+    assert check_site(toy.project.site) == []
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + '{{ row["stiff"].new_mm }}')
+    for change in (lambda: toy.write("experiments/scene.py", "def slip():\n    return 2\n"), toy.measure):
+        change()
+        toy.build()
+        assert 'id="toy"' not in toy.page
+        assert "newton-1.4.0/toy.json: toy: stiff has no column new_mm" in toy.page
+
+
+@pytest.mark.parametrize("spoil", [lambda path: path.unlink(), lambda path: path.write_text('{"schema": 1, "rows"')])
+def test_a_section_without_a_whole_record_is_one_line(toy, spoil):
+    spoil(toy.record_path)
+    toy.build()
+    assert 'id="toy"' not in toy.page
+    assert "<b>toy</b>" in toy.page
+    assert "<code>make rerun SECTION=toy</code>" in toy.page
+
+
+def test_a_figure_links_only_the_data_that_is_there_and_is_one_line_without(toy):
+    toy.write("report/sections/toy.py", MODULE.replace("[trace])}", '[trace, results.trace("soft")])}'))
+    toy.build()
+    assert "<svg" in toy.page and check_site(toy.project.site) == []
+    toy.write("report/sections/toy.py", MODULE)
+    write_record(toy.record_path, toy.record(), {})
+    toy.build()
+    assert "A figure is left out here: there is no toy.stiff.csv.gz" in toy.page
+    assert "<svg" not in toy.page
+    assert str(toy.project.root) not in toy.page
+    assert check_site(toy.project.site) == []
+
+
+def test_the_site_carries_what_a_section_offers(toy):
+    module = MODULE.replace("import Figure,", "import Download, Figure,")
+    module = module.replace("claims=[", 'downloads=[Download("a.py", "1 < 2\\n")], claims=[')
+    toy.write("report/sections/toy.py", module)
+    words = '\n{{ download("a.py") }}\n\nAlone: {{ download("a.py").link }}\n'
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
+    toy.build()
+    assert (toy.project.site / "download" / "a.py").read_text() == "1 < 2\n"
+    assert '<pre tabindex="0"><code>1 &lt; 2\n</code></pre>' in toy.page
+    assert toy.page.count('href="download/a.py"') == 2
+    assert check_site(toy.project.site) == []
+
+
+def test_finding_8_no_text_of_a_table_is_a_formula():
+    rows = [{"case": "=1+1", "said": "-x", "slip_mm": -1.5}, {"case": "@a", "said": "-1.5", "slip_mm": None}]
+    rows += [{"case": "＝1+1", "said": "\n=1+1", "slip_mm": 1.0}]
+    assert rows_csv(rows).split("\n", 3)[1:] == ["'=1+1,'-x,-1.5", "'@a,'-1.5,", "'＝1+1,\"'\n=1+1\",1.0\n"]

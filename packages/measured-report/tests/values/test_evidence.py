@@ -1,0 +1,180 @@
+"""Evidence: what measurements say of a number, drawn from a truth with parts of hosts, processes and runs."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+pytest.importorskip("scipy", reason="the extra test has it")
+
+from scipy import stats
+
+from measured_report.editions.project import Project
+from measured_report.records.record import Record, load_record
+from measured_report.values.evidence import MEAN, Evidence, evidence_of, key_of, repeats_of
+
+BASE = load_record(Project("1.4.0").record_path("gap"))
+ROWS = 40
+
+
+def record(rows: list[dict], **machine: str) -> Record:
+    return replace(BASE, rows=rows, units={}, traces={}, machine={**BASE.machine, **machine})
+
+
+def measurements(
+    count: int, seed: int, *, host: float = 0.0, run: float = 0.01, column: str = "drift_mm_s"
+) -> tuple[np.ndarray, list[Record], Record]:
+    """Return truths, so many measurements of them, and a record of 40 runs of the first, of which two are wild."""
+    chance = np.random.default_rng(seed)
+    truths = chance.uniform(1.0, 3.0, ROWS)
+    deviations = run * np.sqrt(8.0 / chance.chisquare(8.0, ROWS))  # each row has a noise of its own
+    found = []
+    for place in range(count):
+        parts = chance.normal(0, host, ROWS) + chance.normal(0, deviations)
+        rows = [{"case": f"c{row}", column: float(number)} for row, number in enumerate(truths + parts)]
+        found.append(record(rows, gpu_uuid=f"card {place}"))
+    runs = truths[0] + chance.normal(0, run, 40)
+    runs[:2] += 50 * run
+    return truths, found, record([{"case": f"r{n}", "of": "c", column: float(number)} for n, number in enumerate(runs)])
+
+
+def known(found: list[Record], repeats: Record, column: str = "drift_mm_s") -> tuple[np.ndarray, np.ndarray]:
+    """Return the values that are printed, and how far the truth may be from each."""
+    evidence = evidence_of(found, repeats_of(repeats.rows))
+    estimates = [evidence.estimate(column, row) for row in found[0].rows]
+    return np.array([each.value for each in estimates]), np.array([each.noise for each in estimates])
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 6])
+@pytest.mark.parametrize("host", [0.0, 0.02])
+def test_the_truth_is_within_the_noise_as_often_as_it_says(count, host):
+    if count == 1 and host:
+        pytest.skip("one host says nothing of others")
+    within = []
+    for seed in range(12):
+        truths, found, repeats = measurements(count, seed, host=host)
+        values, noises = known(found, repeats)
+        within.append(abs(values - truths) <= noises)
+    assert 0.90 <= np.mean(within) <= 0.99
+
+
+def test_the_noise_falls_with_each_measurement():
+    falls = []
+    for seed in range(12):
+        _, found, repeats = measurements(6, seed)
+        noises = [known(found[:count], repeats)[1] for count in range(2, 7)]
+        falls.append(noises[-1] < noises[0])
+    assert np.mean(falls) >= 0.95
+
+
+def test_one_wild_row_changes_nothing_for_the_others_and_is_said_to_be_at_an_edge():
+    _, found, repeats = measurements(4, 3)
+    plain = known(found, repeats)
+    rows = [*found[-1].rows[:-1], {**found[-1].rows[-1], "drift_mm_s": 9.0}]
+    wild = [*found[:-1], replace(found[-1], rows=rows)]
+    values, noises = known(wild, repeats)
+    assert noises[:-1] == pytest.approx(plain[1][:-1], rel=0.1) and values[:-1] == pytest.approx(plain[0][:-1])
+    evidence = evidence_of(wild, repeats_of(repeats.rows))
+    assert evidence.edges == {key_of(rows[-1])} and evidence.edge_share == pytest.approx(1 / (ROWS * 4))
+    assert values[-1] < 4.0 < 9.0 <= values[-1] + noises[-1] + 1e-9, "the median, and as far as was seen"
+
+
+def test_a_run_that_one_measurement_loses_or_words_otherwise_is_at_an_edge():
+    _, found, _ = measurements(2, 0)
+    lost = [
+        {**row, "dropped": place == 3, "end": "b" if place == 5 else "a"} for place, row in enumerate(found[1].rows)
+    ]
+    kept = [{**row, "dropped": False, "end": "a"} for row in found[0].rows]
+    evidence = evidence_of([replace(found[0], rows=kept), replace(found[1], rows=lost)], {})
+    assert evidence.edges == {key_of({"case": "c3"}), key_of({"case": "c5"})}
+
+
+def test_what_was_measured_once_has_the_noise_of_the_runs_of_one_case_and_larger_numbers_more():
+    """Eight runs with a deviation of 0.1: t of 2.3646 makes ±0.236 of a run of that size; of five times that ±1.18."""
+    runs = [{"of": "c", "case": f"r{n}", "drift_mm_s": 2.0 + 0.1 * (7 / 8) ** 0.5 * (-1) ** n} for n in range(8)]
+    evidence = Evidence(repeats=repeats_of(runs))
+    noises = [evidence.estimate("drift_mm_s", {"case": "x", "drift_mm_s": size}).noise for size in (0.5, 2.0, 10.0)]
+    expected = stats.t.ppf(0.975, 7) * 0.1
+    assert noises == pytest.approx([expected, expected, 5 * expected], rel=1e-3)
+    [mean] = evidence.means().values()
+    assert mean.value == pytest.approx(2.0) and mean.noise == pytest.approx(expected / 8**0.5, rel=1e-3)
+
+
+def test_runs_part_as_they_go_on():
+    runs = [{"of": "c", "case": f"r{n}", "slip_mm": 6.0 + 0.1 * (-1) ** n, "shake_duration_s": 12.0} for n in range(8)]
+    evidence = Evidence(repeats=repeats_of(runs))
+    one, long = ({"case": "x", "slip_mm": 3.0, "shake_duration_s": seconds} for seconds in (12.0, 60.0))
+    assert evidence.estimate("slip_mm", long).noise == pytest.approx(5 * evidence.estimate("slip_mm", one).noise)
+
+
+def test_a_row_itself_says_how_well_a_time_a_ratio_and_a_count_are_known():
+    """Half of a normal distribution's 90 % is 1.645 deviations; a median of 25 is known to √(π/2)/5 of one."""
+    row = {
+        "case": "x",
+        "frame_ms": 8.0,
+        "frame_ms_p5": 7.8,
+        "frame_ms_p95": 8.3,
+        "repeat_count": 25,
+        "frames_per_s": 125.0,
+    }
+    time = Evidence().estimate("frame_ms", row)
+    assert time.noise == pytest.approx(1.96 * (np.pi / 2) ** 0.5 * 0.5 / 3.2897 / 5, rel=1e-4)
+    assert Evidence().estimate("frames_per_s", row).noise == pytest.approx(time.noise * 125 / 8)
+    ratio = {"case": "x", "frame_ratio": 0.5, "ratio_resolution": 0.01, "frame_ratio_p5": 0.4, "frame_ratio_p95": 0.6}
+    assert Evidence().estimate("frame_ratio", ratio).noise == pytest.approx(0.005), "timed in turn"
+    in_c = {"case": "x", "backend": "c", "slip_mm": 6.0, "build_s": 2.0, "row_count": 8, "pad_ke": 2.5e5, "load": None}
+    known = {name: Evidence().estimate(name, in_c) for name in in_c if name not in ("case", "backend")}
+    noises = {name: each and each.noise for name, each in known.items()}
+    assert noises == {"slip_mm": pytest.approx(0.006), "build_s": None, "row_count": 0.0, "pad_ke": 0.0, "load": None}
+    share = {"case": "x", "lifted_count": 3, "trial_count": 8}
+    assert Evidence().estimate("lifted_count", share).noise == 0.0
+
+
+def test_measurements_that_agree_are_what_they_say_and_a_mean_says_of_what():
+    rows = [{"case": "a", "load": 0.25, "slip_mm": 1.0}]
+    others = [{"case": "a", "load": 0.25, "slip_mm": 2.0}]
+    evidence = evidence_of([record(rows), record(others), None], {})
+    same, mean = (evidence.estimate(name, rows[0]) for name in ("load", "slip_mm"))
+    assert (same.value, same.note) == (0.25, "2 measurements from 0.25 to 0.25") and same.noise < 1e-6
+    assert (mean.value, mean.note) == (1.5, f"{MEAN} 2 measurements from 1 to 2") and mean.samples == [1.0, 2.0, None]
+
+
+def test_an_engine_that_repeats_has_nothing_of_the_noise_of_one_that_does_not():
+    quiet, loud = measurements(3, 1, run=0.001)[1], measurements(3, 2, run=1.0)[1]
+    both = [
+        record(
+            [{**row, "backend": "warp"} for row in a.rows]
+            + [{**row, "case": f"{row['case']}-v", "backend": "vbd"} for row in b.rows]
+        )
+        for a, b in zip(quiet, loud, strict=True)
+    ]
+    evidence = evidence_of(both, {})
+    noises = [evidence.estimate("drift_mm_s", both[0].rows[place]).noise for place in (9, 49)]
+    assert noises[0] < 0.01 < 0.3 < noises[1]
+
+
+def test_times_stand_beside_those_of_one_kind_of_machine_and_cards_are_known_by_as_many_as_there_are():
+    """Cards of 6.066, 6.083 and 6.339 ms have a deviation of 0.1529 ms: ±0.380 ms of their mean, by t of 4.303."""
+    times = (6.066, 6.083, 6.339)
+    of_cards = [
+        record([{"case": "a", "frame_ms": time}, {"case": "b", "frame_ms": 2 * time}], gpu_uuid=f"card {time}")
+        for time in times
+    ]
+    estimate = evidence_of(of_cards, {}).estimate("frame_ms", of_cards[0].rows[0])
+    assert estimate.is_of_cards and estimate.value == pytest.approx(np.mean(times))
+    assert estimate.noise == pytest.approx(stats.t.ppf(0.975, 2) * stats.sem(times), rel=0.01)
+    of_one = [replace(each, machine={**each.machine, "gpu_uuid": "one"}) for each in of_cards]
+    assert not evidence_of(of_one, {}).estimate("frame_ms", of_one[0].rows[0]).is_of_cards
+    strange = [of_cards[0], *(replace(each, machine={**each.machine, "gpu": "another"}) for each in of_cards[1:])]
+    assert evidence_of(strange, {}).estimate("frame_ms", of_cards[0].rows[0]) is None
+    assert evidence_of(
+        [replace(each, rows=[{"case": "a", "slip_mm": 1.0 + n}]) for n, each in enumerate(strange)], {}
+    ).columns
+
+
+def test_each_measurement_left_out_says_how_often_one_of_the_same_is_told_as_changed():
+    _, found, _ = measurements(5, 4)
+    assert evidence_of(found, {}).changed == [(ROWS, 0)] * 5
+    rows = [{**row, "drift_mm_s": row["drift_mm_s"] + 0.2 * (place < 8)} for place, row in enumerate(found[2].rows)]
+    changed = evidence_of([*found[:2], replace(found[2], rows=rows), *found[3:]], {}).changed
+    assert changed[2] == (ROWS, 8) and sum(count for _, count in changed) == 8

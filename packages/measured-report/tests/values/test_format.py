@@ -1,0 +1,95 @@
+"""Numbers as people write them: the digits that their noise carries and never more, and what was chosen as it was."""
+
+import math
+import re
+from decimal import Decimal
+
+import pytest
+
+pytest.importorskip("hypothesis", reason="the extra test has it")
+
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
+
+from measured_report.parts.figures import draw_svgs, new_figure, write
+from measured_report.values.format import format_least, format_most, format_number, label_of
+from measured_report.values.format import read_number as read
+from measured_report.values.quantities import Quantity
+
+SIZES = st.floats(1e-12, 1e12)
+VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
+
+
+def last_place(text: str) -> Decimal:
+    """What one more of the last digit would be worth; zeros at the end of a whole number may be no digits."""
+    number = read(text)
+    return Decimal(1).scaleb(number.as_tuple().exponent if "." in text else number.normalize().as_tuple().exponent)
+
+
+@given(VALUES, SIZES)
+@example(0.004, 0.0011)
+@example(9.996, 0.0011)
+def test_rounding_moves_by_no_more_than_half_the_noise_and_writes_no_digits_for_nothing(value, noise):
+    text = format_number(value, noise=noise)
+    if abs(value) <= noise:
+        assert text.startswith("<") and read(text[2:]) >= Decimal(repr(noise))
+        return
+    error, half = abs(read(text) - Decimal(repr(value))), Decimal(repr(noise)) / 2
+    assert error <= half
+    assert len(text) == 1 or last_place(text) * 10 > half / 5, "a digit less would have moved it by more"
+
+
+@given(st.integers(-(10**6), 10**6), st.integers(-4, 4))
+def test_what_was_typed_is_written_as_it_was(digits, power):
+    typed = Decimal(digits).scaleb(power)
+    assume(typed == 0 or typed.adjusted() < 12)
+    assert read(format_number(float(typed), noise=0.0)) == typed
+
+
+def test_a_drawing_says_where_its_numbers_are_from():
+    places = [f"newton-1.4.0/toy.json#/rows/{index}/slip_mm" for index in range(3)]
+    slips = [
+        Quantity(value, "mm", place, noise=0.005) for value, place in zip((6.3617, 8.0, 8.001), places, strict=True)
+    ]
+
+    def draw():
+        drawing, axes = new_figure()
+        axes.plot([0.0, 6.36])
+        axes.set_yticks([6.36], ["6.36"])
+        axes.set_title(f"slips {write(slips[0])} mm")
+        axes.text(0.0, 1.0, f"{write(slips[1])} of {write(slips[2])}")
+        return drawing
+
+    for svg in draw_svgs(draw, name="toy-way"):
+        linked = dict(re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg.content))
+        assert linked == {places[0]: "slips 6.36 mm", " ".join(places[1:]): "8.00 of 8.00"}, "the tick is a place"
+
+
+@given(VALUES, st.one_of(st.none(), st.just(0.0), SIZES))
+@example(1.181, 0.5)
+@example(0.0, 0.0059)
+@example(0.020000000000000462, None)
+def test_a_bound_is_written_outward_and_no_less_than_the_noise(value, noise):
+    most, least = read(format_most(value, noise=noise)), read(format_least(value, noise=noise))
+    assert most >= Decimal(f"{value:.12g}") and (abs(value) > 0.999 * (noise or 0.0) or most >= Decimal(repr(noise)))
+    assert least <= max(Decimal(f"{value:.12g}"), Decimal(0))
+    assert format_most(0.020000000000000462) == format_least(0.02) == "0.020"
+
+
+LABELS = {"as-shipped": "shipped pads", "ke-#-1": "ke {}, 1 step", "ke-#-#": "ke {}, {} steps", "kd-#-#": "kd {1}"}
+
+
+@pytest.mark.parametrize(
+    ("case", "label"),
+    [
+        ("as-shipped", "shipped pads"),
+        ("as-shipped-10cm", "as shipped 10cm"),
+        ("ke-4.64e+04-1", "ke 46400, 1 step"),
+        ("ke-2.5e6-16", "ke 2.5×10⁶, 16 steps"),
+        ("ke-1e-10-0.2", "ke 10⁻¹⁰, 0.2 steps"),
+        ("kd-100-8e3", "kd 8000"),
+        ("has_no-label", "has no label"),
+    ],
+)
+def test_a_case_is_called_by_the_first_label_that_fits_or_by_its_own_name(case, label):
+    assert label_of(case, LABELS) == label
