@@ -1,6 +1,7 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
 import os
+import re
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -16,15 +17,16 @@ from experiments.simulation.kernels import Launch, compile_share, is_bare
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import NOT_COMPILED
-from measured_report.measuring.machine import NO_CUDA
+from measured_report.measuring.accelerator import lacks
 from measured_report.measuring.pool import gather, processes, start
 from measured_report.records.identity import package_versions
 
 PROCESS_COUNT = 8  # chosen: more wait for the largest module
+DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
+NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 OLDEST = (1, 4, 0)
 """The oldest release that can run the scene."""
-__all__ = ["Conditions", "be_quiet", "explained", "gpu", "note_work", "prepare"]
+__all__ = ["Conditions", "be_quiet", "card", "explained", "note_work", "prepare"]
 
 
 def warp_device(kind: str | None) -> wp.Device:
@@ -38,11 +40,11 @@ def warp_device(kind: str | None) -> wp.Device:
     if kind is None:
         kind = "cuda" if wp.is_cuda_available() else "cpu"
     if kind == "cuda" and not wp.is_cuda_available():
-        raise ReportError(f"DEVICE=cuda: {NO_CUDA}")
+        raise ReportError(f"DEVICE=cuda: {lacks()}")
     return wp.get_device("cuda:0" if kind == "cuda" else "cpu")
 
 
-def gpu(kind: str) -> tuple[str | None, str | None]:
+def card(kind: str) -> tuple[str | None, str | None]:
     """Return name and uuid of the GPU to measure on; see ``warp_device``."""
     found = warp_device(kind)
     return (found.name, found.uuid) if found.is_cuda else (None, None)
@@ -110,5 +112,7 @@ def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, dim: 
 def explained(error: Exception) -> str:
     """Return what an error of Warp means, in a line; it has printed what the compiler says."""
     said = " ".join(str(error).split())
+    if DEVICE_LOST.search(said):
+        return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
     found = NOT_COMPILED.search(said)
     return f"its kernels can't be compiled by Warp {version('warp-lang')} ({said:.200})" if found else ""

@@ -41,7 +41,7 @@ KEPT = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")  # from 
 os.environ.setdefault("UV_CACHE_DIR", str(KEPT / "uv"))  # a new report's packages are unpacked there already
 if "PYTEST_XDIST_WORKER" not in os.environ:  # the processes of one run share what they derive
     CACHES = tempfile.TemporaryDirectory(prefix="caches-")
-    os.environ["XDG_CACHE_HOME"] = CACHES.name
+    os.environ["XDG_CACHE_HOME"] = os.environ["TMPDIR"] = CACHES.name  # whoever measures here is not waited for
 
 
 class Compiled(jinja2.BytecodeCache):
@@ -109,6 +109,14 @@ Stiff is {{ row["stiff"].slip_mm }}.
 """
 SCENE = '''"""The scene."""
 
+from dataclasses import dataclass
+
+
+@dataclass
+class Case:
+    pad_ke: float = 1e4
+
+
 ROBOT = "assets/robot.urdf"
 
 
@@ -118,50 +126,27 @@ def slip():
 '''
 INSTALLED = {"newton": "1.4.0", "warp-lang": "1.15.0", "mujoco-warp": "3.10.0.3", "mujoco": "3.10.0"}
 """Packages that are told to be installed where the report is current, as its editions are of the first."""
+CARDS = 'from measured_report.measuring.accelerator import *\nKIND, NOUN = "cuda", "GPU"\n'
 SETTINGS = """
 edition = "newton"
 packages = ["warp-lang", "mujoco-warp", "mujoco"]
 requirement = "newton[sim]"
 edition_name = "Newton"
+accelerator = "experiments.cards"
+case = "experiments.scene:Case"
 short_names = { warp-lang = "warp" }
 baseline = "the scene as shipped"
 repeating = { case = ["c"] }
 pages = [{ name = "index", texts = ["front.md.j2", "story.md.j2"] }, { name = "cause" }, { name = "limits" }]
-
-[[columns]]
-kind = "setting"
-pattern = "frame_count|substeps"
-
-[[columns]]
-kind = "parameter"
-pattern = "pad_ke"
-
-[[columns]]
-kind = "cost"
-pattern = "(frame_ms|ms_per_s)(_p[0-9]+)?"
-
-[[columns]]
-kind = "loss"
-pattern = "dropped|failure"
-
-[[columns]]
-unless = "dropped"
-resolution = 1e-3
-signed = false
-pattern = "slip_mm"
-
-[[columns]]
-better = "less"
-pattern = "slip_mm|frame_ms|dropped"
-
-[[columns]]
-signed = true
-pattern = "growth_per_s"
-
-[[columns]]
-resolution = 1
-pattern = ".*_count"
-
+columns = [
+    { kind = "setting", pattern = "frame_count|substeps" },
+    { kind = "cost", pattern = "(frame_ms|ms_per_s)(_p[0-9]+)?" },
+    { kind = "loss", pattern = "dropped|failure" },
+    { unless = "dropped", resolution = 1e-3, signed = false, pattern = "slip_mm" },
+    { better = "less", pattern = "slip_mm|frame_ms|dropped" },
+    { signed = true, pattern = "growth_per_s" },
+    { resolution = 1, pattern = ".*_count" },
+]
 [changes]
 deciding = ["toy"]
 together = [["warp-lang"], ["mujoco-warp", "mujoco"]]
@@ -263,6 +248,7 @@ def lay_out(folder: Path) -> None:
     toy.write("experiments/__init__.py", "")
     toy.write("experiments/scene.py", SCENE)
     toy.write("experiments/toy.py", EXPERIMENT)
+    toy.write("experiments/cards.py", CARDS)
     toy.write("report/sections/toy.py", MODULE)
     toy.write("templates/sections/toy.md.j2", TEMPLATE)
     toy.write("templates/front.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")

@@ -72,7 +72,7 @@ def upgrade_text(comparison: Comparison, verdict: Sequence[str], form: str, say:
 
 
 def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
-    counts: dict[str, Sequence] = {
+    counts: dict[str, Sequence[Any]] = {
         "can't be trusted": comparison.faults,
         "what matters": comparison.alarms,
         "claims that flipped": comparison.flips,
@@ -94,8 +94,8 @@ def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
     return lines
 
 
-def _sums(comparison: Comparison) -> dict[str, Counter]:
-    sums: dict[str, Counter] = {}
+def _sums(comparison: Comparison) -> dict[str, Counter[str]]:
+    sums: dict[str, Counter[str]] = {}
     for move in comparison.moves:
         sums.setdefault(move.section, Counter(moved=0, better=0, worse=0)).update(
             filter(None, ("moved", move.direction))

@@ -64,7 +64,7 @@ def answer_text(answer: Answer | None) -> str:
     return "cannot tell" if answer is None else answer if isinstance(answer, str) else f"{answer:.4g}"
 
 
-def first_change(points: Sequence, is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list]:
+def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list[Any]]:
     """Return the neighbours between which the answer changes, which first and last differ in, and what can't tell."""
     low, high, skipped = 0, len(points) - 1, set[int]()
     while inner := [index for index in range(low + 1, high) if index not in skipped]:
@@ -111,7 +111,7 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
     return "\n".join([*lines, _which_package(search, before, after, is_first)])
 
 
-def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable) -> str:
+def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]) -> str:
     """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
     old, new = search.packages(before), search.packages(after)
     groups = [names for names in config().changes.together if any(old[name] != new[name] for name in names)]

@@ -72,7 +72,7 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
             yield Flip(section, name, chapter.results.label, chapter.page, answered)
 
 
-def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
+def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple[Any, ...]]:
     """Return what a claim on costs, or on the noise, turns on that is of the machine and not of the edition."""
     if section == config().noise_section:
         return frozenset({(chapters[section].results.record.processor,)})

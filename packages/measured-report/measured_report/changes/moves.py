@@ -238,8 +238,8 @@ def _estimates_of(pair: Pair) -> tuple[list[Estimate], float, bool]:
     return sides, max(resolution, ROUNDED_SHARE * size, teacher.least), False
 
 
-def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
-    """Return what two costs must share to be compared: the machine, and how many frames and worlds."""
+def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Return what two costs must share to be compared: the machine, and how much was run."""
     return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
 
 

@@ -27,7 +27,7 @@ class Query:
     text: str  # as CLAIM= or VALUE= says it: `section.claim`, `section.value` or `section.case.column`
     is_claim: bool = False
     label: str = ""
-    device: str = ""  # of a case that is there on several devices, the one that is meant, with one world
+    device: str = ""  # of a case that is there on several devices, the one that is meant, at the least cost
 
     @property
     def section(self) -> str:
@@ -75,8 +75,8 @@ class Query:
     def _row(self, results: Results) -> Row | None:
         if not self.device:
             return results.row[self.case]
-        rows = (row for row in results.rows if "device" in row and row.worlds.value == 1)
-        return next((row for row in rows if (row.case, row.device) == (self.case, self.device)), None)
+        rows = (row for row in results.rows if (row.case, row.plain.get("device")) == (self.case, self.device))
+        return min(rows, key=lambda row: [row.plain.get(term) or 0 for term in config().cost_terms], default=None)
 
     def claim(self, chapters: Chapters) -> Claim | None:
         chapter = chapters.get(self.section)

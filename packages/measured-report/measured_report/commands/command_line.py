@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, NoReturn
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
@@ -26,7 +26,7 @@ OWN = "report.commands"  # the package of a report's own commands, which need no
 
 
 class Parser(argparse.ArgumentParser):
-    def error(self, message: str):
+    def error(self, message: str) -> NoReturn:
         raise UsageError(f"{' '.join(message.split()):.300}; see {self.prog} --help")
 
 

@@ -12,7 +12,7 @@ def run(project: Project, arguments: Arguments) -> int:
     texts: dict[str, str] = {}
     for name, path in commands().items():
         options = {**options_of(module := import_module(path))}
-        if not config().needs_gpu:
+        if not config().needs_device:
             options.pop("DEVICE", None)
         print(f"make {name:9} {help_of(module)}" + (f" [{' '.join(options)}]" if options else ""))
         texts |= {variable: option["help"] for variable, option in options.items()}

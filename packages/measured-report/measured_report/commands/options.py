@@ -9,7 +9,7 @@ from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.measuring.machine import DEVICES
+from measured_report.measuring.accelerator import kinds
 from measured_report.records.identity import sections
 
 Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
@@ -20,6 +20,12 @@ def read_cluster(cluster: str) -> str:
     if cluster != "local" and not SCHEDULER.fullmatch(cluster):
         raise UsageError(f"CLUSTER={cluster:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
     return cluster
+
+
+def read_device(asked: str) -> str:
+    if asked not in kinds():
+        raise UsageError(f"DEVICE={asked:.80} is no device; use one of: {', '.join(kinds())}")
+    return asked
 
 
 def read_address(address: str) -> str:
@@ -38,7 +44,7 @@ SHARED: dict[str, dict[str, Any]] = {
     },
     "with": {"dest": "pins", "default": "", "help": "other packages than it comes with, as PACKAGE==1.2.3"},
     "profile": {"choices": PROFILES, "default": "full", "help": "quick: small grids, short runs, in results/quick/"},
-    "device": {"choices": DEVICES, "help": "cuda or cpu: where to measure; a CPU only when asked"},
+    "device": {"type": read_device, "help": "kind of device to measure on; a CPU, which is cpu, only when asked"},
     "cluster": {"type": read_cluster, "help": "who measures: local (all devices of this host) or tls://scheduler:8786"},
     "address": {"type": read_address, "default": "", "help": "where the site will lie: https://example.org/report/"},
     "a": {"type": partial(release_of, option="A"), "required": True, "help": "edition to compare from"},

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.editions.status import NOT_SHOWN, State
-from measured_report.measuring.machine import gpus, needs_gpu
+from measured_report.measuring.accelerator import accelerator
+from measured_report.measuring.machine import needs_device
 from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections
 from measured_report.site.build import build
@@ -33,10 +34,11 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
         if names:
             print(f"{label}: {', '.join(names)}")
     if lacking:
-        # A CPU's results never stand with those of a GPU.
-        takes_gpu = needs_gpu(lacking[0], project.root) and any(machines_besides(project, "cpu"))
-        device = None if gpus() or takes_gpu else "cpu"
-        print(f"{project.rerun(lacking[0], device)} measures one of them{' on a GPU' if takes_gpu else ''}")
+        # A CPU's results never stand with those of an accelerator.
+        takes_card = needs_device(lacking[0], project.root) and any(machines_besides(project, "cpu"))
+        on = f" on a {accelerator().NOUN}"
+        device = None if accelerator().accelerators() or takes_card else "cpu"
+        print(f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}")
     for note in built.notes:
         print(note)
     print(f"built {project.site / 'index.html'}")

@@ -12,7 +12,8 @@ from measured_report.editions.status import records_of, states_of
 from measured_report.files.atomic import atomic_file
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.findings.replicas import reasons_text, refused
-from measured_report.measuring.machine import NO_CUDA, machine_of, needs_gpu
+from measured_report.measuring.accelerator import lacks
+from measured_report.measuring.machine import machine_of, needs_device
 from measured_report.measuring.measure import measure
 from measured_report.records.replicas import FOLDER, Records, archive_of, read_replica
 
@@ -28,9 +29,9 @@ def run(project: Project, arguments: Arguments) -> int:
         return 0
     device = device_of(project, arguments)
     fresh = [state.section for state in states_of(project) if state.kind == "fresh"]
-    measurable = [section for section in fresh if device or not needs_gpu(section, project.root)]
+    measurable = [section for section in fresh if device or not needs_device(section, project.root)]
     if not measurable:
-        raise UsageError(NO_CUDA)
+        raise UsageError(lacks())
     again = replace(project.of(project.release), aside=ASIDE)
     if lacking := [section for section in measurable if not again.record_path(section).exists()]:
         again = measure(again, arguments.release, lacking, device or "cpu", arguments.cluster)

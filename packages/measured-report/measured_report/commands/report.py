@@ -9,7 +9,8 @@ from measured_report.editions.project import Project
 from measured_report.editions.release import Release
 from measured_report.editions.status import states_of
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.measuring.machine import NO_CUDA, measuring_device
+from measured_report.measuring.accelerator import kinds, lacks
+from measured_report.measuring.machine import measuring_device
 from measured_report.measuring.measure import measure
 
 OPTIONS = shared("edition", "device", "cluster", "profile", "address")
@@ -25,7 +26,7 @@ def run(project: Project, arguments: Arguments) -> int:
         project, is_done = measure_what_can(project, arguments.release, stale_sections, device, arguments.cluster)
     damaged, lacking = build_site(project, arguments.address)
     if lacking and not device:
-        print(f"{NO_CUDA}, in up to hours")
+        print(f"{lacks()}, in up to hours")
     return int(damaged or not is_done)
 
 
@@ -43,7 +44,7 @@ def measure_what_can(
 
 
 def device_of(project: Project, arguments: Arguments) -> str | None:
-    """Return the device to measure on; hosts elsewhere have GPUs, unless a CPU is asked for."""
+    """Return the device to measure on; hosts elsewhere have accelerators, unless a CPU is asked for."""
     if arguments.cluster not in (None, "local"):
-        return arguments.device or "cuda"
+        return arguments.device or kinds()[0]
     return measuring_device(arguments.device, project.profile)

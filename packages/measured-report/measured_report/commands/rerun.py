@@ -5,7 +5,8 @@ from measured_report.commands.page import build_site
 from measured_report.commands.report import device_of
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError, suggestion
-from measured_report.measuring.machine import NO_CUDA, needs_gpu
+from measured_report.measuring.accelerator import lacks
+from measured_report.measuring.machine import needs_device
 from measured_report.measuring.measure import measure
 from measured_report.records.identity import sections
 
@@ -17,8 +18,8 @@ def run(project: Project, arguments: Arguments) -> int:
     section, names = arguments.section, sections()
     if section not in names:
         raise UsageError(f"SECTION={section} is no section{suggestion(section, names)}; use one of: {', '.join(names)}")
-    device = device_of(project, arguments) if needs_gpu(section, project.root) else "cpu"
+    device = device_of(project, arguments) if needs_device(section, project.root) else "cpu"
     if not device:
-        raise UsageError(NO_CUDA)
+        raise UsageError(lacks())
     project = measure(project, arguments.release, [section], device, arguments.cluster)
     return int(build_site(project, arguments.address)[0])

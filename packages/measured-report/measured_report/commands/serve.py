@@ -11,6 +11,7 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import INPUTS, Project
@@ -37,7 +38,7 @@ class _Handler(SimpleHTTPRequestHandler):
         self.send_header("Cache-Control", "no-store")
         super().end_headers()
 
-    def log_message(self, format: str, *args) -> None:
+    def log_message(self, format: str, *args: Any) -> None:
         """Say nothing of what was asked for: what was built again would be lost in it."""
 
 
@@ -50,7 +51,7 @@ class Server(ThreadingHTTPServer):
         except (OSError, OverflowError) as error:
             raise UsageError(f"PORT={port} can't be served at: {error}; PORT=8001 may be free") from None
 
-    def handle_error(self, request, client_address) -> None:
+    def handle_error(self, request: Any, client_address: Any) -> None:
         """Say nothing: whoever asked has gone."""
 
     def follow(self, folders: Iterable[Path], build: Callable[[], object]) -> None:

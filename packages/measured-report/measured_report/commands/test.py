@@ -1,4 +1,4 @@
-"""Run the tests; they need no GPU."""
+"""Run the tests; they need no accelerator."""
 
 import subprocess
 

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from typing import TextIO
 
 from measured_report.changes.alarm import Say, largest, power, settings_text, summary, upgrade_text
 from measured_report.changes.compare import Comparison, Fault, compare
@@ -21,7 +22,8 @@ from measured_report.files.atomic import atomic_file
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.findings.editions import Edition, derive_edition, editions_of
-from measured_report.measuring.machine import NO_CUDA, machine_name, measuring_device
+from measured_report.measuring.accelerator import lacks
+from measured_report.measuring.machine import machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
 from measured_report.pages.editions import sentences_of
 from measured_report.parts.claim import HOLDS
@@ -58,7 +60,7 @@ def run(project: Project, arguments: Arguments) -> int:
     return int(comparison.is_alarm)
 
 
-def _answer_file():
+def _answer_file() -> TextIO:
     """Return where the answer for a program goes; all else that is printed from now on, by others too, is no part."""
     sys.stdout.flush()
     answer = os.fdopen(os.dup(1), "w", encoding="utf-8")
@@ -72,7 +74,7 @@ def _with_deciding(project: Project, release: Release, device: str | None, *, re
     if not (names := [section for section in deciding(edition) if section in {*stale, *lacking(edition)}]):
         return edition
     if not device:
-        raise UsageError(f"{NO_CUDA}, and with PROFILE=quick in minutes")
+        raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
     print(f"{config().edition} {edition.release}: measuring {', '.join(names)}", flush=True)
     return measure_what_can(kept_by(edition, machine_name(device), names), release, names, device)[0]
 

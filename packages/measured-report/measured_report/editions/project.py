@@ -6,6 +6,7 @@ import re
 import shlex
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import msgspec
 from msgspec import Struct
@@ -109,7 +110,7 @@ class Project:
         return sorted({self.release, *labels}, key=lambda release: self.of(release).order)
 
     @property
-    def order(self) -> tuple:
+    def order(self) -> tuple[Any, ...]:
         """Sort editions by version, those of one version by date, and what is pinned after the same without."""
         named, manifest = self.named, self.manifest
         # A release has its place by its version; a commit that was not measured yet is taken for the newest.

@@ -14,7 +14,7 @@ from measured_report.files import root
 from measured_report.files.errors import ReportError, suggestion
 
 if sys.version_info >= (3, 11):
-    import tomllib
+    import tomllib as tomllib  # which others read here too
 else:
     import tomli as tomllib
 FILE = "report.toml"
@@ -73,7 +73,7 @@ class Page:
     label: str = ""  # what links to it say; empty: its name
     texts: tuple[str, ...] = ()  # its templates of prose, the first with its title; none: `pages/NAME.md.j2`
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         object.__setattr__(self, "label", self.label or self.name.replace("_", " ").capitalize())
         object.__setattr__(self, "texts", self.texts or (f"pages/{self.name}.md.j2",))
 
@@ -92,6 +92,7 @@ class Config:
     edition_name: str = ""  # what people call it
     short_names: Mapping[str, str] = field(default_factory=dict)  # what labels call other packages
     host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
+    accelerator: str = "measured_report.measuring.accelerator"  # the module of what accelerates it; this one of nothing
     case: str = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
@@ -120,9 +121,9 @@ class Config:
         return (FILE, f"{module.replace('.', '/')}.py") if module else (FILE,)
 
     @property
-    def needs_gpu(self) -> bool:
+    def needs_device(self) -> bool:
         """Tell whether what a section measures depends on the device, where it does not say."""
-        return self.host != Config.host
+        return self.accelerator != Config.accelerator
 
     @property
     def option(self) -> str:
@@ -167,7 +168,7 @@ class Report:
         path = self.root / FILE
         try:
             settings = read_toml(path) if path.is_file() else {}
-            tables: list[tuple] = [("", settings, Config), ("changes.", settings.get("changes", {}), Changes)]
+            tables: list[tuple[Any, ...]] = [("", settings, Config), ("changes.", settings.get("changes", {}), Changes)]
             for table_name, kind in (("columns", Columns), ("pages", Page)):
                 tables += [(f"{table_name}.", table, kind) for table in settings.get(table_name, ())]
             for table_name, table, kind in tables:

@@ -13,7 +13,8 @@ from measured_report.files.cache import Cache
 from measured_report.files.config import config, report
 from measured_report.parts import macros
 from measured_report.parts.section import Figure, Pictures, Section, Table
-from measured_report.records.code import digest_of, files, roots_of
+from measured_report.records.code import files, roots_of
+from measured_report.records.syntax import digest_of
 from measured_report.values.quantities import Value
 
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")

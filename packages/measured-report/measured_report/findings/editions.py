@@ -14,8 +14,9 @@ from measured_report.findings.chapters import Chapter, Chapters, Releases, befor
 from measured_report.findings.replicas import Measurements, measurements_of
 from measured_report.findings.sections import Read, derive_by, derive_section, file_of, outline_of
 from measured_report.parts.section import Section
-from measured_report.records.code import digest_of, files, unchanged_files
+from measured_report.records.code import files, unchanged_files
 from measured_report.records.replicas import FOLDER
+from measured_report.records.syntax import digest_of
 from measured_report.values.evidence import Evidence
 from measured_report.values.results import Results, ResultsError
 

@@ -11,6 +11,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.sections import outline_of
+from measured_report.measuring.accelerator import accelerator
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
@@ -62,7 +63,7 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
 
 def _kinds(records: Sequence[Record]) -> str:
     processors, devices = {each.processor for each in records}, {each.machine["device"] for each in records}
-    noun = "GPU" if devices == {"cuda"} else "processor"
+    noun = accelerator().NOUN if devices == {accelerator().KIND} else "processor"
     return f", on {len(processors)} kinds of {noun}" if len(processors) > 1 else ""
 
 

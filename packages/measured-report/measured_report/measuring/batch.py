@@ -26,8 +26,6 @@ from measured_report.measuring.machine import machine
 from measured_report.measuring.measurement import Measurement
 
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
-DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
-NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"  # by which two runs of `make` spoil no times
 
 
@@ -37,7 +35,7 @@ class Batch:
 
     name: str  # name that no other of its section has: lower-case words, numbers and hyphens
     function: Callable[..., Any]  # function of a module. It and what it returns travel as bytes
-    arguments: tuple = ()
+    arguments: tuple[Any, ...] = ()
     exclusive: bool = False  # measures times, so that nothing else is measured on its host meanwhile
 
 
@@ -53,7 +51,7 @@ class Result:
     seconds: float
 
 
-def gpu_lock(*, exclusive: bool) -> AbstractContextManager[None]:
+def device_lock(*, exclusive: bool) -> AbstractContextManager[None]:
     """Measure beside others or, ``exclusive``, alone; whoever has to wait for it says so."""
     LOCK.mkdir(mode=0o700, exist_ok=True)
     return locked(LOCK, alone=exclusive)
@@ -64,11 +62,11 @@ class BatchError(Exception):
 
 
 def measure_batch(batch: Batch, device: str) -> Result:
-    """Measure a batch in this process, on ``cuda`` or ``cpu``; BatchError when it fails."""
+    """Measure a batch in this process, on a kind of device; BatchError when it fails."""
     try:
         here = machine(device)
         gc.collect()  # frames take longer in a process that keeps simulations of earlier batches
-        with gpu_lock(exclusive=batch.exclusive):
+        with device_lock(exclusive=batch.exclusive):
             started, start = now(), time.perf_counter()
             value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
@@ -84,8 +82,6 @@ def reason_of(error: BaseException) -> str:
     said = " ".join(str(error).split())
     if is_out_of_memory(error):
         return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
-    if DEVICE_LOST.search(said):
-        return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
     if explained := host().explained(error):
         return explained
     if isinstance(error, OSError):

@@ -18,14 +18,18 @@ from distributed.core import rpc
 from measured_report.files.config import cached_in_report, report
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import KILLED
+from measured_report.measuring.accelerator import Accelerator, accelerator
 from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import MPS, gpus, machine, share_count, slug
+from measured_report.measuring.machine import slug
 from measured_report.measuring.section import GONE
-from measured_report.records.code import digest_of
 from measured_report.records.identity import files_digest, package_versions
+from measured_report.records.syntax import digest_of
 
-SHARED, EXCLUSIVE = "shared", "exclusive"  # resources: one a worker that shares its GPU, one a host that measures times
+SHARED, EXCLUSIVE = (
+    "shared",
+    "exclusive",
+)  # resources: one a worker that shares its device, one a host that measures times
 SETTINGS = {
     "distributed.scheduler.allowed-failures": 2,  # a batch is tried three times
     "distributed.scheduler.no-workers-timeout": "120s",
@@ -70,15 +74,15 @@ async def _answer(address: str) -> None:
 
 
 def _on_this_host(device: str, count: int) -> SpecCluster:
-    """Start so many workers on the CPU, or as many as share each GPU, and one for what is exclusive."""
+    """Start so many workers on the CPU, or as many as share each accelerator, and one for what is exclusive."""
     security = Security.temporary()  # others on this host are not let in
-    there = gpus() if device == "cuda" else []
-    workers: dict[Any, dict] = {number: _worker(SHARED, security) for number in range(0 if there else count)}
-    for gpu in there:
-        for number in range(share_count(gpu, len(there))):
-            workers[f"{gpu.uuid}/{number}"] = _worker(SHARED, security, CUDA_VISIBLE_DEVICES=gpu.uuid)
-    own = {"CUDA_VISIBLE_DEVICES": there[0].uuid, MPS: "/nonexistent"} if there else {}
-    workers[EXCLUSIVE] = _worker(EXCLUSIVE, security, **own)
+    cards = [] if device == "cpu" else accelerators()
+    workers: dict[Any, dict[str, Any]] = {number: _worker(SHARED, security) for number in range(0 if cards else count)}
+    for index, card in enumerate(cards):
+        for number in range(accelerator().share_count(card, len(cards))):
+            workers[f"{index}/{number}"] = _worker(SHARED, security, **card.settings)
+    alone = {**cards[0].settings, **accelerator().ALONE} if cards else {}
+    workers[EXCLUSIVE] = _worker(EXCLUSIVE, security, **alone)
     scheduler = {"cls": Scheduler, "options": {**LOCAL, "security": security}}
     return SpecCluster(workers, scheduler, security=security, silence_logs=logging.CRITICAL, name="local")
 
@@ -90,7 +94,7 @@ def _worker(resource: str, security: Security, **settings: str) -> dict[str, Any
 
 @contextlib.contextmanager
 def cluster_pools(asked: str, device: str, processor: str | None, count: int) -> Iterator[tuple[Any, Any]]:
-    """Open pools for what shares a GPU and for what is exclusive; ReportError where workers or GPUs are unfit."""
+    """Open pools for what shares a device and for what is exclusive; ReportError where workers or devices are unfit."""
     with connected(asked, device, count) as client:
         workers = client.scheduler_info(n_workers=-1)["workers"].values()
         for resource in (SHARED, EXCLUSIVE):
@@ -116,11 +120,11 @@ class ClusterPool:
         self._executor = client.get_executor(pure=False, resources={resource: 1})
         self._digest = digest_here()
 
-    def submit(self, function: Callable, *arguments: Any) -> Future:
+    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         try:
             call = pickle.dumps((function, arguments))
         except Exception as error:  # is of this batch, as where the process of a host's pool can't read it
-            future: Future = Future()
+            future: Future[Any] = Future()
             future.set_exception(error)
             return future
         return self._executor.submit(call_here, self._digest, call)
@@ -142,18 +146,23 @@ def call_here(digest: str, call: bytes) -> Any:
     return function(*arguments)
 
 
+def accelerators() -> list[Accelerator]:
+    """List those of the worker that is asked."""
+    return accelerator().accelerators()
+
+
 def introduce(device: str, processor: str | None, digest: str) -> str:
-    """Return what this worker's host is called; ReportError where it has other code or another GPU."""
+    """Return what this worker's host is called; ReportError where it has other code or another accelerator."""
     host().be_quiet()
     node = platform.node()
     if digest != digest_here():
         raise ReportError(f"{node} {OTHER_CODE}")
     try:
-        gpu = machine(device)["gpu"]
+        card, _ = host().card(device)
     except ReportError as error:
         raise ReportError(f"{node}: {error}") from None
-    if processor and slug(gpu or "") != processor:
-        raise ReportError(f"{node} has {gpu or 'no CUDA device'}, and this is of {processor}")
+    if processor and slug(card or "") != processor:
+        raise ReportError(f"{node} has {card or f'no {accelerator().KIND.upper()} device'}, and this is of {processor}")
     return node
 
 
@@ -166,10 +175,11 @@ def digest_here() -> str:
     return digest_of([*code, package_versions()])
 
 
-def gpu_of(asked: str) -> str:
-    """Return what the GPU that most workers of a cluster have is called in a label; UsageError where they have none."""
-    with connected(asked, "cuda") as client:
-        names = sorted(gpu.name for found in client.run(gpus).values() for gpu in found)
+def card_of(asked: str) -> str:
+    """Return what the card that most workers of a cluster have is called in a label; UsageError where there is none."""
+    with connected(asked, accelerator().KIND) as client:
+        names = sorted(card.name for cards in client.run(accelerators).values() for card in cards)
     if not names:
-        raise UsageError(f"CLUSTER={asked}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
+        kind = accelerator().KIND.upper()
+        raise UsageError(f"CLUSTER={asked}: its workers have no {kind} device; DEVICE=cpu measures on their CPUs")
     return slug(max(names, key=names.count))

@@ -1,7 +1,7 @@
 """A host: what a report that measures on the CPU does with it; ``report.toml`` names a module with these names.
 
 It may have ``note_work(note)`` too, after which ``note`` is called with each piece of work that a device is given, in
-words: what is timed is the same where these are, which ``make carry`` asks on a GPU.
+words: what is timed is the same where these are, which ``make carry`` asks.
 """
 
 from importlib import import_module
@@ -11,13 +11,13 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions
 
-__all__ = ["Conditions", "be_quiet", "explained", "gpu", "host", "prepare"]
+__all__ = ["Conditions", "be_quiet", "card", "explained", "host", "prepare"]
 
 
-def gpu(kind: str) -> tuple[str | None, str | None]:
-    """Return name and uuid of the GPU to measure on, nothing of a CPU; ReportError where there is no such device."""
-    if kind == "cuda":
-        raise ReportError("DEVICE=cuda: this report measures on the CPU; DEVICE=cpu does")
+def card(kind: str) -> tuple[str | None, str | None]:
+    """Return name and uuid of the accelerator to measure on, nothing of a CPU; ReportError where there is none."""
+    if kind != "cpu":
+        raise ReportError(f"DEVICE={kind}: this report measures on the CPU; DEVICE=cpu does")
     return None, None
 
 

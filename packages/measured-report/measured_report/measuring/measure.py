@@ -18,7 +18,8 @@ from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import end_with_parent
-from measured_report.measuring.machine import gpus, machine_name, machine_of, needs_gpu, share_count
+from measured_report.measuring.accelerator import accelerator
+from measured_report.measuring.machine import machine_name, machine_of, needs_device
 from measured_report.records.identity import sections as all_sections
 
 MODULE = "measured_report.measuring.run"
@@ -34,12 +35,12 @@ def measure(
         python = python_of(release, expected_packages(project), project.root)
         add_group("cluster", project.root, python, "extra")
         options += ["--cluster", cluster]
-    if device == "cuda":
+    if device != "cpu":
         if cluster not in (None, "local"):
             add_group("cluster", project.root, kind="extra")
-            from measured_report.measuring.cluster import gpu_of
+            from measured_report.measuring.cluster import card_of
 
-            machine = gpu_of(cluster)
+            machine = card_of(cluster)
         options += ["--processor", machine]
     kept = kept_by(project, machine, sections)
     kept.results.mkdir(parents=True, exist_ok=True)
@@ -63,10 +64,10 @@ def measure_headline(project: Project, release: Release, device: str, program: s
 
 
 def batches_at_once(project: Project, device: str) -> int:
-    """Return how many batches are measured at once: on a CPU quick ones and those that need no GPU take a core each."""
-    if device == "cuda":
-        return share_count(gpus()[0]) if gpus() else 1
-    return (os.cpu_count() or 1) if project.profile == "quick" or not config().needs_gpu else 1
+    """Return how many batches are measured at once: on a CPU quick ones and any that need no more."""
+    if device != "cpu":
+        return next((accelerator().share_count(card) for card in accelerator().accelerators()), 1)
+    return (os.cpu_count() or 1) if project.profile == "quick" or not config().needs_device else 1
 
 
 def _run(project: Project, release: Release, module: str, device: str, *options: str) -> None:
@@ -74,7 +75,7 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
     command = [str(python), "-m", module, "--device", device, *options]
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     if device == "cpu":
-        settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
+        settings |= accelerator().NONE
     done = subprocess.run(
         command, cwd=project.root, env=settings, preexec_fn=end_with_parent, start_new_session=True, check=False
     )
@@ -85,9 +86,9 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
-    """Return the report for results of ``machine``: its own where others' are there that needed a GPU, as these."""
+    """Return the report for results of ``machine``: its own where others' are there that needed a device, as these."""
     named, asked = project.named, f"{config().option}={project.release}"
-    if not any(needs_gpu(section, project.root) for section in sections):
+    if not any(needs_device(section, project.root) for section in sections):
         return project
     if named.machine not in ("", machine):
         raise UsageError(f"{asked} has the results of {named.machine}, and this is {machine}")
@@ -101,7 +102,7 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
 
 def machines_besides(project: Project, machine: str) -> Iterator[str]:
     """Yield the other machines that the report has results of, which those of ``machine`` never replace, by section."""
-    kept = (record for record in records_of(project) if needs_gpu(record.section, project.root))
+    kept = (record for record in records_of(project) if needs_device(record.section, project.root))
     return filter(machine.__ne__, map(machine_of, kept))
 
 

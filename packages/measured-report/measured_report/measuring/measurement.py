@@ -9,12 +9,12 @@ from typing import Any
 class Conditions:
     """Say under which conditions a section is measured."""
 
-    device: str  # alias: `cuda:0` or `cpu`
+    device: str  # alias, as the simulator calls it
     quick: bool  # small grids and short runs
 
     @property
     def is_cuda(self) -> bool:
-        return self.device.startswith("cuda")
+        return self.device != "cpu"
 
     @property
     def profile(self) -> str:

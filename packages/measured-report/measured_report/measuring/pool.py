@@ -12,8 +12,8 @@ from typing import Any
 from tqdm import tqdm
 
 from measured_report.files.processes import begin, workers
+from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import MPS
 
 
 class HostPool:
@@ -26,7 +26,7 @@ class HostPool:
         self._begin = partial(_begin, settings)
         self.pool = self._opened()
 
-    def submit(self, function: Callable, *arguments: Any) -> Future:
+    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         try:
             return self.pool.submit(function, *arguments)
         except BrokenProcessPool:
@@ -42,8 +42,8 @@ class HostPool:
 
 @contextmanager
 def host_pools(count: int) -> Iterator[tuple[HostPool, HostPool]]:
-    """Open a pool for ``count`` batches that share this host, and one for what is exclusive, by-passing MPS."""
-    shared, exclusive = HostPool(count, {}), HostPool(1, {MPS: "/nonexistent"})
+    """Open a pool for ``count`` batches that share this host, and one for what is exclusive."""
+    shared, exclusive = HostPool(count, {}), HostPool(1, accelerator().ALONE)
     try:
         yield shared, exclusive
     finally:
@@ -58,11 +58,11 @@ def processes(count: int) -> AbstractContextManager[Executor]:
     return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", partial(_begin, {}))
 
 
-def start(pool: Executor, function: Callable, calls: Sequence[tuple]) -> list[Future]:
+def start(pool: Executor, function: Callable[..., Any], calls: Sequence[tuple[Any, ...]]) -> list[Future[Any]]:
     return [pool.submit(function, *arguments) for arguments in calls]
 
 
-def gather(waiting: Iterable[Future], title: str) -> list:
+def gather(waiting: Iterable[Future[Any]], title: str) -> list[Any]:
     """Wait for what was started, in that order."""
     return [result.result() for result in tqdm(list(waiting), desc=title, unit="run", delay=3.0)]
 

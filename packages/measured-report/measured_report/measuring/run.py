@@ -22,8 +22,9 @@ from measured_report.editions.release import read_label
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
+from measured_report.measuring.accelerator import kinds
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import gpus, machine, needs_gpu
+from measured_report.measuring.machine import machine, measuring_device, needs_device
 from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import gather, host_pools
 from measured_report.measuring.section import Loop, Section, section_of
@@ -34,12 +35,12 @@ def main() -> int:
     tqdm.monitor_interval = 0  # a thread of its own, which no process may be forked beside
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run", description=__doc__.split(":")[0])
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
-    parser.add_argument("--device", choices=("cuda", "cpu"), default="cuda" if gpus() else "cpu")
+    parser.add_argument("--device", choices=kinds(), default=measuring_device(None, "quick"))
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     parser.add_argument("--aside", metavar="FOLDER", default="", help="where below results/ they are kept apart")
     parser.add_argument("--cluster", metavar="CLUSTER", help="who measures: local, tcp://HOST:PORT or tls://HOST:PORT")
-    parser.add_argument("--processor", metavar="NAME", help="the only GPU that the cluster may measure on")
+    parser.add_argument("--processor", metavar="NAME", help="the only accelerator that the cluster may measure on")
     arguments, status = parser.parse_args(), UNFIT
     try:
         asked = sections_asked(arguments)
@@ -57,8 +58,8 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
     gc.disable()  # looking for garbage takes half the time of loading a simulator
     host().be_quiet()
-    # What the GPU waits for least begins first: batches of the processor alone are few and long.
-    names = sorted(arguments.section, key=lambda name: needs_gpu(name, project.root))
+    # What the accelerator waits for least begins first: batches of the processor alone are few and long.
+    names = sorted(arguments.section, key=lambda name: needs_device(name, project.root))
     modules = {name: section_module(name) for name in names}
     gc.freeze()
     gc.enable()
@@ -78,7 +79,7 @@ def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[t
             yield opened
         return
     if arguments.device == "cpu":
-        machine("cpu")  # once for all forks, which inherit what has no GPU
+        machine("cpu")  # once for all forks, which inherit what has no accelerator
     with host_pools(count) as (shared, exclusive):
         try:
             devices = sorted({section.device for section in asked})

@@ -15,7 +15,7 @@ from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import KIND, commit, needs_gpu
+from measured_report.measuring.machine import KIND, commit, needs_device
 from measured_report.measuring.measurement import Measurement
 from measured_report.records.columns import REASON, UNBELIEVED, column_of, is_number, number_problem, plain, units_of
 from measured_report.records.identity import Identity, identity_of
@@ -102,7 +102,7 @@ class Loop:
 
     def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
         self.sections, self.shared, self.exclusive = sections, shared, exclusive
-        self.running: dict[Future, tuple[Section, Batch]] = {}
+        self.running: dict[Future[Any], tuple[Section, Batch]] = {}
 
     def run(self) -> bool:
         """Measure all sections; tell whether any failed."""
@@ -128,7 +128,7 @@ class Loop:
                     self.running[pool.submit(measure_batch, batch, section.device)] = section, batch
         return bool(self.running)
 
-    def _take(self, future: Future, section: Section, batch: Batch) -> None:
+    def _take(self, future: Future[Any], section: Section, batch: Batch) -> None:
         pool = self.exclusive if section.is_exclusive(batch) else self.shared
         try:
             result = future.result()
@@ -147,8 +147,8 @@ class Loop:
 
 def section_of(project: Project, name: str, module: ModuleType, device: str) -> Section:
     """Return the section that a module measures: where it declares no batches, all of it as one."""
-    device = device if needs_gpu(name, project.root) else "cpu"
-    alias = "cuda:0" if device == "cuda" else "cpu"  # of the only device of its kind that a process measures on
+    device = device if needs_device(name, project.root) else "cpu"
+    alias = "cpu" if device == "cpu" else f"{device}:0"  # of the only device of its kind that a process measures on
     conditions = host().Conditions(device=alias, quick=project.profile == "quick")
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))

@@ -157,7 +157,7 @@ def _as_token(context: jinja2.runtime.Context, value: Any) -> Markup:
 
 
 def _put_back(text: str, printed: list[Any]) -> Markup:
-    def html(token: re.Match) -> str:
+    def html(token: re.Match[str]) -> str:
         content = escape(printed[int(token[2])])
         return f"<p>{content}</p>" if token[1] and not content.startswith(BLOCK) else content
 

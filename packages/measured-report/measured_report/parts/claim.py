@@ -74,7 +74,7 @@ class Claim:
     confirmed: str = ""  # says how many measurements agree, where there are several
     effect: Outcome = HOLDS  # whether there is what its `because` explains; where that fails it is not explained
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         assert isinstance(self.outcome, Outcome), f"the claim {self.name} takes what a test returns, as at_most(…)"
 
     @cached_property

@@ -119,7 +119,7 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
     axis.set_major_formatter(plain_labels(digits=digits))
 
 
-def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Any]:
+def new_figure(width: float = 7.2, height: float = 3.4, **subplots: Any) -> tuple[Drawing, Any]:
     """Make a figure of ``width`` × ``height`` inches and its axes; for a narrow screen panels stand on each other."""
     rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
     width = min(width, NARROW_WIDTH) if is_narrow() else width
@@ -146,7 +146,7 @@ def is_narrow() -> bool:
 class _Drawing(Drawing):
     """Keep legends of a figure no wider than a narrow screen."""
 
-    def legend(self, *args, loc: str = "best", ncols: int = 1, **keywords):
+    def legend(self, *args: Any, loc: str = "best", ncols: int = 1, **keywords: Any) -> Any:
         if not is_narrow():
             return super().legend(*args, loc=loc, ncols=ncols, **keywords)
         if loc.startswith("outside"):
@@ -266,7 +266,7 @@ def _linked(svg: str, drawing: Drawing) -> str:
     axes, scales = drawing.axes[0], cache(_scales)
     groups: list[str] = []
 
-    def link(piece: re.Match) -> str:
+    def link(piece: re.Match[str]) -> str:
         nonlocal axes
         if piece["close"]:
             groups.pop()
@@ -312,7 +312,7 @@ def _place(names: Mapping[float, str], label: str, unit: str, value: float) -> s
     return f"{label} {value:.4g} {unit}".strip() if nearest is None else names[nearest]
 
 
-def _said(axes: Axes, scales: Sequence[Callable[[float], str]], mark: re.Match) -> Markup:
+def _said(axes: Axes, scales: Sequence[Callable[[float], str]], mark: re.Match[str]) -> Markup:
     place = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
     values = axes.transData.inverted().transform(place)
     return escape(" ".join(", ".join(say(value) for say, value in zip(scales, values, strict=True)).split()))

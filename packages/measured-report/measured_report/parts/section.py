@@ -194,7 +194,7 @@ class Section:
     downloads: Sequence[Download] = ()
     unmeasured: Collection[str] = ()  # names that only other records have, so that the words for them stay unsaid
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         names = [claim.name for claim in self.claims]
         assert len(set(names)) == len(names), f"two claims have one name: {', '.join(names)}"
 

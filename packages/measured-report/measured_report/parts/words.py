@@ -134,7 +134,7 @@ def refuse_numbers(source: str) -> None:
 def with_formulas(source: str) -> str:
     """Write as MathML what a template has in TeX between dollars, and between two of them what is set apart."""
 
-    def written(found: re.Match) -> str:
+    def written(found: re.Match[str]) -> str:
         if not (tex := found[1] or found[2]):
             return found[0]
         from latex2mathml.converter import convert  # few templates have any

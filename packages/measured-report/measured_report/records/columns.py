@@ -13,7 +13,7 @@ from measured_report.files.errors import UNPRINTABLE
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
-_OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "bytes_per_world": "B", "count": "1"}
+_OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "count": "1"}
 SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|min|h|°C?|%|1|dB)[²³]?")
 """A unit that nobody declares; several make one with ``/`` and ``·``. Numbers are never converted, so this is all."""
 PLAIN = "1"  # the unit of a number whose column names none

@@ -15,7 +15,8 @@ from msgspec import Meta
 
 from measured_report.files.config import config, report
 from measured_report.files.errors import UsageError
-from measured_report.records.code import digest_of, files, roots_of
+from measured_report.records.code import files, roots_of
+from measured_report.records.syntax import digest_of
 
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
 FileName = Annotated[str, Meta(pattern=r"\A(?!.*\.\.)[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]

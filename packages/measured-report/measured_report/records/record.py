@@ -96,7 +96,7 @@ class Record:
 
     section: Line
     identity: Identity
-    machine: Mapping[Key, Noted]  # `device` (cuda or cpu), `gpu`, `driver`, `cpu`, `python`; None where there is none
+    machine: Mapping[Key, Noted]  # as `_Machine`, and more; None where there is none
     measured: Mapping[Key, Noted]  # `date`, `commit`, `command` and `seconds`
     units: Mapping[Name, Line]
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
@@ -110,8 +110,7 @@ class Record:
 
     @property
     def processor(self) -> str:
-        device = "gpu" if self.machine.get("device") == "cuda" else "cpu"
-        return self.machine.get(device) or device.upper()
+        return self.machine.get("cpu" if self.machine.get("device") == "cpu" else "gpu") or "an unknown processor"
 
     @property
     def machine_text(self) -> str:

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from html.parser import HTMLParser
@@ -63,18 +63,18 @@ class PageReader(HTMLParser):
     def of(self, tag: str) -> list[Element]:
         return [element for element in self.elements if element.tag == tag]
 
-    def handle_starttag(self, tag, attrs):
+    def handle_starttag(self, tag: str, attrs: Sequence[tuple[str, str | None]]) -> None:
         around = ["tick" if element.attributes.get("class") == "tick" else element.tag for element in self._open]
         self._open.append(Element(tag, {name: value or "" for name, value in attrs}, around))
         self.elements.append(self._open[-1])
 
-    def handle_data(self, data):
+    def handle_data(self, data: str) -> None:
         tags = {element.tag for element in self._open}
         for element in self._open:
             if element is self._open[-1] or (element.tag == "td" and not tags & {"data", "code"}):
                 element.text += data
 
-    def handle_endtag(self, tag):
+    def handle_endtag(self, tag: str) -> None:
         while self._open and self._open.pop().tag != tag:
             pass
 
@@ -131,13 +131,13 @@ class Data:
         return repeats_of(self.file(str(noise))["rows"]) if (self.folder / noise).is_file() else {}
 
     @cached_property
-    def typed(self) -> re.Pattern:
+    def typed(self) -> re.Pattern[str]:
         """Match numbers in drawings and in their words that are names and formulas."""
         edition = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
         return re.compile("|".join([*config().formulas, *edition]) or "(?!)")
 
     @cached_property
-    def names(self) -> re.Pattern:
+    def names(self) -> re.Pattern[str]:
         """Match what has a number in it and is none: labels of cases, whole and in parts, and the texts of records."""
         names: set[str] = set()
         for path in self.folder.glob("*/*.json"):

@@ -98,7 +98,7 @@ def format_short(value: float) -> str:
     return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix("0" if places == 2 else "")
 
 
-def whole(text: str) -> re.Pattern:
+def whole(text: str) -> re.Pattern[str]:
     """Match a number as it is written, and not as a part of another one."""
     return re.compile(rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)")
 

@@ -176,7 +176,7 @@ class Value(Quantity):
         return super().reads | self.roots
 
     @property
-    def entry(self) -> dict:
+    def entry(self) -> dict[str, Any]:
         """Return what the site's values file says of it."""
         entry: dict[str, Any] = {name: getattr(self, name) for name in ("value", "unit", "noise", "formula")}
         entry["sources"] = list(self.sources)
@@ -256,7 +256,7 @@ class Term(Value):
     def _written(self, text: str, written_as: str = "") -> Markup:
         raise ReportError(f"{self} has no name to be shown by: give it one with results.value(name, formula, …)")
 
-    def __reduce__(self) -> tuple[type, tuple]:  # kept without its function
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:  # kept without its function
         return Quantity, (self.value, self.unit, "", self.reason, self.origins, self.noise)
 
 

@@ -123,7 +123,7 @@ class Row:
         return label_of(self.plain["case"], self._results.labels)
 
 
-class Rows(dict):
+class Rows(dict[str, Any]):
     """Holds rows by case; of a case that has no single row, one without anything."""
 
     def __init__(self, rows: Mapping[str, Row], results: "Results"):

@@ -79,7 +79,9 @@ def test_status_does_not_import_the_simulator():
 
 def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(toy, command, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["build.py", "help"])
-    toy.write("report/commands/greet.py", '"""Say something."""\nOPTIONS = {}\n')
+    toy.write(
+        "report/commands/greet.py", '"""Say something to somebody."""\n\n\ndef run(project, arguments):\n    pass\n'
+    )
     assert main() == 0
     lines = {line.split()[1]: line for line in capsys.readouterr().out.splitlines() if line.startswith("make ")}
     assert {"report", "rerun", "help", "greet"} <= set(lines)

@@ -10,7 +10,7 @@ from measured_report.measuring import batch
 
 
 def hold(exclusive: bool, pipe: int, end) -> None:
-    with open(pipe, "w", buffering=1) as said, redirect_stderr(said), batch.gpu_lock(exclusive=exclusive):
+    with open(pipe, "w", buffering=1) as said, redirect_stderr(said), batch.device_lock(exclusive=exclusive):
         said.write("began\n")
         end.wait()
         said.write("ended\n")

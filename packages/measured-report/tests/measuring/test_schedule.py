@@ -8,9 +8,10 @@ import pytest
 from batches import all_of, section_of
 
 from measured_report.editions.project import Project
-from measured_report.measuring import batch, machine
+from measured_report.files.errors import UsageError
+from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, Result
-from measured_report.measuring.machine import Gpu, gpus, measuring_device, share_count
+from measured_report.measuring.machine import measuring_device
 from measured_report.measuring.measure import batches_at_once
 from measured_report.measuring.section import Loop, believable
 from measured_report.records.record import load_record
@@ -83,28 +84,13 @@ def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
     assert believable(row) == {**row, "way_mm": None, "pause_s": None, **reasons}
 
 
-SHARED = [(16, 81920, 1, False, 4), (16, 81920, 1, True, 16), (64, 81920, 1, True, 16), (3, 81920, 1, False, 3)]
-SHARED += [(16, 6144, 1, True, 3), (16, 6143, 1, True, 2), (16, 0, 1, True, 1), (15, 81920, 4, True, 3)]
-SHARED += [(7, 81920, 8, True, 1)]
-
-
-@pytest.mark.parametrize(("cores", "mib", "gpus", "has_daemon", "count"), SHARED)
-def test_a_gpu_is_shared_by_as_many_as_have_memory(monkeypatch, tmp_path, cores, mib, gpus, has_daemon, count):
-    monkeypatch.setattr(machine.os, "cpu_count", lambda: cores)
-    monkeypatch.setenv(machine.MPS, str(tmp_path if has_daemon else tmp_path / "none"))
-    (tmp_path / "control").touch()
-    assert share_count(Gpu("GPU-1", mib, "A GPU"), gpus) == count
-
-
-def test_gpus_are_those_that_the_process_may_use_and_a_cpu_measures_where_there_are_none(monkeypatch, toy):
-    listing = "0, GPU-a, 81559, NVIDIA H100 80GB, HBM3\n1, GPU-b, [N/A], NVIDIA GB10\nno devices"
-    monkeypatch.setattr(machine, "said", lambda *_: listing)
-    monkeypatch.setattr(machine.os, "cpu_count", lambda: 6)
-    both = [Gpu("GPU-a", 81559, "NVIDIA H100 80GB, HBM3"), Gpu("GPU-b", 0, "NVIDIA GB10")]
+def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):
+    monkeypatch.setattr("os.cpu_count", lambda: 6)
     quick = Project("1.4.0", "quick", root=toy.project.root)
-    for allowed, found in {"1": both[1:], "GPU-a, GPU-b": both, "": []}.items():
-        monkeypatch.setenv("CUDA_VISIBLE_DEVICES", allowed)
-        assert gpus() == found and measuring_device(None, "full") == ("cuda" if found else None), allowed
-        counts = [batches_at_once(*each) for each in ((quick, "cpu"), (toy.project, "cpu"), (quick, "cuda"))]
-        assert counts == [6, 1, 4 if found == both else 1]
+    assert [batches_at_once(*each) for each in ((quick, "cpu"), (toy.project, "cpu"), (quick, "cuda"))] == [6, 1, 1]
+    assert measuring_device(None, "full") is None
     assert measuring_device(None, "quick") == measuring_device("cpu", "full") == "cpu"
+    with pytest.raises(
+        UsageError, match="DEVICE=cuda: this machine has no CUDA device; DEVICE=cpu measures on its CPU"
+    ):
+        measuring_device("cuda", "full")

@@ -1,0 +1,47 @@
+"""Accelerators: what a report that measures on the CPU has none of; ``report.toml`` names a module with these names."""
+
+from collections.abc import Mapping
+from importlib import import_module
+from types import ModuleType
+from typing import NamedTuple
+
+from measured_report.files.config import config
+
+KIND, NOUN = "", ""  # what DEVICE calls one beside `cpu`, and people do
+NONE: Mapping[str, str] = {}  # environment of a process that may use none
+ALONE: Mapping[str, str] = {}  # environment of a process that measures times, past what lets others share one
+
+
+class Accelerator(NamedTuple):
+    name: str
+    memory_mib: int
+    settings: Mapping[str, str]  # environment of a process that may use this one alone
+
+
+def accelerators() -> list[Accelerator]:
+    """List those that this process may use."""
+    return []
+
+
+def share_count(shared: Accelerator, count: int = 1) -> int:
+    """Return how many processes share one where there are ``count``."""
+    return 1
+
+
+def driver() -> str | None:
+    """Name the driver, as records do."""
+    return None
+
+
+def accelerator() -> ModuleType:
+    return import_module(config().accelerator)
+
+
+def kinds() -> list[str]:
+    """List the kinds of devices that may be asked for."""
+    return [*filter(None, [accelerator().KIND]), "cpu"]
+
+
+def lacks() -> str:
+    """Say that this machine has none."""
+    return f"this machine has no {accelerator().KIND.upper() or 'other'} device; DEVICE=cpu measures on its CPU"
