@@ -21,7 +21,7 @@ from measured_report.measuring.accelerator import lacks
 from measured_report.measuring.pool import gather, processes, start
 from measured_report.records.identity import package_versions
 
-PROCESS_COUNT = 8  # chosen: more wait for the largest module
+PROCESS_COUNT = 16  # chosen: more wait for the largest module
 DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 OLDEST = (1, 4, 0)
