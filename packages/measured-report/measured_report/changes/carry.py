@@ -22,6 +22,7 @@ from measured_report.editions.status import expected_packages, states_of
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import UsageError
 from measured_report.measuring import reach
+from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.batch import now
 from measured_report.measuring.machine import commit as commit_here
 from measured_report.measuring.measure import MODULE
@@ -68,21 +69,27 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
         commits = commits_of(tree, records)
         for name in (name for name in records if name not in commits):
             yield name, f"none of the newest {COMMIT_LIMIT} commits has the code that measured it"
-        for commit in dict.fromkeys(commits.values()):
+        groups = defaultdict(list)
+        for name, commit in commits.items():
+            groups[has_times(records[name]), commit].append(name)
+        for (_, commit), group in sorted(groups.items()):  # what has times takes longest, and the rest is kept by then
             git(tree, "checkout", "--quiet", "--detach", commit)
-            of_commit = {name: records[name] for name in commits if commits[name] == commit}
-            pairs = {name: _codes(name, tree, project.root) for name in of_commit}
+            pairs = {name: _codes(name, tree, project.root) for name in group}
             runs = _run_both(project, release, tree, pairs, "cpu")
-            reasons = {name: _reasons(runs[name], record) for name, record in of_commit.items()}
-            open_ = {name: pairs[name] for name in pairs if any(map(_is_open, reasons[name]))}
-            if device == "cuda" and open_:
+            reasons = {name: _reasons(runs[name], records[name]) for name in group}
+            open_ = {name: pairs[name] for name in group if any(map(_is_open, reasons[name]))}
+            if device != "cpu" and open_:
                 is_new = any(reason.startswith(UNEXECUTED) for name in open_ for reason in reasons[name])
-                beside = _run_both(project, release, tree, open_, "cuda", REPEAT_COUNT if is_new else 1)
-                reasons |= {name: _reasons(runs[name], of_commit[name], beside[name]) for name in open_}
-            for name, record in of_commit.items():
+                beside = _run_both(project, release, tree, open_, device, REPEAT_COUNT if is_new else 1)
+                reasons |= {name: _reasons(runs[name], records[name], beside[name]) for name in open_}
+            for name in group:
                 if not reasons[name]:
-                    _write(project, record, runs[name], (commit[:SHORT], after))
+                    _write(project, records[name], runs[name], (commit[:SHORT], after))
                 yield name, few(reasons[name], 2)
+
+
+def has_times(record: Record) -> bool:
+    return any("cost" in column_of(name).kinds for name in record.units)
 
 
 def _is_open(reason: str) -> bool:
@@ -105,8 +112,11 @@ def worktree(root: Path) -> Iterator[Path]:
         git(root, "worktree", "add", "--quiet", "--detach", str(tree))
         if not tree.is_dir():
             raise UsageError(f"{root} is in no git repository, which has the code that was measured")
+        tree_root = tree / git(root, "rev-parse", "--show-prefix")
+        for environment in root.glob(".venv-*"):  # of programs that are measured: to make one takes minutes
+            (tree_root / environment.name).symlink_to(environment)
         try:
-            yield tree / git(root, "rev-parse", "--show-prefix")
+            yield tree_root
         finally:
             git(root, "worktree", "remove", "--force", str(tree))
 
@@ -147,7 +157,7 @@ def _run_both(
                 for section in pairs:
                     side.record_path(section).unlink(missing_ok=True)
                 running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, device)))
-                if device == "cuda":
+                if device != "cpu":
                     running[-1].wait()
             for process, side, records_of_side in zip(running, sides, records, strict=True):
                 process.wait()
@@ -188,7 +198,7 @@ def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], o
 def _settings(root: Path, device: str) -> dict[str, str]:
     packages = [str(each) for each in sorted((root / "packages").glob("*"))]
     settings = {"PYTHONPATH": os.pathsep.join([*packages, os.environ.get("PYTHONPATH", "")]), "TQDM_DISABLE": "1"}
-    return {**os.environ, **settings} | ({"CUDA_VISIBLE_DEVICES": ""} if device == "cpu" else {})
+    return {**os.environ, **settings} | (accelerator().NONE if device == "cpu" else {})
 
 
 def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str]:
@@ -206,7 +216,7 @@ def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str
     if not _gone_columns(old.records[0], new.records[0]):  # with a column goes what it was made of
         reasons += old.code.unread(new.code, is_old=True)
     is_same_work = beside and beside[0].work and beside[0].work == beside[1].work
-    if any("cost" in column_of(name).kinds for name in record.units) and not is_same_work:
+    if has_times(record) and not is_same_work:
         reasons += new.code.timed(new.timed)
     return reasons
 
@@ -256,8 +266,8 @@ def _gone_columns(before: Record, after: Record) -> set[str]:
     return names | {name + REASON for name in names}
 
 
-def _rows(record: Record) -> dict[tuple, Mapping]:
-    count: Counter[tuple] = Counter()
+def _rows(record: Record) -> dict[tuple[Any, ...], Mapping[str, Any]]:
+    count: Counter[tuple[Any, ...]] = Counter()
     rows = {}
     for row in record.rows:
         key = key_of(row)

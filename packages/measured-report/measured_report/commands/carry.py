@@ -7,6 +7,7 @@ from dataclasses import replace
 from measured_report.changes.carry import ASIDE, carried
 from measured_report.commands.options import Arguments, shared
 from measured_report.editions.project import Project
+from measured_report.editions.status import states_of
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.records.identity import sections
 
@@ -21,11 +22,12 @@ def run(project: Project, arguments: Arguments) -> int:
     names = sections(project.root)
     if arguments.section and arguments.section not in names:
         raise UsageError(f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}")
-    chosen, reasons = [arguments.section] if arguments.section else names, {}
+    stale = [state.section for state in states_of(project) if state.kind == "stale"]
+    chosen, reasons = [arguments.section] if arguments.section else stale, {}
     for name, reason in carried(project, arguments.release, chosen, arguments.device or "cpu"):
         reasons[name] = reason
         print(f"{name}: {f'not carried: {reason}' if reason else 'carried'}", flush=True)
     if not reasons:
-        print("there is nothing to carry: what is asked for is fresh")
+        print("there is nothing to carry: no section is stale")
     shutil.rmtree(replace(project, profile="quick", aside=ASIDE).results, ignore_errors=True)
     return int(any(reasons.values()))

@@ -75,7 +75,9 @@ class Follower:
         return self.ended
 
     def write(self) -> None:
-        executed_by_section: defaultdict[str, defaultdict[str, list]] = defaultdict(lambda: defaultdict(list))
+        executed_by_section: defaultdict[str, defaultdict[str, list[list[Any]]]] = defaultdict(
+            lambda: defaultdict(list)
+        )
         for (_, section, is_timed), (code, offsets) in list(self.executed.items()):
             positions = list(code.co_positions())
             executed_by_section[section][code.co_filename] += [
