@@ -26,6 +26,7 @@ def derive(results):
     {reads}
     return Section()
 """
+PACKAGE = Path(derived.__file__).parents[2]
 READS = {
     "reader": 'results.value("twice", "twice the gain", lambda a: 2 * a, results.others["toy"].derived["gain"])',
     "alone": "",
@@ -192,6 +193,7 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
         "ein Ört": {"PYTHONHASHSEED": "2", "TZ": "Asia/Kathmandu", "LC_ALL": "de_DE.UTF-8", "MPLBACKEND": "agg"},
     }.items():
         shutil.copytree(toy.project.root, tmp_path / name)
+        environment["PYTHONPATH"] = str(PACKAGE)  # where another report's modules may lie too
         assert program("-c", REPORT, tmp_path / name, "1.4.0", **environment).returncode == 0
         sites.append(files(tmp_path / name / "site"))
     assert len(sites[0]) > 10 and sites[0] == sites[1] == sites[2]

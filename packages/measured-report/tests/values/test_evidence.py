@@ -8,13 +8,36 @@ import pytest
 pytest.importorskip("scipy", reason="the extra test has it")
 
 from scipy import stats
+from toys import BY_HAND, lay_out
 
-from measured_report.editions.project import Project
-from measured_report.records.record import Record, load_record
+from measured_report.files.config import report_in
+from measured_report.records.record import Record
 from measured_report.values.evidence import MEAN, Evidence, evidence_of, key_of, repeats_of
 
-BASE = load_record(Project("1.4.0").record_path("gap"))
+BASE = Record(**{**BY_HAND, "section": "toy", "identity": None, "units": {}, "rows": []})
 ROWS = 40
+SETTINGS = """
+edition = "numpy"
+case = "experiments.scene:Case"
+repeating = { backend = ["c"] }
+pages = [{ name = "index", texts = [] }]
+columns = [
+    { kind = "cost", pattern = "frame_(ms|ratio)(_p[0-9]+)?|ratio_resolution|frames_per_s|build_s" },
+    { rate_of = "frame_ms", pattern = "frames_per_s" },
+    { known_within = "ratio_resolution", pattern = "frame_ratio" },
+    { grows_with = "shake_duration_s", resolution = 1e-3, pattern = "slip_mm" },
+    { resolution = 1e-4, pattern = "drift_mm_s" },
+]
+"""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def columns(entered, tmp_path_factory):
+    """A report in which columns say how their numbers scatter."""
+    lay_out(folder := tmp_path_factory.mktemp("columns"))
+    (folder / "report.toml").write_text(SETTINGS)
+    with report_in(folder):
+        yield
 
 
 def record(rows: list[dict], **machine: str) -> Record:
