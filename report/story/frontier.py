@@ -13,7 +13,6 @@ from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
 from report.shared.timing import TIMED_WORLDS
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
-IN_C = "v"  # marker of what runs on a core of the processor, and in as many worlds as it has cores
 SOLVERS = "newton_solvers"  # where Newton's other solvers are measured
 RATIOS = ("frame_ratio", "time_ratio")
 FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch")
@@ -95,8 +94,10 @@ WAYS = (
     Way(
         "the root cure, stiff pads", PATCH, _cure("implicitfast-400-stiff", "centred-kept"), "cure_cost/firm", CURE, "D"
     ),
-    Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, IN_C),
-    Way("C, stiff pads", ARGUMENT, "solver/stiff-pads-mujoco-c", "error_runtime/stiff/c/substeps-16", STIFF, IN_C),
+)
+C_WAYS = (  # on a core of the processor, and in as many worlds as it has cores: not advised
+    Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, "v"),
+    Way("C, stiff pads", ARGUMENT, "solver/stiff-pads-mujoco-c", "error_runtime/stiff/c/substeps-16", STIFF, "v"),
 )
 
 
@@ -104,7 +105,7 @@ def figure(sections: Sections) -> Figure:
     """Draw the creep of each way against the time of a world's frame, alone and among many."""
     rows = sections.results["cure_cost"].rows if "cure_cost" in sections.results else []
     shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped" and row.frame_ms.value is not None}
-    ways = {way: way.ratios(sections) for way in WAYS if shipped and way.creep_mm(sections) is not None}
+    ways = {way: way.ratios(sections) for way in (*WAYS, *C_WAYS) if shipped and way.creep_mm(sections) is not None}
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(sections), *ratios.values())]
     many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
 
@@ -133,7 +134,7 @@ def advice(sections: Sections) -> list[Claim]:
 
 def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     """Choose the fastest of those ways in Newton that keep the slip below the bound and take the least effort."""
-    tests = {way: way.keeps(sections, bound) for way in WAYS if way.marker != IN_C}
+    tests = {way: way.keeps(sections, bound) for way in WAYS}
     holding = [way for way, test in tests.items() if test == HOLDS]
     effort = min((way.effort for way in holding), default=PATCH)
     times = {way: ratios[ALONE] for way in holding if ALONE in (ratios := way.ratios(sections))}
