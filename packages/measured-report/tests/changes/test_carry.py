@@ -297,6 +297,7 @@ def put(root: Path, name: str, text: str) -> None:
     (root / name).write_text(text, encoding="utf-8")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*PLANTED])
 def test_a_record_is_carried_where_nothing_changed_and_else_it_is_not(answers, name):
     reasons, kinds, before, after = answers
@@ -307,6 +308,7 @@ def test_a_record_is_carried_where_nothing_changed_and_else_it_is_not(answers, n
         assert after[name] == before[name]
 
 
+@pytest.mark.slow
 def test_a_carried_record_says_so_and_keeps_its_replicas(answers):
     """Those of the old code count as before; of two columns the one that is gone is left out."""
     _, _, before, after = answers

@@ -183,6 +183,7 @@ def test_an_entry_that_is_damaged_is_made_again(built, damage):
     assert files(built.project.site) == before
 
 
+@pytest.mark.slow
 def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
     """In two folders, languages, time zones, and orders of what has none; and in a process that had other reports."""
     toy.build()
