@@ -42,7 +42,7 @@ def _compared(here: Quantity, tracked: Quantity, bound: Quantity, kind: str) -> 
     """Say both and whether they differ; a run that fails where the tracked one did not differs."""
     difference = abs(here - tracked)
     outcome = within(difference, bound)
-    words = f"differs ({difference.reason})" if difference.reason else WORDS[outcome.said]
+    words = f"differs ({difference.reason})" if difference.reason else WORDS[outcome.answer]
     cells = (*map(_exact, (here, tracked, difference)), f"{bound} ({kind})")
     return "{:>12}{:>14}{:>14}   {:22}".format(*cells) + words, outcome.name != "fails" and not difference.reason
 

@@ -198,9 +198,9 @@ def looked_up(name: str, section: Section, values: Mapping[str, Value]) -> Any:
     claims = {claim.name: claim for claim in section.claims}
     first, *path = name.split("/")
     if path == ["effect"]:
-        return claims[first].effect.said
+        return claims[first].effect.answer
     if first in claims and not path:
-        return claims[first].outcome.said
+        return claims[first].outcome.answer
     if first in claims or first in section.figures:
         thing = claims.get(first) or section.figures[first]
         return plain(thing.numbers[path[0]])

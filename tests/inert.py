@@ -67,7 +67,7 @@ class Survey:
         """Claim, name and pointer of every measured number that the words of a claim name."""
         for claim in self.perturbation.releases[self.release][self.section].section.claims:
             lacks_number = any(isinstance(each, Quantity) and each.value is None for each in claim.numbers.values())
-            if lacks_number and claim.outcome.said == "cannot tell":  # which is all that is said
+            if lacks_number and claim.outcome.answer == "cannot tell":  # which is all that is said
                 continue
             for name in sorted(claim.wording.names & set(claim.numbers)):
                 for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):
@@ -102,7 +102,7 @@ class Survey:
 
 def _shapes(section: Section) -> dict[str, tuple[str, str]]:
     """Return outcome and words of each claim, with a mark in the place of each number."""
-    return {claim.name: (claim.outcome.said, NUMBER.sub("#", str(claim.sentence))) for claim in section.claims}
+    return {claim.name: (claim.outcome.answer, NUMBER.sub("#", str(claim.sentence))) for claim in section.claims}
 
 
 def inert_passages(perturbation: Perturbation, release: str) -> set[str]:

@@ -57,7 +57,7 @@ def _slide_accounts(results: Results, run: Row) -> Claim:
     gap = results.value("slide_gap_as-shipped", formula, run.slide_mm - run.along_mm)
     formula = "size of that difference, of the motion measured"
     off = results.value("slide_departure_as-shipped", formula, PERCENT * abs(gap / run.along_mm))
-    is_more = greater(run.slide_mm, run.along_mm, noise=noise_floor(results, "slip_floor")).said
+    is_more = greater(run.slide_mm, run.along_mm, noise=noise_floor(results, "slip_floor")).answer
     numbers = {"slide": run.slide_mm, "along": run.along_mm, "bound": bound, "is_more": is_more}
     return Claim("slide_accounts", at_most(off, bound), numbers)
 

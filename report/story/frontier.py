@@ -122,7 +122,7 @@ def figure(sections: Sections) -> Figure:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
         return drawing
 
-    right = all_of(*(greater(*each) for each in map(times, ways.values()) if len(each) > 1)).said
+    right = all_of(*(greater(*each) for each in map(times, ways.values()) if len(each) > 1)).answer
     return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many, "right": right})
 
 

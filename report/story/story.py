@@ -76,7 +76,7 @@ def _suspects(sections: Sections) -> Figure:
     less = greater(shipped, stiff, noise=sections.value("noise", "slip_floor"))
     numbers = {
         "shares": Markup(", ").join(Markup("{} {}").format(*pair) for pair in every.items()),
-        "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound), less).said,
+        "ruled_out": all_of(*(at_most(share, bound) for share in shares.values()), at_least(fix, bound), less).answer,
         "moving": ", ".join(name for name, share in every.items() if share.value and at_least(share, bound) == HOLDS),
     }
     cells = [shipped, *(cell for some in slips.values() for cell in some)]

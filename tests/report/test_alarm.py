@@ -31,7 +31,7 @@ def broken(row: dict, frame: int) -> dict:
 
 def say(section: str, claim: Claim) -> str:
     """Words it by nothing but its test."""
-    return f"{section}.{claim.name} {claim.outcome.said}"
+    return f"{section}.{claim.name} {claim.outcome.answer}"
 
 
 @pytest.fixture

@@ -112,7 +112,7 @@ def _test_lets_through(results: Results) -> Claim:
     more = results.value("soft_times", "slip with less damped pads, of that as shipped", soft.slip_mm / shipped.slip_mm)
     passes = (at_most(row.slip_mm, bound) for row in (soft, shipped))
     outcome = all_of(*passes, at_least(more, 10.0, why="far more"))
-    is_more = greater(soft.slip_mm, shipped.slip_mm).said
+    is_more = greater(soft.slip_mm, shipped.slip_mm).answer
     numbers = {"slip": shipped.slip_mm, "kd": soft.pad_kd, "soft": soft.slip_mm, "is_more": is_more, "bound": bound}
     numbers |= {"amplitude": shipped.shake_amplitude_m, "frequency": shipped.shake_frequency_hz}
     return Claim("test_lets_through", outcome, numbers | {"seconds": shipped.shake_duration_s})

@@ -51,7 +51,7 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
     lines = [fault.text for fault in faults]
     for section, claim in claims:
         confirmed = f" ({claim.confirmed})" if claim.confirmed else ""
-        lines.append(f"{claim.outcome.said:12} {section}.{claim.name}: {say(section, claim)}{confirmed}")
+        lines.append(f"{claim.outcome.answer:12} {section}.{claim.name}: {say(section, claim)}{confirmed}")
     lines += [f"{'absent':12} {section}: {reason}" for section, reason in absent]
     return _lines(lines, form)
 
@@ -127,7 +127,7 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
 
 
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
-    said = {"outcome": claim.outcome.name, "said": claim.outcome.said, "text": say(section, claim)}
+    said = {"outcome": claim.outcome.name, "said": claim.outcome.answer, "text": say(section, claim)}
     return said | {"confirmed": claim.confirmed}
 
 

@@ -43,7 +43,7 @@ class Flip:
 
     @property
     def outcomes(self) -> str:
-        return " → ".join(claim.outcome.said for claim in self.ends)
+        return " → ".join(claim.outcome.answer for claim in self.ends)
 
     @property
     def is_decided(self) -> bool:

@@ -116,7 +116,7 @@ def points(releases: Releases, query: Query) -> list[Point]:
         answer, claim = query.answer(chapters), query.claim(chapters)
         if claim and answer is not None:
             mark = "flipped" if answered and answered[-1].answer != answer else ""
-            answered.append(Point(release, answer, None, claim.outcome.said, mark))
+            answered.append(Point(release, answer, None, claim.outcome.answer, mark))
         elif answer is not None:
             noise = getattr(query.quantity(chapters), "noise", None)
             mark = _mark(query.column, answered[-1], answer, noise) if answered else ""
@@ -153,7 +153,7 @@ def flip_history(releases: Releases, page_release: str) -> str:
     """Return a line for each claim that flips, with what each edition says to it; none where that can't compare."""
     lines = []
     for flip in (flip for flip in flips(releases, page_release) if flip.is_decided):
-        answers = {release: claim.outcome.said for names, claim in flip.answers for release in names}
+        answers = {release: claim.outcome.answer for names, claim in flip.answers for release in names}
         lines.append((flip.claim, *(answers.get(release, "") for release in releases)))
     return "\n".join(["claims that flip", aligned([("", *releases), *lines])]) if lines else "no claim flips"
 

@@ -39,7 +39,7 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     lines += [f"  printed at  {anchor}" for anchor in dict.fromkeys(_printed(project, quantity.source)) or ["no page"]]
     for section, chapter in chapters.items():
         claims = (claim for claim in chapter.section.claims if quantity.source in claim.outcome.reads)
-        lines += [f"  decides     {section}.{claim.name}: {claim.outcome.said}" for claim in claims]
+        lines += [f"  decides     {section}.{claim.name}: {claim.outcome.answer}" for claim in claims]
     cells = [Pointer(pointer) for pointer in sorted(quantity.reads) if VALUES_FILE not in pointer]
     for file, cells_of_file in groupby(cells, key=lambda cell: cell.file):
         chapter = records.get(file) or records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]

@@ -46,7 +46,7 @@ class DerivedCache:
         if entry := Cache(self.root).get(".".join(place), digest):
             return entry
         section, values = derive()
-        tables = {name: each.kept() if isinstance(each, Table) else each for name, each in section.tables.items()}
+        tables = {name: each.rendered() if isinstance(each, Table) else each for name, each in section.tables.items()}
         self._new[place] = entry = Entry(digest, replace(section, tables=tables), values)
         return entry
 
@@ -76,7 +76,9 @@ class DerivedCache:
             return
         for place, entry in self._new.items():
             (_, release, section), figures = place, entry.section.figures
-            drawn = {name: each.kept(pictures.get((release, f"{section}-{name}"))) for name, each in figures.items()}
+            drawn = {
+                name: each.rendered(pictures.get((release, f"{section}-{name}"))) for name, each in figures.items()
+            }
             kept = entry._replace(section=replace(entry.section, figures=drawn))
             Cache(self.root).put(".".join(place), entry.digest, kept)
         self._new.clear()

@@ -43,18 +43,18 @@ class Reference:
 def references(templates: Path) -> Mapping[str, Reference]:
     """Read the references of a folder of templates by name; ReportError, one line, for one that is not whole."""
     tables = table_beside(templates, NAME)
-    addresses, found = tables.pop("packages", {}), {}
+    addresses, by_name = tables.pop("packages", {}), {}
     for name, fields in tables.items():
         try:
-            known = Reference(**fields)
+            reference = Reference(**fields)
         except TypeError as error:
             raise ReportError(f"templates/{NAME}: {error}") from None
-        if all((known.package in addresses, known.version, known.file, known.line, known.excerpt)):
-            known = replace(known, url=addresses[known.package].format(**fields))
-        if not known.url:
+        if all((reference.package in addresses, reference.version, reference.file, reference.line, reference.excerpt)):
+            reference = replace(reference, url=addresses[reference.package].format(**fields))
+        if not reference.url:
             raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file, line and excerpt")
-        found[name] = known
-    return found
+        by_name[name] = reference
+    return by_name
 
 
 @dataclass(frozen=True)
@@ -75,16 +75,16 @@ class StatedTag(Extension):
     def parse(self, parser: Parser) -> nodes.Node:
         line = next(parser.stream).lineno
         name = parser.stream.expect("name").value
-        known: Any = self.environment.globals["references"]
-        if name not in known:
+        references: Any = self.environment.globals["references"]
+        if name not in references:
             parser.fail(f"templates/{NAME} has no {name}", line)
         body = parser.parse_statements(("name:endstated",), drop_needle=True)
         call = self.call_method("_stated", [nodes.ContextReference(), nodes.Const(name)])
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
     def _stated(self, context: Context, name: str, caller: Callable[[], str]) -> Markup:
-        words = Markup(" ".join(caller().split()))
-        return macros().stated(words, token(context["printed"], Mark(f"source {name}"))) + "\n"
+        statement = Markup(" ".join(caller().split()))
+        return macros().stated(statement, token(context["printed"], Mark(f"source {name}"))) + "\n"
 
 
 PAIRS = "pairs.toml"  # `contradict` and `needs`: pairs such as `["gap.not_the_cause holds", "stiffness.cause fails"]`
@@ -102,14 +102,14 @@ def pairs_of(templates: Path) -> Pairs:
 def refuse_contradictions(pairs: Pairs, sections: Mapping[str, Section]) -> None:
     """Raise ReportError, one line, when what the sections of a release say does not go together."""
     claims = {f"{name}.{claim.name}": claim for name, section in sections.items() for claim in section.claims}
-    said = {f"{place} {claim.outcome.name}" for place, claim in claims.items()}
-    known = {f"{name}.{each}" for name, section in sections.items() for each in section.unmeasured} | claims.keys()
-    for place in (words.partition(" ")[0] for found in pairs.values() for pair in found for words in pair):
-        if place.partition(".")[0] in sections and place not in known:
-            raise ReportError(f"templates/{PAIRS}: there is no claim {place}")
+    outcomes = {f"{key} {claim.outcome.name}" for key, claim in claims.items()}
+    names = {f"{name}.{claim}" for name, section in sections.items() for claim in section.unmeasured} | claims.keys()
+    for key in (side.partition(" ")[0] for group in pairs.values() for pair in group for side in pair):
+        if key.partition(".")[0] in sections and key not in names:
+            raise ReportError(f"templates/{PAIRS}: there is no claim {key}")
     for first, second in pairs.get("contradict", ()):
-        if {first, second} <= said:
+        if {first, second} <= outcomes:
             raise ReportError(f"templates/{PAIRS}: {first} contradicts {second}, and both are said")
     for first, second in pairs.get("needs", ()):
-        if first in said and second not in said:
+        if first in outcomes and second not in outcomes:
             raise ReportError(f"templates/{PAIRS}: {first} needs {second}, which is not said")

@@ -52,7 +52,7 @@ class Outcome:
         return replace(self, reads=reads, bounds=tuple(dict.fromkeys((*self.bounds, *chosen))))
 
     @property
-    def said(self) -> str:
+    def answer(self) -> str:
         """Say one of four: holds, the opposite, fails, cannot tell."""
         return {"unknown": "cannot tell"}.get(self.name, "the opposite" if self.is_opposite else self.name)
 
@@ -81,10 +81,10 @@ class Claim:
     def sentence(self) -> Markup:
         """Word the outcome; one that is unknown, or fails without words for that, by what the claim asks."""
         parts = ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
-        if said := next(filter(None, map(self.said, parts)), Markup("")):
-            return said
-        asked, found = self.said("asks"), "cannot be told" if self.outcome.name == "unknown" else "is not shown"
-        sentence = Markup("{}{} {}").format(asked[:1].upper(), asked[1:], found)
+        if sentence := next(filter(None, map(self.render, parts)), Markup("")):
+            return sentence
+        question, verdict = self.render("asks"), "cannot be told" if self.outcome.name == "unknown" else "is not shown"
+        sentence = Markup("{}{} {}").format(question[:1].upper(), question[1:], verdict)
         return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
     def checked(self) -> "Claim":
@@ -99,9 +99,9 @@ class Claim:
         return self.sentence.striptags().replace("\xa0", " ")
 
     def html(self, section: str) -> Markup:
-        return macros().claim(self, section, self.said("because") if self.outcome == self.effect == HOLDS else "")
+        return macros().claim(self, section, self.render("because") if self.outcome == self.effect == HOLDS else "")
 
-    def said(self, part: str) -> Markup:
+    def render(self, part: str) -> Markup:
         """Render one part of its wording."""
         assert self.wording, f"the claim {self.name} has no words yet"
         return self.wording(part, self.numbers)
@@ -142,9 +142,9 @@ def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "")
     """Test whether ``a`` is greater than ``b``; less is the opposite, and within the noise it can't tell."""
     if noise is None:
         quantities = [number for number in (a, b) if isinstance(number, Quantity)]
-        known = [number for number in quantities if number.value is not None]
-        apart = combined(lambda a, *b: a - sum(b), *known, unit=quantities[0].unit).noise if known else None
-        noise = Quantity(apart, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
+        measured = [number for number in quantities if number.value is not None]
+        spread = combined(lambda a, *b: a - sum(b), *measured, unit=quantities[0].unit).noise if measured else None
+        noise = Quantity(spread, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
     return decreases([a, b], noise=noise, why=why)
 
 
@@ -187,13 +187,13 @@ def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     """Return the opposite for a difference beyond the noise; what is only little more, either way, can't tell."""
     _refuse_units(difference, noise)
-    found = _absent(difference, noise)
-    if not found:
+    outcome = _absent(difference, noise)
+    if not outcome:
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
         reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
         near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_inconclusive=True)
-        found = OPPOSITE if abs(difference.number) > NEAR_NOISE * noise.number else near
-    return found.having_read(difference, noise)
+        outcome = OPPOSITE if abs(difference.number) > NEAR_NOISE * noise.number else near
+    return outcome.having_read(difference, noise)
 
 
 def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", compares: bool = True) -> Outcome:
@@ -205,14 +205,14 @@ def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", comp
     if compares:
         _refuse_units(*quantities)
     reason = mixed(*(quantity.origins for quantity in quantities))
-    found = _absent(*quantities) or (Outcome("unknown", reason) if reason else judge(*quantities))
-    return found.having_read(*quantities)
+    outcome = _absent(*quantities) or (Outcome("unknown", reason) if reason else judge(*quantities))
+    return outcome.having_read(*quantities)
 
 
 def _refuse_units(*quantities: Quantity) -> None:
-    known = [quantity for quantity in quantities if quantity.value is not None]
-    if other := next((quantity for quantity in known if quantity.unit != known[0].unit), None):
-        raise ReportError(f"a test compares {known[0]} with {other}: derive them in one unit")
+    measured = [quantity for quantity in quantities if quantity.value is not None]
+    if differing := next((quantity for quantity in measured if quantity.unit != measured[0].unit), None):
+        raise ReportError(f"a test compares {measured[0]} with {differing}: derive them in one unit")
 
 
 def _absent(*quantities: Quantity) -> Outcome | None:
@@ -224,5 +224,5 @@ def all_of(*outcomes: Outcome) -> Outcome:
     reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
     bounds = tuple(dict.fromkeys(bound for outcome in outcomes for bound in outcome.bounds))
     order = ("fails", "the opposite", "cannot tell", "holds")
-    found = min(outcomes, key=lambda outcome: order.index(outcome.said), default=HOLDS)
-    return replace(found, reads=reads, bounds=bounds)
+    decisive = min(outcomes, key=lambda outcome: order.index(outcome.answer), default=HOLDS)
+    return replace(decisive, reads=reads, bounds=bounds)

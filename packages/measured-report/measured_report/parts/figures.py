@@ -60,7 +60,7 @@ LEAST_SIZE = 7.0  # size of the smallest text of a narrow figure [pt], which is 
 MOST_TICKS = 5  # steps between ticks along a narrow figure
 LONGEST_NAME, LONGEST_LINE = 18, 36  # characters of a name beside a narrow figure, and along it, before it is folded
 # Numbers of the figure that is being drawn as they are written, and where each is from, in their order.
-_told: dict[str, list[str]] = {}
+_sources: dict[str, list[str]] = {}
 _screen = SimpleNamespace(is_narrow=False)
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
@@ -102,7 +102,7 @@ def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """Write a number, if ``is_short`` in four characters, for the figure being drawn, which says where it is from."""
     text = format_short(quantity.number) if is_short else quantity.written
     if quantity.source:
-        _told.setdefault(text, []).append(quantity.source)
+        _sources.setdefault(text, []).append(quantity.source)
     return text
 
 
@@ -182,25 +182,25 @@ def _fit_narrow(drawing: Drawing) -> None:
 
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
     """Fold a text for a narrow figure: its own breaks stay, and a number stays with the word before it."""
-    kept = re.sub(r" (?=\d)", "\u00a0", text)
-    return "\n".join(textwrap.fill(line, longest) for line in kept.split("\n")).replace("\u00a0", " ")
+    unbroken = re.sub(r" (?=\d)", "\u00a0", text)
+    return "\n".join(textwrap.fill(line, longest) for line in unbroken.split("\n")).replace("\u00a0", " ")
 
 
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
     """Draw the figure for broad and for narrow screens in SVG whose ids begin with ``name``: always the same bytes."""
-    found = []
+    pictures = []
     try:
         for kind, prefix in (("broad", ""), ("narrow", "narrow-")):
-            _told.clear()
+            _sources.clear()
             _screen.is_narrow = kind == "narrow"
             with style.context(["default", {**STYLE, "svg.hashsalt": name}]):  # the user's own counts for nothing
                 drawing = _trimmed(draw())
                 if is_narrow():
                     _fit_narrow(drawing)
-                found.append(_svg(drawing, kind, f"{prefix}{name}"))
+                pictures.append(_svg(drawing, kind, f"{prefix}{name}"))
     finally:
         _screen.is_narrow = False
-    return found
+    return pictures
 
 
 class _Vectors(RendererSVG):
@@ -212,10 +212,10 @@ class _Vectors(RendererSVG):
     @cache
     def _get_font_height_metrics(font: FontProperties) -> Sequence[float | None]:
         table = get_font(findfont(font)).get_sfnt_table
-        if not (known := table("OS/2")):
+        if not (metrics := table("OS/2")):
             return None, None, None  # Matplotlib then finds them
         scale = font.get_size_in_points() / table("head")["unitsPerEm"]
-        return scale * known["sTypoAscender"], -scale * known["sTypoDescender"], scale * known["sTypoLineGap"]
+        return scale * metrics["sTypoAscender"], -scale * metrics["sTypoDescender"], scale * metrics["sTypoLineGap"]
 
 
 def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
@@ -230,8 +230,8 @@ def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     renderer.finalize()
     svg = _linked(UNWANTED.sub("", buffer.getvalue()), drawing)
     used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
-    svg = NAME.sub(lambda found: found[0] if found[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
-    svg = BREAK.sub("\n", PLACES.sub(lambda found: DECIMALS.sub(r"\1", found[0]), svg))
+    svg = NAME.sub(lambda match: match[0] if match[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
+    svg = BREAK.sub("\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
@@ -260,8 +260,8 @@ def _trimmed(drawing: Drawing) -> Drawing:
 
 def _linked(svg: str, drawing: Drawing) -> str:
     """Return the drawing with texts saying where their numbers are from, marks their own, and ticks what they are."""
-    numbers = {text: whole(escape(text)) for text in _told}
-    longest_first = sorted(_told, key=len, reverse=True)
+    numbers = {text: whole(escape(text)) for text in _sources}
+    longest_first = sorted(_sources, key=len, reverse=True)
     drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
     axes, scales = drawing.axes[0], cache(_scales)
     groups: list[str] = []
@@ -276,18 +276,18 @@ def _linked(svg: str, drawing: Drawing) -> str:
             return '<g class="tick">' if piece["tick"] else piece[0]
         elif piece["mark"]:
             is_datum = "axes" in groups and axes.axison and not {"tick", "legend"} & {*groups}
-            return f"{piece['mark']}><title>{_said(axes, scales(axes), piece)}</title></use>" if is_datum else piece[0]
+            return f"{piece['mark']}><title>{_title(axes, scales(axes), piece)}</title></use>" if is_datum else piece[0]
         else:
             opening, _, text = piece[0].removesuffix("</text>").partition(">")
             if "tick" in groups and not LETTER.search(text):
                 return piece[0]  # a number of an axis
-            found, rest = [], text
+            pointers, remainder = [], text
             for number in longest_first:
-                rest, count = numbers[number].subn("", rest)
-                sources = _told[number]  # each is used up, unless it is the last
-                found += [sources.pop(0) if len(sources) > 1 else sources[0] for _ in range(count)]
-            if found:
-                return f'<text data-src="{escape(" ".join(found))}"{opening[5:]}>{text}</text>'
+                remainder, count = numbers[number].subn("", remainder)
+                sources = _sources[number]  # each is used up, unless it is the last
+                pointers += [sources.pop(0) if len(sources) > 1 else sources[0] for _ in range(count)]
+            if pointers:
+                return f'<text data-src="{escape(" ".join(pointers))}"{opening[5:]}>{text}</text>'
         return piece[0]
 
     return PIECE.sub(link, svg)
@@ -295,24 +295,24 @@ def _linked(svg: str, drawing: Drawing) -> str:
 
 def _scales(axes: Axes) -> Sequence[Callable[[float], str]]:
     """Return what tells a place on each axis: a name of its ticks, or else a number with what it, or another, is of."""
-    found = []
+    scales = []
     for axis in (axes.xaxis, axes.yaxis):
         labels = (tick.get_text() for tick in axis.get_majorticklabels())
         names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
-        known = (getattr(each, f"{axis.axis_name}axis").get_label_text() for each in (axes, *axes.figure.axes))
+        titles = (getattr(panel, f"{axis.axis_name}axis").get_label_text() for panel in (axes, *axes.figure.axes))
         above = getattr(axes.figure, f"get_sup{axis.axis_name}label")()
-        called = next(filter(None, known), above).removesuffix("]").partition("[")
+        called = next(filter(None, titles), above).removesuffix("]").partition("[")
         is_named = all(any(map(str.isalpha, name)) for name in names.values())
-        found.append(partial(_place, names if is_named else {}, *called[::2]))
-    return found
+        scales.append(partial(_reading, names if is_named else {}, *called[::2]))
+    return scales
 
 
-def _place(names: Mapping[float, str], label: str, unit: str, value: float) -> str:
-    nearest = min(names, key=lambda place: abs(place - value), default=None)
+def _reading(names: Mapping[float, str], label: str, unit: str, value: float) -> str:
+    nearest = min(names, key=lambda tick: abs(tick - value), default=None)
     return f"{label} {value:.4g} {unit}".strip() if nearest is None else names[nearest]
 
 
-def _said(axes: Axes, scales: Sequence[Callable[[float], str]], mark: re.Match[str]) -> Markup:
-    place = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
-    values = axes.transData.inverted().transform(place)
+def _title(axes: Axes, scales: Sequence[Callable[[float], str]], mark: re.Match[str]) -> Markup:
+    point = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
+    values = axes.transData.inverted().transform(point)
     return escape(" ".join(", ".join(say(value) for say, value in zip(scales, values, strict=True)).split()))

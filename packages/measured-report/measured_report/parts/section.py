@@ -40,7 +40,7 @@ class Table:
     def __html__(self) -> Markup:
         return macros().captioned_table(self)
 
-    def kept(self) -> "Table":
+    def rendered(self) -> "Table":
         """Return the same as HTML: one unit a column, numbers aligned at their points, a mark for what there is not."""
         if isinstance(self.frame, Markup):
             return self
@@ -76,15 +76,15 @@ class _Column(NamedTuple):
 def _column(name: str, cells: "pd.Series") -> _Column:
     numbers = [cell for cell in cells if isinstance(cell, Quantity)]
     units = {cell.unit for cell in numbers}
-    if apart := unlike(sorted(units)):
-        raise ResultsError(f"the column {name} of a table has {' and '.join(apart)}: give it one unit")
+    if clash := unlike(sorted(units)):
+        raise ResultsError(f"the column {name} of a table has {' and '.join(clash)}: give it one unit")
     unit, places = units.pop() if len(units) == 1 else "", max(map(_place_count, numbers), default=0)
     return _Column(name, bool(numbers), unit, places, unit_label(unit or "1"))
 
 
 def _place_count(number: Quantity) -> int:
-    found = FRACTION.search(number.written if number.source else "")
-    return len(found[1]) if found else 0
+    match = FRACTION.search(number.written if number.source else "")
+    return len(match[1]) if match else 0
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class Figure:
     def is_there(self) -> bool:
         return any(source.value is not None for source in self.sources)
 
-    def kept(self, pictures: Pictures | None) -> "Figure":
+    def rendered(self, pictures: Pictures | None) -> "Figure":
         """Return the same as it is kept once it is drawn: of its series no more than whether they are there."""
         sources = [
             replace(source, value=None if source.value is None else ()) if isinstance(source, Series) else source
@@ -136,19 +136,19 @@ class Figure:
         units |= {column_of(column).unit for table in tables if table is not None for column in table}
         for axes in drawing.axes:
             for label in (axes.get_xlabel(), axes.get_ylabel()):
-                found = AXIS.search(label)
-                if found and found[1] not in units and (apart := [unit for unit in units if unlike([unit, found[1]])]):
-                    raise ReportError(f"its axis {label!r} has another unit than what it draws, {apart[0]}")
+                match = AXIS.search(label)
+                if match and match[1] not in units and (clash := [unit for unit in units if unlike([unit, match[1]])]):
+                    raise ReportError(f"its axis {label!r} has another unit than what it draws, {clash[0]}")
         return drawing
 
     def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
         """Show the figure, where anything of it exists; drawings that are files are at ``address``."""
-        there = [source.source for source in self.sources if source.value is not None]
-        if not there:
+        pointers = [source.source for source in self.sources if source.value is not None]
+        if not pointers:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
             return macros().left_out("A figure is left out here", reasons[0])
         files: dict[str, None] = {}
-        for file in (source.partition("#")[0] for source in there):
+        for file in (source.partition("#")[0] for source in pointers):
             is_record = file.endswith(".json") and not file.endswith(VALUES_FILE)  # its rows are there as CSV as well
             files |= dict.fromkeys([file, *([file.removesuffix("json") + "csv"] if is_record else [])])
         names = [file.rpartition("/")[2] for file in files]
@@ -161,9 +161,9 @@ class Figure:
         assert pictures, f"the figure {self.anchor} is not drawn yet"
         drawn = [picture for picture in pictures if isinstance(picture, Picture)]
         if not drawn:  # what is said in its place
-            return Markup("").join(each for each in pictures if not isinstance(each, Picture))
-        words = self.wording("alt", self.numbers)
-        alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
+            return Markup("").join(picture for picture in pictures if not isinstance(picture, Picture))
+        text = self.wording("alt", self.numbers)
+        alt, sources = Markup(TAG.sub("", text)).unescape().replace("\xa0", " "), SOURCE.findall(text)
         if address:
             return macros().picture(address, *(picture.size for picture in drawn), alt, sources)
         return Markup("").join(macros().drawing(picture, alt, sources) for picture in drawn)
@@ -198,25 +198,25 @@ class Section:
         names = [claim.name for claim in self.claims]
         assert len(set(names)) == len(names), f"two claims have one name: {', '.join(names)}"
 
-    def worded(self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording]) -> "Section":
-        """Give it the words of the template ``place``; ReportError unless things and words are those of each other."""
-        things = {"claim": {claim.name: claim for claim in self.claims}, "figure": self.figures, "table": self.tables}
-        for (kind, name), wording in words.items():
-            if name not in things[kind] and name not in self.unmeasured:
-                raise ReportError(f"{wording.place}: there is no {kind} {name}; there are: {', '.join(things[kind])}")
+    def worded(self, anchor: str, template: str, wordings: Mapping[tuple[str, str], Wording]) -> "Section":
+        """Give it the words of the ``template``; ReportError unless items and wordings match."""
+        items = {"claim": {claim.name: claim for claim in self.claims}, "figure": self.figures, "table": self.tables}
+        for (kind, name), wording in wordings.items():
+            if name not in items[kind] and name not in self.unmeasured:
+                raise ReportError(f"{wording.source}: there is no {kind} {name}; there are: {', '.join(items[kind])}")
 
-        def said(kind: str, name: str, thing: Any) -> Any:
-            if (kind, name) not in words:
-                raise ReportError(f"templates/{place} says nothing of the {kind} {name}")
-            if not hasattr(thing, "wording"):
-                return thing
-            words[kind, name].refuse_unknown(f"{kind} {name}", thing.numbers)
-            thing = replace(thing, wording=words[kind, name])
-            for part in words[kind, name].blocks:  # those as well that are not said now: with other numbers they are
-                words[kind, name](part, thing.numbers)
+        def fill(kind: str, name: str, item: Any) -> Any:
+            if (kind, name) not in wordings:
+                raise ReportError(f"templates/{template} says nothing of the {kind} {name}")
+            if not hasattr(item, "wording"):
+                return item
+            wordings[kind, name].refuse_unknown(f"{kind} {name}", item.numbers)
+            item = replace(item, wording=wordings[kind, name])
+            for part in wordings[kind, name].blocks:  # those as well that are not said now: with other numbers they are
+                wordings[kind, name](part, item.numbers)
             if kind == "figure":
-                thing = replace(thing, anchor=f"{anchor}-{name}")
-            return thing
+                item = replace(item, anchor=f"{anchor}-{name}")
+            return item
 
-        found = {kind: {name: said(kind, name, thing) for name, thing in some.items()} for kind, some in things.items()}
-        return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
+        worded = {kind: {name: fill(kind, name, item) for name, item in group.items()} for kind, group in items.items()}
+        return replace(self, claims=list(worded["claim"].values()), figures=worded["figure"], tables=worded["table"])

@@ -56,23 +56,23 @@ CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))  # whi
 class Wording:
     """Hold what a template says of one claim, figure or table."""
 
-    place: str
+    source: str
     blocks: Mapping[str, str]
     names: frozenset[str]
     render: Callable[[str, Mapping[str, Any]], Markup] | None = None  # a block; None until the template is compiled
 
     def __call__(self, part: str, numbers: Mapping[str, Any]) -> Markup:
         """Return a part with its numbers; empty where the template has no such part."""
-        assert self.render, f"{self.place}: the words can't be rendered yet"
+        assert self.render, f"{self.source}: the words can't be rendered yet"
         return self.render(self.blocks[part], numbers) if part in self.blocks else Markup("")
 
-    def refuse_unknown(self, what: str, numbers: Mapping[str, Any]) -> None:
+    def refuse_unknown(self, item: str, numbers: Mapping[str, Any]) -> None:
         """Refuse a wording that names something that it is not given, or could not name what it is given."""
-        if taken := sorted(CONSTANTS & set(numbers)):
-            raise ReportError(f"{self.place}: {what} is given {taken[0]}, which is a constant in a template: rename it")
+        if name := min(CONSTANTS & set(numbers), default=""):
+            raise ReportError(f"{self.source}: {item} is given {name}, which is a constant in a template: rename it")
         if unknown := sorted(self.names - set(numbers)):
-            there = ", ".join(sorted(numbers)) or "none"
-            raise ReportError(f"{self.place}: {what} names {unknown[0]}, which it is not given; it is given: {there}")
+            names = ", ".join(sorted(numbers)) or "none"
+            raise ReportError(f"{self.source}: {item} names {unknown[0]}, which it is not given; it is given: {names}")
 
 
 class WordTags(Extension):
@@ -102,58 +102,58 @@ class WordTags(Extension):
         optional = OPTIONAL | ({"fails"} if "opposite" in blocks else set())
         if missing := [part for part in parts if part not in optional | blocks.keys()]:
             parser.fail(f"{kind} {name} has no {{% {missing[0]} %}}", tag.lineno)
-        whole = nodes.Template([node for block in blocks.values() for node in block.body])
-        whole.set_environment(self.environment)
-        place = f"templates/{parser.name}:{min(block.lineno for block in blocks.values())}"
+        tree = nodes.Template([node for block in blocks.values() for node in block.body])
+        tree.set_environment(self.environment)
+        source = f"templates/{parser.name}:{min(block.lineno for block in blocks.values())}"
         named = {part: block.name for part, block in blocks.items()}
         wordings: Any = self.environment
-        wordings.wordings[parser.name][kind, name] = Wording(place, named, frozenset(find_undeclared_variables(whole)))
+        wordings.wordings[parser.name][kind, name] = Wording(source, named, frozenset(find_undeclared_variables(tree)))
         call = nodes.Call(nodes.Name(kind, "load"), [nodes.Const(name)], [], None, None)
         # Jinja keeps every block of a template, those as well that are never reached where they stand.
         # The line behind the last tag ends there, and a sentence must not run into the next.
-        shown = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
-        return [nodes.If(nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno), shown]
+        output = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
+        return [nodes.If(nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno), output]
 
 
 def refuse_numbers(source: str) -> None:
     """Refuse numbers that are typed where measured ones belong, and bounds that rounding could move past theirs."""
-    words = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
-    if found := TYPED.search(words):
-        line = words.count("\n", 0, found.start()) + 1
-        number = " ".join(found[0].split())
+    prose = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
+    if match := TYPED.search(prose):
+        line = prose.count("\n", 0, match.start()) + 1
+        number = " ".join(match[0].split())
         raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
     for bound, ends in BOUNDS.items():
         spaced = bound.replace(" ", r"\s+")
         bounded = rf"\b(?:{spaced})\s+(?:a factor of\s+)?\{{\{{\s*(.*?)\s*\}}\}}"
-        for found in re.finditer(bounded, source, re.IGNORECASE):
-            if not found[1].endswith(ends):
-                line = source.count("\n", 0, found.start()) + 1
-                raise TemplateSyntaxError(f"{' '.join(found[0].split())} takes {' or '.join(ends)}", line)
+        for match in re.finditer(bounded, source, re.IGNORECASE):
+            if not match[1].endswith(ends):
+                line = source.count("\n", 0, match.start()) + 1
+                raise TemplateSyntaxError(f"{' '.join(match[0].split())} takes {' or '.join(ends)}", line)
 
 
 def with_formulas(source: str) -> str:
     """Write as MathML what a template has in TeX between dollars, and between two of them what is set apart."""
 
-    def written(found: re.Match[str]) -> str:
-        if not (tex := found[1] or found[2]):
-            return found[0]
+    def written(match: re.Match[str]) -> str:
+        if not (tex := match[1] or match[2]):
+            return match[0]
         from latex2mathml.converter import convert  # few templates have any
 
         try:
-            formula = convert(tex, display="block" if found[1] else "inline")
+            formula = convert(tex, display="block" if match[1] else "inline")
         except Exception:  # it has no one error, and no words for any
             formula = "\\"
         if "\\" in formula:
-            line = source.count("\n", 0, found.start()) + 1
+            line = source.count("\n", 0, match.start()) + 1
             raise TemplateSyntaxError(f"{tex:.60} is no TeX that is known here", line)
         return f"<span>{formula}</span>"
 
     return FORMULA.sub(written, source)
 
 
-def token(printed: list[Any], thing: Any) -> Markup:
+def token(printed: list[Any], item: Any) -> Markup:
     """Return what stands in a text for a thing that is printed, which is kept for the time after Markdown."""
-    printed.append(thing)
+    printed.append(item)
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
 
 
@@ -167,5 +167,5 @@ def table_beside(templates: Path, name: str) -> dict[str, Any]:
 
 
 def _is_blank(body: list[nodes.Node]) -> bool:
-    found = [node for output in body for node in getattr(output, "nodes", [output])]
-    return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in found)
+    children = [node for output in body for node in getattr(output, "nodes", [output])]
+    return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in children)

@@ -26,7 +26,7 @@ SOFT, STIFF = ROWS
 
 def say(section: str, claim: Claim) -> str:
     """Words it by nothing but its test."""
-    return f"{section}.{claim.name} {claim.outcome.said}"
+    return f"{section}.{claim.name} {claim.outcome.answer}"
 
 
 def changed(project: Project, before: str = "1.8.0") -> Comparison:

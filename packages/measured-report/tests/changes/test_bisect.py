@@ -119,7 +119,7 @@ def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     assert history(told, Query("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
     assert history(told, Query("toy.soft.nothing_mm", False)).splitlines()[1:] == ["no edition can tell"]
     (flip,) = flips(told, "1.4.0")
-    said = {tuple(names): claim.outcome.said for names, claim in flip.answers}
+    said = {tuple(names): claim.outcome.answer for names, claim in flip.answers}
     assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "fails"}
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
 

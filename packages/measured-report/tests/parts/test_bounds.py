@@ -26,7 +26,7 @@ def mm(value, noise=0.0, source="a.json#/rows/0/slip_mm", **others) -> Quantity:
 
 def said(outcome: Outcome) -> str:
     """Say one of four, and of what cannot tell whether it may once it is measured again."""
-    return "near" if outcome.is_inconclusive else outcome.said
+    return "near" if outcome.is_inconclusive else outcome.answer
 
 
 BOUNDED = [(mm(1.0), mm(1.0), "holds", "holds"), (mm(1.0, None), mm(1.0, None), "holds", "holds")]
@@ -94,14 +94,16 @@ def test_what_is_decided_holds_or_fails_and_cannot_tell_without_one_of_its_numbe
 def test_of_several_one_that_fails_decides_then_an_opposite_then_one_that_cannot_tell():
     ranked = [FAILS, OPPOSITE, Outcome("unknown", "why"), HOLDS]
     for place, first in enumerate(ranked):
-        assert all_of(*ranked[:place:-1], first).said == all_of(first, *ranked[place:]).said == first.said
+        assert all_of(*ranked[:place:-1], first).answer == all_of(first, *ranked[place:]).answer == first.answer
     assert all_of() == HOLDS and all_of(*ranked[2:]).reason == "why" and OPPOSITE == FAILS
 
 
 def test_what_was_measured_elsewhere_is_not_compared_and_all_that_was_read_is_told():
     here, there = (frozenset({Origin(release, "A processor")}) for release in ("1.4.0", "1.8.0"))
     found = greater(mm(2.0, origins=here), mm(1.0, origins=there), noise=mm(0.0))
-    assert found.said == "cannot tell" and found.reason.startswith("it would compare Newton 1.4.0 on A processor with ")
+    assert found.answer == "cannot tell" and found.reason.startswith(
+        "it would compare Newton 1.4.0 on A processor with "
+    )
     assert greater(mm(2.0, origins=here), mm(1.0, origins=here), noise=mm(0.0)) == HOLDS
     read = at_most(mm(2.0, source="a#/1"), mm(3.0, source="a#/2"))
     assert all_of(read, decided(True, mm(1.0, source="a#/3"))).reads == {"a#/1", "a#/2", "a#/3"}

@@ -49,9 +49,9 @@ def test_numbers_of_several_units_are_refused_and_never_compared(test, other):
     table = Table(pd.DataFrame({"time": [IN_MS, other]}))
     if other == IN_S:
         with pytest.raises(ReportError, match="the column time of a table has ms and s: give it one unit"):
-            table.kept()
+            table.rendered()
     else:  # what stands beside each other need not be compared
-        assert "ms" in table.kept().frame
+        assert "ms" in table.rendered().frame
 
 
 def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():

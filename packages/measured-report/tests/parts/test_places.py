@@ -21,7 +21,7 @@ def mm(value, noise=None, unit="mm", source="newton-1.4.0/toy.json#/rows/0/slip_
 
 def cells(*column) -> list[tuple[str, str]]:
     """Return what each cell of a column is filled with, and says."""
-    html = Table(pd.DataFrame({"a": pd.Series(column, dtype=object)})).kept().frame
+    html = Table(pd.DataFrame({"a": pd.Series(column, dtype=object)})).rendered().frame
     found = re.findall(r'<td(?: class="number")?(?: data-fill="([^"]*)")?>(.*?)</td>', html)
     return [(fill, re.sub("<[^>]*>", "", text)) for fill, text in found]
 
@@ -33,7 +33,7 @@ def test_numbers_of_a_column_stand_with_their_points_below_each_other():
     assert cells(mm(0.5, 0.1), mm(None), mm(1.5e-9)) == [("", "0.5"), gone, ("", "1.5\u202f×\u202f10⁻⁹")]
     assert cells("soft", None, "", False, mm(3)) == [("", text) for text in ("soft", "n/a", "n/a", "no", "3")]
     assert cells(mm(0.5, 0.1), mm(12, unit="N")) == [("", "0.5&nbsp;mm"), ("", "12&nbsp;N")]
-    assert '<th scope="col" class="number">a [mm]</th>' in Table(pd.DataFrame({"a": [mm(1)]})).kept().frame
+    assert '<th scope="col" class="number">a [mm]</th>' in Table(pd.DataFrame({"a": [mm(1)]})).rendered().frame
     with pytest.raises(ResultsError, match=r"the number 1\.5 in a table says nothing"):
         cells(mm(0.5), 1.5)
 
