@@ -18,16 +18,15 @@ from measured_report.records.syntax import digest_of
 from measured_report.values.quantities import Value
 
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
-Derivation = tuple[Section, Mapping[str, Value]]  # a section without its words, and the values that were derived for it
-Place = tuple[str, str, str]
+Key = tuple[str, str, str]  # profile, release and section
 
 
-class Entry(NamedTuple):
-    """Hold a section, kept from before or derived now, with the digest of all that it was made from."""
+class Derivation(NamedTuple):
+    """Hold a section without its words, the values that were derived for it, and the digest of all that made them."""
 
-    digest: str
     section: Section
     values: Mapping[str, Value]
+    digest: str = ""
 
 
 @dataclass(frozen=True)
@@ -35,52 +34,49 @@ class DerivedCache:
     """Keep what sections of the project at ``root`` make; without one nothing is kept."""
 
     root: Path | None = None
-    _new: dict[Place, Entry] = field(default_factory=dict)
+    _new: dict[Key, Derivation] = field(default_factory=dict)
     code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
 
-    def derived(self, place: Place, code: Path, given: Sequence[str], derive: Callable[[], Derivation]) -> Entry:
-        """Return what ``derive``, of the module ``code``, makes, or has made of the same ``given`` texts before."""
+    def derived(self, key: Key, code: Path, inputs: Sequence[str], derive: Callable[[], Derivation]) -> Derivation:
+        """Return what ``derive``, of the module ``code``, makes, or has made of the same ``inputs`` before."""
         if self.root is None:
-            return Entry("", *derive())
-        digest = digest_of([*given, self.code(code)])
-        if entry := Cache(self.root).get(".".join(place), digest):
-            return entry
-        section, values = derive()
-        tables = {name: each.rendered() if isinstance(each, Table) else each for name, each in section.tables.items()}
-        self._new[place] = entry = Entry(digest, replace(section, tables=tables), values)
-        return entry
+            return derive()
+        digest = digest_of([*inputs, self.code(code)])
+        if cached := Cache(self.root).get(".".join(key), digest):
+            return cached
+        section, values, _ = derive()
+        tables = {name: item.rendered() if isinstance(item, Table) else item for name, item in section.tables.items()}
+        self._new[key] = derivation = Derivation(replace(section, tables=tables), values, digest)
+        return derivation
 
-    def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:
-        """Return anything else, which ``make`` makes of what is given alone."""
+    def value(self, name: str, code: Path, inputs: Sequence[str], make: Callable[[], Any]) -> Any:
+        """Return anything else, which ``make`` makes of the ``inputs`` alone."""
         if self.root is None:
             return make()
-        own = digest_of([*given, self.code(code)])
-        kept = Cache(self.root).get(name, own)
-        if kept is None:
-            kept = (make(),)  # which may be None
-            Cache(self.root).put(name, own, kept)
-        return kept[0]
+        digest = digest_of([*inputs, self.code(code)])
+        cached = Cache(self.root).get(name, digest)
+        if cached is None:
+            cached = (make(),)  # which may be None
+            Cache(self.root).put(name, digest, cached)
+        return cached[0]
 
     @property
     def figures(self) -> dict[tuple[str, str], Figure]:
         """Collect the figures of what is to be kept, by release and id, whether a page shows them or not."""
         return {
             (release, f"{section}-{name}"): replace(figure, anchor=f"{section}-{name}")
-            for (_, release, section), entry in self._new.items()
-            for name, figure in entry.section.figures.items()
+            for (_, release, section), derivation in self._new.items()
+            for name, figure in derivation.section.figures.items()
         }
 
     def keep(self, pictures: Mapping[tuple[str, str], Pictures]) -> None:
         """Keep what was derived, its figures drawn as ``pictures`` by release and id."""
         if self.root is None:
             return
-        for place, entry in self._new.items():
-            (_, release, section), figures = place, entry.section.figures
-            drawn = {
-                name: each.rendered(pictures.get((release, f"{section}-{name}"))) for name, each in figures.items()
-            }
-            kept = entry._replace(section=replace(entry.section, figures=drawn))
-            Cache(self.root).put(".".join(place), entry.digest, kept)
+        for key, (section, values, digest) in self._new.items():
+            ids = {name: (key[1], f"{key[2]}-{name}") for name in section.figures}
+            figures = {name: figure.rendered(pictures.get(ids[name])) for name, figure in section.figures.items()}
+            Cache(self.root).put(".".join(key), digest, Derivation(replace(section, figures=figures), values, digest))
         self._new.clear()
 
 
@@ -93,9 +89,9 @@ def code_digest(code: Path) -> str:
     # What says what columns are is imported by nobody.
     named = {name for source in sources.values() for name in source.assets} | set(config().sources)
     paths = {name: report().root / name for name in named}
-    found = {name: path.read_bytes() for name, path in paths.items() if path.is_file()}
-    found[macros.FILE.name] = macros.FILE.read_bytes()
-    digests = {name: hashlib.sha256(content).hexdigest() for name, content in found.items()}
+    contents = {name: path.read_bytes() for name, path in paths.items() if path.is_file()}
+    contents[macros.FILE.name] = macros.FILE.read_bytes()
+    digests = {name: hashlib.sha256(content).hexdigest() for name, content in contents.items()}
     return digest_of([installed(), digests | {name: source.digest for name, source in sources.items()}])
 
 

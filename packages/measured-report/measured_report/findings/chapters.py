@@ -35,9 +35,9 @@ def before(name: str, chapters: Chapters) -> Chapters:
     return dict(takewhile(lambda item: item[0] != name, chapters.items()))
 
 
-def digests_of(places: Releases) -> list[str]:
+def digests_of(releases: Releases) -> list[str]:
     """Name chapters by all that they were made from."""
-    return [f"{place} {name} {each.digest}" for place, chapters in places.items() for name, each in chapters.items()]
+    return [f"{name} {chapter.name} {chapter.digest}" for name, group in releases.items() for chapter in group.values()]
 
 
 def results_digest(results: Results) -> str:

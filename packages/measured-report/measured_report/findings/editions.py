@@ -36,8 +36,8 @@ class Edition:
     @property
     def uncompared(self) -> Chapters:
         """Return its chapters; of those that compare releases, and say what is so on one page alone, the results."""
-        bare = {name: replace(each, section=Section()) for name, each in self.chapters.items() if each.compares}
-        return {**self.chapters, **bare}
+        compared = filter(lambda chapter: chapter.compares, self.chapters.values())
+        return {**self.chapters, **{chapter.name: replace(chapter, section=Section()) for chapter in compared}}
 
     def with_chapters(self: Some, states: Iterable[State], make: Callable[[State, Chapters], Chapter]) -> Some:
         """Return the same with what ``make`` makes of some sections, in turn; one that it can't is left out."""
@@ -61,15 +61,15 @@ class Edition:
         if releases or not outline.compares:
 
             def make() -> Derivation:
-                own = replace(results, derived={})
-                return derive_section(own, releases or {}), own.derived
+                bare = replace(results, derived={})
+                return Derivation(derive_section(bare, releases or {}), bare.derived)
 
             noise = repr(results.evidence.repeats), self.measurements.digest
-            given = [digest, *noise, *digests_of({"": read, **(releases or {})})]
-            place = (self.project.profile, self.project.release, state.section)
-            entry = self.cache.derived(place, outline.file, given, make)
-            results, section = replace(results, derived=dict(entry.values)), entry.section
-            digest = digest_of([entry.digest, state.notes])
+            inputs = [digest, *noise, *digests_of({"": read, **(releases or {})})]
+            key = (self.project.profile, self.project.release, state.section)
+            derivation = self.cache.derived(key, outline.file, inputs, make)
+            results, section = replace(results, derived=dict(derivation.values)), derivation.section
+            digest = digest_of([derivation.digest, state.notes])
         section = self.measurements.confirmed(state.section, section)
         # Others read its claims, in whose outcomes replicas have a part.
         outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
@@ -82,11 +82,11 @@ class Edition:
         arguments = files().source(file, name).top.get("derive", 0) if file else 0
         if not (file and arguments):
             return Section()
-        given = (releases, self.project.release) if arguments > 1 else (self.chapters,)
-        place = (self.project.profile, self.project.release, name)
+        inputs = (releases, self.project.release) if arguments > 1 else (self.chapters,)
+        key = (self.project.profile, self.project.release, name)
         digests = digests_of(releases if arguments > 1 else {"": self.chapters})
         try:
-            return self.cache.derived(place, file, digests, lambda: (derive_by(module, *given), {})).section
+            return self.cache.derived(key, file, digests, lambda: Derivation(derive_by(module, *inputs), {})).section
         except Exception as error:
             self.left_out.append(State(name, NOT_SHOWN, notes=(bug_of(error),)))
             return Section()
@@ -131,7 +131,7 @@ def _compared(edition: Edition, releases: Releases) -> Edition:
     def derive(state: State, chapters: Chapters) -> Chapter:
         return edition.derive(state, chapters[state.section].results, before(state.section, chapters), releases)
 
-    return edition.with_chapters([each.state for each in edition.chapters.values() if each.compares], derive)
+    return edition.with_chapters([chapter.state for chapter in edition.chapters.values() if chapter.compares], derive)
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
@@ -139,7 +139,7 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError)
     if is_wrong and state.kind == "fresh" and project.is_own:
         raise error
-    words = str(error) if isinstance(error, ReportError) else bug_of(error)
+    message = str(error) if isinstance(error, ReportError) else bug_of(error)
     kind = "damaged" if isinstance(error, RecordError) else NOT_SHOWN if state.kind == "fresh" else state.kind
-    place = "" if isinstance(error, RecordError) else f"{short_path(project.record_path(state.section))}: "
-    return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
+    prefix = "" if isinstance(error, RecordError) else f"{short_path(project.record_path(state.section))}: "
+    return replace(state, kind=kind, record=None, notes=(prefix + " ".join(message.split()),))

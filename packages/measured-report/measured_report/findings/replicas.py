@@ -33,13 +33,13 @@ class Measurements:
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims say by how many measurements they are decided, where there are several."""
         count = self.evidence[name].count if name in self.evidence else 1
-        told = f"by {count} measurements{self.kinds.get(name, '')}" if count > 1 else ""
-        return replace(section, claims=[replace(claim, confirmed=_decided_by(claim, told)) for claim in section.claims])
+        text = f"by {count} measurements{self.kinds.get(name, '')}" if count > 1 else ""
+        return replace(section, claims=[replace(claim, confirmed=_decided_by(claim, text)) for claim in section.claims])
 
 
-def _decided_by(claim: Claim, told: str) -> str:
+def _decided_by(claim: Claim, text: str) -> str:
     has_traces = any(".csv.gz" in pointer for pointer in claim.outcome.reads)  # which replicas lack
-    return "" if has_traces or claim.outcome.name == "unknown" else told
+    return "" if has_traces or claim.outcome.name == "unknown" else text
 
 
 def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> Measurements:
@@ -49,7 +49,7 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
         replicas = [*replicas_of(project, tracked).values()]
         noise = tracked.get(config().noise_section)
         repeats = repeats_of(noise.rows) if noise else {}
-        of = {name: [record, *(each.get(name) for each in replicas)] for name, record in tracked.items()}
+        of = {name: [record, *(replica.get(name) for replica in replicas)] for name, record in tracked.items()}
         evidence = {name: evidence_of(records, repeats) for name, records in of.items()}
         kinds = {name: _kinds([*filter(None, records)]) for name, records in of.items()}
         return Measurements(evidence, kinds, files_digest(replica_files(project), project.results))
@@ -62,7 +62,7 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
 
 
 def _kinds(records: Sequence[Record]) -> str:
-    processors, devices = {each.processor for each in records}, {each.machine["device"] for each in records}
+    processors, devices = {record.processor for record in records}, {record.machine["device"] for record in records}
     noun = accelerator().NOUN if devices == {accelerator().KIND} else "processor"
     return f", on {len(processors)} kinds of {noun}" if len(processors) > 1 else ""
 
@@ -73,8 +73,8 @@ def replica_files(project: Project) -> list[Path]:
 
 def replicas_of(project: Project, tracked: Records) -> dict[str, Records]:
     """Read an edition's replicas by name, as far as they are like what is tracked; RecordError for a damaged one."""
-    found = {path.stem: read_replica(path) for path in replica_files(project)}
-    return {name: _alike(tracked, records) for name, records in found.items()}
+    replicas = {path.stem: read_replica(path) for path in replica_files(project)}
+    return {name: _alike(tracked, records) for name, records in replicas.items()}
 
 
 def replicas_text(project: Project) -> list[str]:
@@ -91,21 +91,21 @@ def replicas_text(project: Project) -> list[str]:
 
 
 def _alike(tracked: Records, records: Records) -> Records:
-    return {name: each for name, each in records.items() if name in tracked and not mismatch(tracked[name], each)}
+    return {name: record for name, record in records.items() if name in tracked and not mismatch(tracked[name], record)}
 
 
 def refused(project: Project, records: Records) -> Mapping[str, str]:
     """Say by section why it is no measurement of this edition; ReportError, one line, for copies and when none is."""
     tracked = {record.section: record for record in records_of(project)}
-    there, found = [tracked, *replicas_of(project, tracked).values()], {}
-    for name, each in records.items():
-        if reason := mismatch(tracked[name], each) if name in tracked else "not measured here":
-            found[name] = reason
-        elif any(is_copy(other[name], each) for other in there if name in other):
+    measurements, reasons = [tracked, *replicas_of(project, tracked).values()], {}
+    for name, record in records.items():
+        if reason := mismatch(tracked[name], record) if name in tracked else "not measured here":
+            reasons[name] = reason
+        elif any(is_copy(measurement[name], record) for measurement in measurements if name in measurement):
             raise ReportError(f"its section {name} is a copy of one that is there")
-    if len(found) == len(records):
-        raise ReportError(f"it has no section of this edition: {reasons_text(found)}")
-    return found
+    if len(reasons) == len(records):
+        raise ReportError(f"it has no section of this edition: {reasons_text(reasons)}")
+    return reasons
 
 
 def reasons_text(reasons: Mapping[str, str]) -> str:
@@ -113,4 +113,4 @@ def reasons_text(reasons: Mapping[str, str]) -> str:
     names: dict[str, list[str]] = {}
     for name, reason in reasons.items():
         names.setdefault(reason, []).append(name)
-    return "; ".join(f"{reason} ({', '.join(each)})" for reason, each in names.items())
+    return "; ".join(f"{reason} ({', '.join(sections)})" for reason, sections in names.items())

@@ -53,7 +53,7 @@ def outline_of(section: str) -> Outline:
     if page not in pages:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
     leads, labels, reads = says.get("leads", False), says.get("labels", {}), says.get("reads", ())
-    if unknown := [other for other in reads if not file_of("report.sections", other)]:
+    if unknown := [read for read in reads if not file_of("report.sections", read)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
     return Outline(file, root, says["order"], pages[page], says["derive"] > 1, leads, label, labels, reads)
 
@@ -63,20 +63,20 @@ class Read(Mapping[str, Results]):
     """Give the results that a section reads, where they were measured; ReportError for one that it does not name."""
 
     outline: Outline
-    there: Mapping[str, Results]
+    results: Mapping[str, Results]
 
     def __getitem__(self, name: str) -> Results:  # which ``in`` and ``get`` ask as well
         if name not in self.outline.reads and not self.outline.compares:
             raise ReportError(f"{self.outline.source} reads {name}, which its line reads = (...) does not name")
         if outline_of(name).order >= self.outline.order:
             raise ReportError(f"{self.outline.source} reads {name}, which stands after it: give it a higher order")
-        return self.there[name]
+        return self.results[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self.there)
+        return iter(self.results)
 
     def __len__(self) -> int:
-        return len(self.there)
+        return len(self.results)
 
 
 def labels_of(section: str) -> Mapping[str, str]:
@@ -87,8 +87,8 @@ def labels_of(section: str) -> Mapping[str, str]:
 def file_of(package: str, name: str) -> Path | None:
     """Return the file of a module of a package, of which a folder may be made as well; None where there is none."""
     folders = import_module(package).__path__
-    places = (Path(folder) / place for folder in folders for place in (f"{name}/__init__.py", f"{name}.py"))
-    return next((place for place in places if place.is_file()), None)
+    paths = (Path(folder) / path for folder in folders for path in (f"{name}/__init__.py", f"{name}.py"))
+    return next((path for path in paths if path.is_file()), None)
 
 
 def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
@@ -97,11 +97,11 @@ def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
     return derive_by(f"report.sections.{name}", results, *([releases] if outline_of(name).compares else []))
 
 
-def derive_by(name: str, *given: Any) -> Section:
+def derive_by(name: str, *inputs: Any) -> Section:
     """Return what ``derive`` of the module ``name`` makes of what it is given, its claims checked."""
     try:
         module = import_module(name)
-        section = module.derive(*given)
+        section = module.derive(*inputs)
     except RecordError:
         raise
     except (ImportError, NameError) as error:  # whatever was measured, this is none of it
