@@ -64,7 +64,7 @@ class BatchError(Exception):
 def measure_batch(batch: Batch, device: str) -> Result:
     """Measure a batch in this process, on a kind of device; BatchError when it fails."""
     try:
-        here = machine(device)
+        description = machine(device)
         gc.collect()  # frames take longer in a process that keeps simulations of earlier batches
         with device_lock(exclusive=batch.exclusive):
             started, start = now(), time.perf_counter()
@@ -72,21 +72,21 @@ def measure_batch(batch: Batch, device: str) -> Result:
             seconds = time.perf_counter() - start
         ended = started + timedelta(seconds=seconds)  # whatever the clock does meanwhile
         times = [time.isoformat(timespec="seconds") for time in (started, ended)]
-        return Result(pickle.dumps(value), here, times[0], times[1], round(seconds, 1))
+        return Result(pickle.dumps(value), description, times[0], times[1], round(seconds, 1))
     except BaseException as error:  # sys.exit too: a fault of a section must not end the process
         raise BatchError(reason_of(error)) from None
 
 
 def reason_of(error: BaseException) -> str:
     """Say why measuring failed, in one line, with what to do."""
-    said = " ".join(str(error).split())
+    message = " ".join(str(error).split())
     if is_out_of_memory(error):
-        return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
+        return f"the memory is too small ({message:.200}); free some of it, or PROFILE=quick measures small grids"
     if explained := host().explained(error):
         return explained
     if isinstance(error, OSError):
-        said = error.strerror or said or type(error).__name__
-        return f"{error.filename}: {said}" if error.filename else said
+        message = error.strerror or message or type(error).__name__
+        return f"{error.filename}: {message}" if error.filename else message
     return str(error) if isinstance(error, ReportError) else bug_of(error)
 
 

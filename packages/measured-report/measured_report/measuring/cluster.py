@@ -45,25 +45,25 @@ OTHER_CODE = "has other code or packages"
 
 
 @contextlib.contextmanager
-def connected(asked: str, device: str, count: int = 1) -> Iterator[Client]:
+def connected(cluster: str, device: str, count: int = 1) -> Iterator[Client]:
     """Connect to the scheduler that ``CLUSTER`` names, or start one here; ReportError where that can't be."""
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is wrong is said here
     with dask.config.set(SETTINGS), contextlib.ExitStack() as stack:
         try:
-            if asked == "local":
+            if cluster == "local":
                 client = Client(stack.enter_context(_on_this_host(device, count)))
             else:
-                if asked.startswith("tcp:"):
-                    said = "whoever reaches that port may run code on its workers and here (docs/cluster.md)"
-                    print(f"CLUSTER={asked}: {said}", file=sys.stderr, flush=True)
-                asyncio.run(asyncio.wait_for(_answer(asked), CONNECT_S))
-                client = Client(asked, timeout=CONNECT_S)
+                if cluster.startswith("tcp:"):
+                    message = "whoever reaches that port may run code on its workers and here (docs/cluster.md)"
+                    print(f"CLUSTER={cluster}: {message}", file=sys.stderr, flush=True)
+                asyncio.run(asyncio.wait_for(_answer(cluster), CONNECT_S))
+                client = Client(cluster, timeout=CONNECT_S)
             stack.enter_context(client)
             client.wait_for_workers(1)
         except (MemoryError, OSError, ValueError, RuntimeError, asyncio.TimeoutError) as error:
             # MemoryError: what is no scheduler may name any size.
-            said = " ".join(str(error).split()) or type(error).__name__
-            raise ReportError(f"CLUSTER={asked}: no workers could be started or reached: {said:.200}") from None
+            message = " ".join(str(error).split()) or type(error).__name__
+            raise ReportError(f"CLUSTER={cluster}: no workers could be started or reached: {message:.200}") from None
         yield client
 
 
@@ -93,19 +93,19 @@ def _worker(resource: str, security: Security, **settings: str) -> dict[str, Any
 
 
 @contextlib.contextmanager
-def cluster_pools(asked: str, device: str, processor: str | None, count: int) -> Iterator[tuple[Any, Any]]:
+def cluster_pools(cluster: str, device: str, processor: str | None, count: int) -> Iterator[tuple[Any, Any]]:
     """Open pools for what shares a device and for what is exclusive; ReportError where workers or devices are unfit."""
-    with connected(asked, device, count) as client:
+    with connected(cluster, device, count) as client:
         workers = client.scheduler_info(n_workers=-1)["workers"].values()
         for resource in (SHARED, EXCLUSIVE):
             if not any(resource in worker["resources"] for worker in workers):
-                raise ReportError(f"CLUSTER={asked}: no worker was started with --resources {resource}=1")
+                raise ReportError(f"CLUSTER={cluster}: no worker was started with --resources {resource}=1")
         try:
             nodes = client.run(introduce, device, processor, digest_here())
             firsts = {node: address for address, node in nodes.items()}.values()
-            client.gather([client.submit(host().prepare, device, workers=[each], pure=False) for each in firsts])
+            client.gather([client.submit(host().prepare, device, workers=[worker], pure=False) for worker in firsts])
         except (KilledWorker, OSError):
-            raise ReportError(f"CLUSTER={asked}: {KILLED}") from None
+            raise ReportError(f"CLUSTER={cluster}: {KILLED}") from None
         yield ClusterPool(client, SHARED), ClusterPool(client, EXCLUSIVE)
 
 
@@ -170,16 +170,16 @@ def introduce(device: str, processor: str | None, digest: str) -> str:
 def digest_here() -> str:
     """Digest the files that measuring may read, and the versions of packages."""
     root = report().root
-    places = [root / "experiments", root / "assets", *root.glob("packages/*"), Path(__file__).parents[1]]
-    code = [files_digest((path for path in place.rglob("*.*") if path.suffix != ".pyc"), place) for place in places]
+    folders = [root / "experiments", root / "assets", *root.glob("packages/*"), Path(__file__).parents[1]]
+    code = [files_digest((path for path in folder.rglob("*.*") if path.suffix != ".pyc"), folder) for folder in folders]
     return digest_of([*code, package_versions()])
 
 
-def card_of(asked: str) -> str:
+def card_of(cluster: str) -> str:
     """Return what the card that most workers of a cluster have is called in a label; UsageError where there is none."""
-    with connected(asked, accelerator().KIND) as client:
+    with connected(cluster, accelerator().KIND) as client:
         names = sorted(card.name for cards in client.run(accelerators).values() for card in cards)
     if not names:
         kind = accelerator().KIND.upper()
-        raise UsageError(f"CLUSTER={asked}: its workers have no {kind} device; DEVICE=cpu measures on their CPUs")
+        raise UsageError(f"CLUSTER={cluster}: its workers have no {kind} device; DEVICE=cpu measures on their CPUs")
     return slug(max(names, key=names.count))

@@ -35,11 +35,11 @@ def cpu_name() -> str:
 
 def commit() -> str | None:
     """Return the commit that is checked out, marked where the tree differs; of a copy the environment's GIT_COMMIT."""
-    if told := os.environ.get("GIT_COMMIT"):
-        return told
-    found = said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
+    if name := os.environ.get("GIT_COMMIT"):
+        return name
+    name = said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
     untracked = said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
-    return f"{found.removesuffix('-dirty')}-dirty" if found and untracked else found or None
+    return f"{name.removesuffix('-dirty')}-dirty" if name and untracked else name or None
 
 
 def said(*command: str) -> str:
@@ -57,14 +57,14 @@ def needs_device(section: str, root: Path) -> bool:
     return bool(graph.source(file).top.get("NEEDS_GPU", config().needs_device))
 
 
-def measuring_device(asked: str | None, profile: str) -> str | None:
+def measuring_device(device: str | None, profile: str) -> str | None:
     """Choose the device to measure on; None where it has to be asked for: full measurements take hours on a CPU."""
-    if asked == "cpu" or not (asked or config().needs_device):
+    if device == "cpu" or not (device or config().needs_device):
         return "cpu"
     if accelerator().accelerators():
         return accelerator().KIND
-    if asked:
-        raise UsageError(f"DEVICE={asked}: {lacks()}")
+    if device:
+        raise UsageError(f"DEVICE={device}: {lacks()}")
     return "cpu" if profile == "quick" else None
 
 

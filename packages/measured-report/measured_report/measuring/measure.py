@@ -42,17 +42,17 @@ def measure(
 
             machine = card_of(cluster)
         options += ["--processor", machine]
-    kept = kept_by(project, machine, sections)
-    kept.results.mkdir(parents=True, exist_ok=True)
-    if not os.access(kept.results, os.W_OK):
-        raise ReportError(f"what is measured could not be kept in {kept.results}")
+    edition = kept_by(project, machine, sections)
+    edition.results.mkdir(parents=True, exist_ok=True)
+    if not os.access(edition.results, os.W_OK):
+        raise ReportError(f"what is measured could not be kept in {edition.results}")
     try:
-        _run(kept, release, MODULE, device, *sections, *options, "--edition", kept.release)
+        _run(edition, release, MODULE, device, *sections, *options, "--edition", edition.release)
     finally:
-        _note_measured(kept, release)
+        _note_measured(edition, release)
         with suppress(OSError):
-            kept.results.rmdir()  # which is empty where nothing came of it
-    return kept
+            edition.results.rmdir()  # which is empty where nothing came of it
+    return edition
 
 
 def measure_headline(project: Project, release: Release, device: str, program: str) -> Mapping[str, Any]:
@@ -76,41 +76,41 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     if device == "cpu":
         settings |= accelerator().NONE
-    done = subprocess.run(
+    process = subprocess.run(
         command, cwd=project.root, env=settings, preexec_fn=end_with_parent, start_new_session=True, check=False
     )
-    if done.returncode == UNFIT:
+    if process.returncode == UNFIT:
         raise UsageError("")  # it has said why
-    if done.returncode:
-        raise ReportError(f"measuring ended with exit status {done.returncode}; what was there is kept")
+    if process.returncode:
+        raise ReportError(f"measuring ended with exit status {process.returncode}; what was there is kept")
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
     """Return the report for results of ``machine``: its own where others' are there that needed a device, as these."""
-    named, asked = project.named, f"{config().option}={project.release}"
+    named, option = project.named, f"{config().option}={project.release}"
     if not any(needs_device(section, project.root) for section in sections):
         return project
     if named.machine not in ("", machine):
-        raise UsageError(f"{asked} has the results of {named.machine}, and this is {machine}")
-    others = dict.fromkeys(machines_besides(project, machine))
-    if not others or named.machine:
+        raise UsageError(f"{option} has the results of {named.machine}, and this is {machine}")
+    machines = dict.fromkeys(machines_besides(project, machine))
+    if not machines or named.machine:
         return project
-    found = project.of(str(replace(named, machine=machine)))
-    print(f"{asked} has results of {', '.join(others)}; those of this machine are {found.release}")
-    return found
+    edition = project.of(str(replace(named, machine=machine)))
+    print(f"{option} has results of {', '.join(machines)}; those of this machine are {edition.release}")
+    return edition
 
 
 def machines_besides(project: Project, machine: str) -> Iterator[str]:
     """Yield the other machines that the report has results of, which those of ``machine`` never replace, by section."""
-    kept = (record for record in records_of(project) if needs_device(record.section, project.root))
-    return filter(machine.__ne__, map(machine_of, kept))
+    records = (record for record in records_of(project) if needs_device(record.section, project.root))
+    return filter(machine.__ne__, map(machine_of, records))
 
 
 def _note_measured(project: Project, release: Release) -> None:
     """Note which sections have been measured, so that one that goes is missed."""
     with locked(project.results.parent):
-        there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
+        present = {section for section in all_sections(project.root) if project.record_path(section).exists()}
         manifest = read_manifest(project.results)  # of a damaged one what it said is not lost unseen
         day = manifest.date if manifest else release_date(release)
-        if known := sorted({*there, *(manifest.sections if manifest else ())}):
-            write_manifest(project.results, Manifest(release.asked, day, tuple(known)))
+        if names := sorted({*present, *(manifest.sections if manifest else ())}):
+            write_manifest(project.results, Manifest(release.asked, day, tuple(names)))

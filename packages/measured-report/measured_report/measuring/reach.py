@@ -53,11 +53,11 @@ class Follower:
 
         return executed
 
-    def begin(self, given: dict[str, Any]) -> None:
-        if "batch" not in given:
-            self.section = str(getattr(given.get("self"), "name", ""))
+    def begin(self, variables: dict[str, Any]) -> None:
+        if "batch" not in variables:
+            self.section = str(getattr(variables.get("self"), "name", ""))
             return
-        batch = given["batch"]
+        batch = variables["batch"]
         # One of no section's own module counts for none.
         self.section, self.is_timed = f"{batch.function.__module__}..".split(".")[1], batch.exclusive
         self.work = sha256()

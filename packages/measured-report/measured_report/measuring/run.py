@@ -43,10 +43,10 @@ def main() -> int:
     parser.add_argument("--processor", metavar="NAME", help="the only accelerator that the cluster may measure on")
     arguments, status = parser.parse_args(), UNFIT
     try:
-        asked = sections_asked(arguments)
-        with pools(arguments, asked) as (shared, exclusive):
+        requested = sections_asked(arguments)
+        with pools(arguments, requested) as (shared, exclusive):
             status = 1
-            return int(Loop(asked, shared, exclusive).run())
+            return int(Loop(requested, shared, exclusive).run())
     except ReportError as error:
         print(error, file=sys.stderr)
         return status
@@ -67,9 +67,9 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
 
 
 @contextmanager
-def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[tuple[Any, Any]]:
+def pools(arguments: argparse.Namespace, requested: Sequence[Section]) -> Iterator[tuple[Any, Any]]:
     """Open the pools that measure: of this host, or of a cluster's workers."""
-    count = batches_at_once(asked[0].project, arguments.device)
+    count = batches_at_once(requested[0].project, arguments.device)
     if arguments.cluster:
         try:
             from measured_report.measuring.cluster import cluster_pools
@@ -82,7 +82,7 @@ def pools(arguments: argparse.Namespace, asked: Sequence[Section]) -> Iterator[t
         machine("cpu")  # once for all forks, which inherit what has no accelerator
     with host_pools(count) as (shared, exclusive):
         try:
-            devices = sorted({section.device for section in asked})
+            devices = sorted({section.device for section in requested})
             gather([shared.submit(host().prepare, device) for device in devices], "kernels")
         except BrokenProcessPool:
             raise ReportError(KILLED) from None
@@ -101,15 +101,15 @@ def section_module(section: str) -> ModuleType:
     raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")
 
 
-def edition_of(asked: str | None) -> str:
+def edition_of(requested: str | None) -> str:
     """Return the label of what is installed here; ReportError when another one was asked for."""
     installed, package = package_versions(), config().edition
     version, edits, _ = installed[package].partition(f"{EDITED}.")
     version += EDITED if edits else ""
-    label = read_label(asked or version)
+    label = read_label(requested or version)
     if label is None or not label.is_installed_with({**installed, package: version}):
-        have = ", ".join(f"{name} {found}" for name, found in installed.items())
-        raise ReportError(f"{config().option}={asked or version} is not what is installed here ({have})")
+        have = ", ".join(f"{name} {release}" for name, release in installed.items())
+        raise ReportError(f"{config().option}={requested or version} is not what is installed here ({have})")
     return str(label)
 
 

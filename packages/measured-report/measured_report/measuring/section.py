@@ -76,7 +76,7 @@ class Section:
             tqdm.write(f"{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
 
     def _write(self, measurement: Measurement) -> None:
-        parts, path = list(self.results.values()), self.project.record_path(self.name)
+        results, path = list(self.results.values()), self.project.record_path(self.name)
         try:
             rows = [believable(row) for row in measurement.rows]
             traces = {case: packed(path, case, table) for case, table in measurement.traces.items()}
@@ -84,14 +84,14 @@ class Section:
             raise ReportError(f"it returned no Measurement of rows and traces: {error}") from None
         if not rows or not all("case" in row for row in rows):
             raise ReportError("it returned no rows, or one without a case")
-        if len({tuple(map(part.machine.get, KIND)) for part in parts}) > 1:
+        if len({tuple(map(result.machine.get, KIND)) for result in results}) > 1:
             raise ReportError("its batches were measured on different kinds of machines")
-        names = {name: {part.machine[name] for part in parts} - {None} for name in parts[0].machine}
+        names = {name: {result.machine[name] for result in results} - {None} for name in results[0].machine}
         machine = {name: ", ".join(sorted(values)) or None for name, values in names.items()}
-        started, ended = min(part.started for part in parts), max(part.ended for part in parts)
-        seconds = round(sum(part.seconds for part in parts), 1)
+        started, ended = min(result.started for result in results), max(result.ended for result in results)
+        seconds = round(sum(result.seconds for result in results), 1)
         measured: dict[str, Any] = {"date": ended, "started": started, "ended": ended, "commit": commit()}
-        measured |= {"command": self.project.rerun(self.name, parts[0].machine["device"]), "seconds": seconds}
+        measured |= {"command": self.project.rerun(self.name, results[0].machine["device"]), "seconds": seconds}
         write_record(path, Record(self.name, self.identity, machine, measured, units_of(rows), rows), traces)
         self.is_over = True
         tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {path}")
@@ -110,10 +110,10 @@ class Loop:
             section.advance()
         with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
             while self._submit():
-                done = wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done
-                if not done:
+                finished = wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done
+                if not finished:
                     self.shared.check()
-                for future in done:
+                for future in finished:
                     self._take(future, *self.running.pop(future))
                     bar.update()
         return any(section.has_failed for section in self.sections)
@@ -124,7 +124,7 @@ class Loop:
                 waiting = [(section, batch) for section in self.sections for batch in section.waiting]
                 ready = [(section, batch) for section, batch in waiting if section.is_exclusive(batch) == is_exclusive]
                 for section, batch in ready[: max(0, pool.limit - len(self.running))]:
-                    section.waiting = [other for other in section.waiting if other is not batch]
+                    section.waiting = [candidate for candidate in section.waiting if candidate is not batch]
                     self.running[pool.submit(measure_batch, batch, section.device)] = section, batch
         return bool(self.running)
 
