@@ -26,7 +26,7 @@ CARRIED = "measured_report"  # the package that carries calls, and changes nothi
 ROUNDS = 3  # so many steps from a definition what its names mean is part of its digest
 Node = tuple[str, str]
 
-_known: defaultdict[Path, dict[str, Any]] = defaultdict(dict)  # what was read of modules, by report and digest
+_contents: defaultdict[Path, dict[str, Any]] = defaultdict(dict)  # what was read of modules, by report and digest
 SOURCES = "sources"
 
 
@@ -51,24 +51,24 @@ def unchanged_files() -> Iterator[None]:
 
 
 def files() -> Files:
-    known = _files.get()
-    return known if known and known.root == root.ROOT else Files()  # another report has other packages
+    current = _files.get()
+    return current if current and current.root == root.ROOT else Files()  # another report has other packages
 
 
 @contextmanager
 def cached_sources(folder: Path) -> Iterator[None]:
     """Know what sources say from the processes before, since parsing all of them takes a second."""
-    kept = Cache(folder)
+    store = Cache(folder)
     made_by = sys.version, hashlib.sha256(Path(syntax.__file__).read_bytes()).hexdigest()
-    known = _known[root.ROOT]
-    known.update(kept.get(SOURCES, made_by) or {})
-    before = len(known)
+    contents = _contents[root.ROOT]
+    contents.update(store.get(SOURCES, made_by) or {})
+    before = len(contents)
     try:
         yield
     finally:
-        if len(known) > before:
+        if len(contents) > before:
             # The newest: those of texts that are no more need not be kept for ever.
-            kept.put(SOURCES, made_by, dict(list(known.items())[-1000:]))
+            store.put(SOURCES, made_by, dict(list(contents.items())[-1000:]))
 
 
 _reader = cache(lambda text, name: Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1]))
@@ -95,41 +95,41 @@ class Graph:
 
     def imported(self, path: str) -> list[str]:
         """Name the files that the source at ``path`` may import."""
-        named = {part for name in self.source(path).modules for part in accumulate(name.split("."), "{}.{}".format)}
+        named = {prefix for name in self.source(path).modules for prefix in accumulate(name.split("."), "{}.{}".format)}
         return list(filter(None, map(self.module, sorted(named))))
 
     def module(self, name: str) -> str:
         """Name the file of a module; nothing where it is none of this project."""
         # Where this program is installed lie other packages beside it, which are none of the project's.
         roots = [root for root in self.roots if root != HERE or name.partition(".")[0] == CARRIED]
-        places = (f"{root}/{name.replace('.', '/')}" for root in roots)
-        files = (file for place in places for file in (f"{place}/__init__.py", f"{place}.py"))
+        stems = (f"{root}/{name.replace('.', '/')}" for root in roots)
+        files = (file for stem in stems for file in (f"{stem}/__init__.py", f"{stem}.py"))
         return next((file for file in files if Path(file).is_file()), "")
 
     def closure(self, start: str, without: str = "") -> list[str]:
         """Name a file and all that it may import, directly or not; ``without`` is a package that is left out."""
-        found, waiting = dict.fromkeys([start]), [start]
+        closure, waiting = dict.fromkeys([start]), [start]
         while waiting:
-            new = [file for file in self.imported(waiting.pop()) if file not in found]
+            new = [file for file in self.imported(waiting.pop()) if file not in closure]
             new = [file for file in new if not (without and self.name_of(file).startswith(f"{without}/"))]
-            found |= dict.fromkeys(new)
+            closure |= dict.fromkeys(new)
             waiting += new
-        return list(found)
+        return list(closure)
 
     def reached(self, name: str) -> dict[Node, str]:
         """Digest what may be run when what has this dotted name is, and what importing its files does."""
-        nodes = self.found(name)
+        nodes = self.resolve(name)
         if isinstance(nodes, str):
             raise ReportError(f"there is no {name}")
         loaded = {file for first in {file for file, _ in nodes} for file in self.closure(first, CARRIED)}
         waiting = [*nodes, *(node for file in loaded for node in self._effects(file))]
-        found: set[Node] = set()
+        reached: set[Node] = set()
         while waiting:
             node = waiting.pop()
-            if node not in found:
-                found.add(node)
-                waiting += (each for meaning in self.meanings(node) if isinstance(meaning, list) for each in meaning)
-        return {node: self.digest(node) for node in found if self.definitions(node)}
+            if node not in reached:
+                reached.add(node)
+                waiting += (node for meaning in self.meanings(node) if isinstance(meaning, list) for node in meaning)
+        return {node: self.digest(node) for node in reached if self.definitions(node)}
 
     def told(self, name: str) -> tuple[str, dict[str, str], list[str]]:
         """Tell of what may be run its digest, the digests by file of what lies there, and the assets that it names."""
@@ -138,7 +138,7 @@ class Graph:
         for (file, _), digest in reached.items():
             by_file.setdefault(self.name_of(file), set()).add(digest)
         code = {file: digest_of(sorted(digests)) for file, digests in by_file.items()}
-        named = {asset for node in reached for each in self.definitions(node) for asset in each.assets}
+        named = {asset for node in reached for definition in self.definitions(node) for asset in definition.assets}
         return digest_of(sorted({*reached.values()})), code, sorted(named)
 
     def definitions(self, node: Node) -> tuple[Definition, ...]:
@@ -147,42 +147,42 @@ class Graph:
     def _effects(self, file: str) -> Iterator[Node]:
         """Find what is done when a file is imported: a decorator of this project may note what it is put on."""
         yield file, EFFECTS
-        for name, found in self.defined(file).items():
-            decorators = (self.meaning(file, each, word) for each in found for word in each.decorators)
-            if any(isinstance(meaning, list) for meaning in decorators):
+        for name, definitions in self.defined(file).items():
+            pairs = ((definition, decorator) for definition in definitions for decorator in definition.decorators)
+            if any(isinstance(self.meaning(file, *pair), list) for pair in pairs):
                 yield file, name
 
     def digest(self, node: Node, rounds: int = ROUNDS) -> str:
         """Digest what defines a name, and what the names in it mean."""
-        trees = [each.tree for each in self.definitions(node)]
-        meant = self.meanings(node) if rounds else []
-        meanings = [each if isinstance(each, str) else [self.digest(one, rounds - 1) for one in each] for each in meant]
-        return digest_of([trees, meanings])
+        trees = [definition.tree for definition in self.definitions(node)]
+        meanings = self.meanings(node) if rounds else []
+        forms = [ref if isinstance(ref, str) else [self.digest(node, rounds - 1) for node in ref] for ref in meanings]
+        return digest_of([trees, forms])
 
     def meanings(self, node: Node) -> list[list[Node] | str]:
         """Find what the names mean that stand in what defines a name, in order."""
-        return [self.meaning(node[0], each, name) for each in self.definitions(node) for name in each.names]
+        return [self.meaning(node[0], binding, name) for binding in self.definitions(node) for name in binding.names]
 
     def meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
-        first, _, rest = name.partition(".")
+        first, _, attributes = name.partition(".")
         if first in self.defined(file) and first not in definition.imports:
             return [(file, first)]
         imported = definition.imports.get(first) or self.source(file).imports[first]
-        return self.found(f"{imported}.{rest}".rstrip("."))
+        return self.resolve(f"{imported}.{attributes}".rstrip("."))
 
-    def found(self, name: str) -> list[Node] | str:
+    def resolve(self, name: str) -> list[Node] | str:
         """Find what of this project a dotted name stands for, or what it is called elsewhere."""
         parts = name.split(".")
         if parts[0] == CARRIED:
             return CARRIED
         for end in range(len(parts), 0, -1):
             if file := self.module(".".join(parts[:end])):
-                imports, (first, *rest) = self.source(file).imports, parts[end:] or [""]
+                imports, (first, *tail) = self.source(file).imports, parts[end:] or [""]
                 if first and first in self.defined(file):
                     return [(file, first)]
                 if first in imports:
-                    return self.found(".".join([imports[first], *rest]))
-                return [(file, each) for each in self.defined(file)]  # whoever has a module may ask it for anything
+                    return self.resolve(".".join([imports[first], *tail]))
+                return [(file, name) for name in self.defined(file)]  # whoever has a module may ask it for anything
         return name
 
 
@@ -191,14 +191,14 @@ def roots_of(root: Path) -> tuple[str, ...]:
     return tuple(dict.fromkeys(map(str, [root, *sorted((root / "packages").glob("*")), HERE])))
 
 
-def _read(what: str, path: Path, name: str) -> Any:
+def _read(kind: str, path: Path, name: str) -> Any:
     """Read ``source`` or ``definitions`` of a module; ReportError, with its ``name``, where it can't be read."""
     try:
         text = path.read_bytes()
-        key = hashlib.sha256(f"{what}\0{name}\0".encode() + text).hexdigest()
-        known = _known[root.ROOT]
-        if key not in known:
-            known[key] = getattr(_reader(text, name), what)()
-        return known[key]
+        key = hashlib.sha256(f"{kind}\0{name}\0".encode() + text).hexdigest()
+        contents = _contents[root.ROOT]
+        if key not in contents:
+            contents[key] = getattr(_reader(text, name), kind)()
+        return contents[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None

@@ -62,23 +62,23 @@ def units() -> Mapping[str, str]:
 @cached_in_report
 def column_of(name: str) -> Column:
     declared = [table for table in config().columns if name in table.names or re.fullmatch(table.pattern, name)]
-    words = PERCENTILE.sub("", name).split("_")
-    ends = ("_".join(words[start:]) for start in range(len(words)))
+    pieces = PERCENTILE.sub("", name).split("_")
+    ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
     unit = next((units()[end] for end in ends if end in units()), PLAIN)
     largest = LARGEST.get(unit, 1e18)
     signed = next((table.signed for table in declared if table.signed is not None), unit not in NEVER_NEGATIVE)
     kinds = {table.kind for table in declared if table.kind} | ({"parameter"} if name in parameters() else set())
     names = [field.name for field in fields(ColumnTraits)]
-    said = {field: value for table in reversed(declared) for field in names if (value := getattr(table, field))}
+    traits = {field: value for table in reversed(declared) for field in names if (value := getattr(table, field))}
     least = -largest if signed else 0.0
-    return Column(name=name, unit=unit, least=least, largest=largest, kinds=frozenset(kinds), **said)
+    return Column(name=name, unit=unit, least=least, largest=largest, kinds=frozenset(kinds), **traits)
 
 
 @cached_in_report
 def parameters() -> Mapping[str, Any]:
     """Return the parameters of a case and their defaults, ``MISSING`` for one that has none."""
     module, _, name = config().case.partition(":")
-    return {each.name: each.default for each in fields(getattr(import_module(module), name))} if module else {}
+    return {field.name: field.default for field in fields(getattr(import_module(module), name))} if module else {}
 
 
 def is_unit(text: str) -> bool:
@@ -113,18 +113,18 @@ def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     return {name: column_of(name).unit for name in names}
 
 
-def refuse_mixed(rows: Sequence[Mapping[str, Any]], given: Mapping[str, str]) -> None:
+def refuse_mixed(rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]) -> None:
     """Raise ValueError unless the units given are those of the columns' names, and a column holds one kind of thing."""
     units = units_of(rows)
-    for name in sorted({*units, *given}):
-        if given.get(name) != units.get(name):
-            raise ValueError(f"the unit of {name} is given as {given.get(name)}, and its name says {units.get(name)}")
+    for name in sorted({*units, *noted}):
+        if noted.get(name) != units.get(name):
+            raise ValueError(f"the unit of {name} is given as {noted.get(name)}, and its name says {units.get(name)}")
     for name in columns_of(rows):
         holding = [row for row in rows if name in row]
-        others = {type(row[name]) for row in holding} - {int, float, type(None)}
-        if others and (name in units or column_of(name).unit != PLAIN):
+        types = {type(row[name]) for row in holding} - {int, float, type(None)}
+        if types and (name in units or column_of(name).unit != PLAIN):
             raise ValueError(f"{name} is not all numbers")
-        if len(others) > 1:
+        if len(types) > 1:
             raise ValueError(f"{name} is text in one row and yes or no in another")
         if name in units and not all(row.get(name + REASON) for row in holding if row[name] is None):
             raise ValueError(f"{name} is null without a {name}{REASON}")
@@ -153,10 +153,10 @@ def plain(cell: Any) -> Any:
 
 def number_problem(name: str, value: int | float) -> str:
     """Say what is wrong with a number in the column ``name``; empty when nothing is."""
-    known = column_of(name)
-    if known.least <= value <= known.largest:
+    column = column_of(name)
+    if column.least <= value <= column.largest:
         return ""
-    return f"is {value!r:.20}, and no number from {known.least:g} to {known.largest:g}"
+    return f"is {value!r:.20}, and no number from {column.least:g} to {column.largest:g}"
 
 
 def name_problem(text: str) -> str:
@@ -168,5 +168,5 @@ def name_problem(text: str) -> str:
 def text_problem(text: str) -> str:
     if len(text) > TEXT_LIMIT:
         return f"is a text of more than {TEXT_LIMIT} characters"
-    found = UNPRINTABLE.search(text)
-    return f"has the character U+{ord(found[0]):04X}, which is no text" if found else ""
+    match = UNPRINTABLE.search(text)
+    return f"has the character U+{ord(match[0]):04X}, which is no text" if match else ""

@@ -44,8 +44,8 @@ def identity_of(section: str, profile: str, root: Path, packages: Mapping[str, s
 def identity_at(name: str, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Identity:
     """Return the identity of what has a dotted name, or of all that a module of that name has."""
     digest, code, named = files().graph(roots_of(root)).told(name)
-    there = (asset for asset in named if (root / asset).is_file())
-    assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in there}
+    existing = (asset for asset in named if (root / asset).is_file())
+    assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in existing}
     named_digest = digest_of([profile, sorted(assets.values())])
     versions = package_versions() if packages is None else packages
     return Identity(digest, named_digest, versions, profile, dict(sorted({**code, **assets}.items())))
@@ -54,24 +54,24 @@ def identity_at(name: str, profile: str, root: Path, packages: Mapping[str, str]
 def changes(recorded: Identity, current: Identity) -> list[str]:
     """Say what differs between two identities; nothing when the record is fresh."""
     sides = recorded.files.items(), current.files.items()
-    same = {digest for _, digest in sides[0]} & {digest for _, digest in sides[1]}  # it may lie elsewhere now
-    changed = sorted({name for side in sides for name, digest in side if digest not in same})
-    words = []
+    common = {digest for _, digest in sides[0]} & {digest for _, digest in sides[1]}  # it may lie elsewhere now
+    changed = sorted({name for side in sides for name, digest in side if digest not in common})
+    differences = []
     if recorded.code != current.code:
-        words += [f"code: {name}" for name in changed if name.endswith(".py")] or ["code"]
+        differences += [f"code: {name}" for name in changed if name.endswith(".py")] or ["code"]
     if recorded.config != current.config:
         parts = [f"config: {name}" for name in changed if not name.endswith(".py")]
         if recorded.profile != current.profile:
             parts.append(f"config: profile {recorded.profile} → {current.profile}")
-        words += parts or ["config"]
-    return words + [f"packages: {change}" for change in package_changes(recorded.packages, current.packages)]
+        differences += parts or ["config"]
+    return differences + [f"packages: {change}" for change in package_changes(recorded.packages, current.packages)]
 
 
 def sections(root: Path | None = None) -> list[str]:
     """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
     folder = (root or report().root) / "report" / "sections"
-    found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
-    return sorted(name for name in found if not name.startswith(("_", ".")))
+    names = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
+    return sorted(name for name in names if not name.startswith(("_", ".")))
 
 
 SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"
@@ -79,16 +79,16 @@ SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"
 
 def package_versions() -> dict[str, str]:
     """Return the version of each package here; of the first with its code, where that is not an index's."""
-    found = files().versions
-    if not found:
+    versions = files().versions
+    if not versions:
         for package in config().packages:
             try:
-                found[package] = metadata.version(package)
+                versions[package] = metadata.version(package)
             except metadata.PackageNotFoundError:
-                found[package] = MISSING
-        if found[config().edition] != MISSING and (source := _source()):
-            found[config().edition] += f"+{source}"
-    return dict(found)
+                versions[package] = MISSING
+        if versions[config().edition] != MISSING and (source := _source()):
+            versions[config().edition] += f"+{source}"
+    return dict(versions)
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
@@ -98,12 +98,12 @@ def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list
 
 def _source() -> str:
     """Return the part of a version that names the code installed here; empty for a package from an index."""
-    found = json.loads(metadata.distribution(config().edition).read_text("direct_url.json") or "{}")
-    if "vcs_info" in found:
-        return f"g{found['vcs_info']['commit_id'][:SHORT_COMMIT]}"
-    address = found.get("url", "")
+    origin = json.loads(metadata.distribution(config().edition).read_text("direct_url.json") or "{}")
+    if "vcs_info" in origin:
+        return f"g{origin['vcs_info']['commit_id'][:SHORT_COMMIT]}"
+    address = origin.get("url", "")
     path = Path(unquote(urlparse(address).path))
-    if "dir_info" in found:
+    if "dir_info" in origin:
         return checkout_source(path)
     if address.startswith("file:"):
         return wheel_source(path)
@@ -122,7 +122,7 @@ def checkout_source(folder: Path) -> str:
 
 def code_in(folder: Path) -> str:
     module = config().edition.replace("-", "_")
-    paths = [path for place in (folder, folder / "src") for path in (place / module).rglob("*.py")]
+    paths = [path for parent in (folder, folder / "src") for path in (parent / module).rglob("*.py")]
     return files_digest(paths, folder)[:SHORT_COMMIT]
 
 
@@ -143,7 +143,7 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
 def git(folder: Path, *command: str) -> str:
     """Return what git says in a folder; nothing where it has nothing to say, as outside of a repository."""
     try:
-        done = subprocess.run(["git", "-C", folder, *command], capture_output=True, text=True, check=False)
+        process = subprocess.run(["git", "-C", folder, *command], capture_output=True, text=True, check=False)
     except FileNotFoundError:
         raise UsageError("git is not installed, and a checkout takes it") from None
-    return done.stdout.strip() if done.returncode == 0 else ""
+    return process.stdout.strip() if process.returncode == 0 else ""

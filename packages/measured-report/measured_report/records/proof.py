@@ -30,32 +30,32 @@ NAME = re.compile(r"Name\(id='(\w+)'")
 
 
 @dataclass(frozen=True)
-class Part:
+class Piece:
     """Hold a piece of a definition, and what decides whether it is executed."""
 
     definition: Node
     syntax: ast.AST
     meanings: Mapping[str, str]  # by name of what both codes have: what it is called does not count
-    place: tuple[str, ...] = ()  # what heads the statement around it, its list there, and the statement before
+    context: tuple[str, ...] = ()  # what heads the statement around it, its list there, and the statement before
 
     @cached_property
     def text(self) -> tuple[str, ...]:
-        return self.dump(self.syntax), *self.place
+        return self.dump(self.syntax), *self.context
 
     def dump(self, syntax: ast.AST) -> str:
         return NAME.sub(lambda name: self.meanings.get(name[1], name[0]), ast.dump(syntax))
 
-    def children(self) -> Iterator["Part"]:
-        head = (self.dump(_bare(self.syntax)),) if isinstance(self.syntax, HEADED) else self.place[:1]
+    def children(self) -> Iterator["Piece"]:
+        head = (self.dump(_bare(self.syntax)),) if isinstance(self.syntax, HEADED) else self.context[:1]
         for name, value in ast.iter_fields(self.syntax):
             before = ""
             for child in value if isinstance(value, list) else [value]:
                 # An assertion that held has not read its message.
                 if isinstance(child, ast.AST) and name != "msg":
-                    yield replace(self, syntax=child, place=(*head, name, before) if name in BODIES else head)
+                    yield replace(self, syntax=child, context=(*head, name, before) if name in BODIES else head)
                     before = before if is_text(child) else self.dump(child)
 
-    def all(self) -> Iterator["Part"]:
+    def all(self) -> Iterator["Piece"]:
         yield self
         for child in self.children():
             yield from child.all()
@@ -69,104 +69,104 @@ class Code:
         self.reached = self.graph.reached(f"experiments.{section}.measure")
         self.own_digests = {self.graph.digest(node, 0) for node in self.reached}
         self.common: Set[str] = frozenset()  # of these, what another code has as well
-        self.changed: list[Part] = []
+        self.changed: list[Piece] = []
 
     def compare(self, other: "Code") -> None:
         """Find the definitions that are not in ``other``, or name what is not there."""
         digests, self.common = set(other.reached.values()), self.own_digests & other.own_digests
         nodes = sorted(node for node, digest in self.reached.items() if digest not in digests)
         trees = {file: ast.parse(Path(file).read_bytes()).body for file, _ in nodes}
-        pairs = ((node, each) for node in nodes for each in trees[node[0]])
-        pairs = ((node, each) for node, each in pairs if node[1] in (list(bound_names(each)) or [EFFECTS]))
-        self.changed = [Part(node, each, self._shared_meanings(node)) for node, each in pairs]
+        pairs = ((node, tree) for node in nodes for tree in trees[node[0]])
+        pairs = ((node, tree) for node, tree in pairs if node[1] in (list(bound_names(tree)) or [EFFECTS]))
+        self.changed = [Piece(node, tree, self._shared_meanings(node)) for node, tree in pairs]
 
     def _shared_meanings(self, node: Node) -> dict[str, str]:
         """Digest by name what stands in a definition and both codes have."""
-        pairs = ((each, name) for each in self.graph.definitions(node) for name in each.names)
-        meanings = {name: self.graph.meaning(node[0], each, name) for each, name in pairs}
+        pairs = ((definition, name) for definition in self.graph.definitions(node) for name in definition.names)
+        meanings = {name: self.graph.meaning(node[0], definition, name) for definition, name in pairs}
         nodes_by_name = {name: nodes for name, nodes in meanings.items() if isinstance(nodes, list) and "." not in name}
-        digests = {name: {self.graph.digest(each, 0) for each in nodes} for name, nodes in nodes_by_name.items()}
+        digests = {name: {self.graph.digest(target, 0) for target in nodes} for name, nodes in nodes_by_name.items()}
         return {name: " ".join(sorted(of_name)) for name, of_name in digests.items() if of_name <= self.common}
 
     @property
     def spans(self) -> dict[str, list[tuple[int, int]]]:
         """Return the first and last lines of what changed, by file."""
         spans: dict[str, list[tuple[int, int]]] = {}
-        for part in self.changed:
-            lines = [each.lineno for each in ast.walk(part.syntax) if hasattr(each, "lineno")]
-            spans.setdefault(part.definition[0], []).append((min(lines), part.syntax.end_lineno))  # type: ignore
+        for piece in self.changed:
+            lines = [node.lineno for node in ast.walk(piece.syntax) if hasattr(node, "lineno")]
+            spans.setdefault(piece.definition[0], []).append((min(lines), piece.syntax.end_lineno))  # type: ignore
         return spans
 
     def unexecuted(self, other: "Code", executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[str]:
         """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
-        parts_by_text: dict[tuple[str, ...], list[Part]] = {}
-        for part in (below for each in other.changed for below in each.all()):
-            parts_by_text.setdefault(part.text, []).append(part)
-        for part in self._unexecuted(executed):
-            if not any(self._meant(part) == other._meant(its) for its in parts_by_text.get(part.text, ())):
-                yield f"{UNEXECUTED} {self._name(part)}"
+        pieces_by_text: dict[tuple[str, ...], list[Piece]] = {}
+        for piece in (inner for outer in other.changed for inner in outer.all()):
+            pieces_by_text.setdefault(piece.text, []).append(piece)
+        for piece in self._unexecuted(executed):
+            if not any(self._meanings(piece) == other._meanings(twin) for twin in pieces_by_text.get(piece.text, ())):
+                yield f"{UNEXECUTED} {self._name(piece)}"
 
     def unread(self, other: "Code", *, is_old: bool = False) -> Iterator[str]:
         """Say which data are not in ``other`` as well; of old code it is no loss that some stand in fewer places."""
-        words = dict(self._data())
-        own, its = (Counter(text for text, _ in code._data()) for code in (self, other))
-        for text in sorted((set(own) - set(its)) if is_old else (own - its).elements()):
-            yield f"a run may read and not use {words[text]:.80}"
+        excerpts = dict(self._data())
+        mine, theirs = (Counter(text for text, _ in code._data()) for code in (self, other))
+        for text in sorted((set(mine) - set(theirs)) if is_old else (mine - theirs).elements()):
+            yield f"a run may read and not use {excerpts[text]:.80}"
 
     def timed(self, executed: Mapping[str, Set[Place]]) -> Iterator[str]:
         """Name what is in no other code and was ``executed`` while times were measured."""
-        for part in self.changed:
-            places = executed.get(part.definition[0], set())
-            is_other = self.graph.digest(part.definition, 0) not in self.common
-            if is_other and any(_is_within(place, part.syntax) for place in places):
-                yield f"{TIMED}: {self._name(part)}"
+        for piece in self.changed:
+            positions = executed.get(piece.definition[0], set())
+            is_other = self.graph.digest(piece.definition, 0) not in self.common
+            if is_other and any(_is_within(position, piece.syntax) for position in positions):
+                yield f"{TIMED}: {self._name(piece)}"
 
-    def _unexecuted(self, executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[Part]:
+    def _unexecuted(self, executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[Piece]:
         """Yield the largest parts of what changed that no instruction was executed of."""
-        compiled = {file: set(_places(compile(Path(file).read_bytes(), file, "exec"))) for file in self.spans}
+        compiled = {file: set(_positions(compile(Path(file).read_bytes(), file, "exec"))) for file in self.spans}
         waiting = list(self.changed)
         while waiting:
-            part = waiting.pop()
-            file = part.definition[0]
-            places = {place for place in compiled[file] if _is_within(place, part.syntax)}
-            if any(places & run.get(file, set()) for run in executed):
-                waiting += part.children()
-            elif places:
-                yield part
+            piece = waiting.pop()
+            file = piece.definition[0]
+            positions = {position for position in compiled[file] if _is_within(position, piece.syntax)}
+            if any(positions & run.get(file, set()) for run in executed):
+                waiting += piece.children()
+            elif positions:
+                yield piece
 
-    def _meant(self, part: Part) -> list[str]:
-        return self._named(part, ast.walk(part.syntax))
+    def _meanings(self, piece: Piece) -> list[str]:
+        return self._named(piece, ast.walk(piece.syntax))
 
-    def _named(self, part: Part, nodes: Iterable[ast.AST]) -> list[str]:
+    def _named(self, piece: Piece, nodes: Iterable[ast.AST]) -> list[str]:
         """Say what each name is: a digest of what both codes have, or else what it is called."""
-        definitions = {name: each for each in self.graph.definitions(part.definition) for name in each.names}
+        definitions = {name: binding for binding in self.graph.definitions(piece.definition) for name in binding.names}
         meanings = []
         for name in filter(definitions.__contains__, map(chain_of, nodes)):
-            meaning = self.graph.meaning(part.definition[0], definitions[name], name)
+            meaning = self.graph.meaning(piece.definition[0], definitions[name], name)
             nodes_meant = [] if isinstance(meaning, str) else meaning
-            digests = [self.graph.digest(each, 0) for each in nodes_meant]
-            called = [f"{self.graph.name_of(file)} {each}" for file, each in nodes_meant]
+            digests = [self.graph.digest(node, 0) for node in nodes_meant]
+            called = [f"{self.graph.name_of(file)} {name}" for file, name in nodes_meant]
             names = [digest if digest in self.common else name for digest, name in zip(digests, called, strict=True)]
             meanings.append(" ".join(names) if nodes_meant else str(meaning))
         return meanings
 
     def _data(self) -> Iterator[tuple[str, str]]:
         """Yield what counts, and how it is said: numbers, texts, and statements that name definitions as values."""
-        for part in self.changed:
-            yield from ((text, text) for text in _literals(part.syntax))
-            headed = (each for each in ast.walk(part.syntax) if isinstance(each, HEADED))
-            for head in (_bare(each) for each in headed if not isinstance(each, SILENT)):
+        for piece in self.changed:
+            yield from ((text, text) for text in _literals(piece.syntax))
+            headed = (node for node in ast.walk(piece.syntax) if isinstance(node, HEADED))
+            for head in (_bare(node) for node in headed if not isinstance(node, SILENT)):
                 # What is called is executed, and what a type is called does nothing.
-                called = [each.func for each in ast.walk(head) if isinstance(each, ast.Call)]
-                types = [getattr(each, name, None) for each in ast.walk(head) for name in TYPES]
-                aside = {*called, *(below for each in types if each for below in ast.walk(each))}
-                values = self._named(part, (each for each in ast.walk(head) if each not in aside))
+                called = [node.func for node in ast.walk(head) if isinstance(node, ast.Call)]
+                types = [getattr(node, name, None) for node in ast.walk(head) for name in TYPES]
+                aside = {*called, *(below for node in types if node for below in ast.walk(node))}
+                values = self._named(piece, (node for node in ast.walk(head) if node not in aside))
                 if values := [value for value in values if value in self.common]:
-                    yield "\n".join([part.dump(head), *values]), ast.unparse(head)
+                    yield "\n".join([piece.dump(head), *values]), ast.unparse(head)
 
-    def _name(self, part: Part) -> str:
-        line = getattr(part.syntax, "lineno", 1)
-        return f"{self.graph.name_of(part.definition[0])}:{line}: {ast.unparse(part.syntax).splitlines()[0]:.80}"
+    def _name(self, piece: Piece) -> str:
+        line = getattr(piece.syntax, "lineno", 1)
+        return f"{self.graph.name_of(piece.definition[0])}:{line}: {ast.unparse(piece.syntax).splitlines()[0]:.80}"
 
 
 def _bare(node: ast.AST) -> ast.AST:
@@ -190,8 +190,8 @@ def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:
         if isinstance(node, ast.arguments):
             names = [*node.posonlyargs, *node.args]
             pairs = [*zip(names[::-1], node.defaults[::-1], strict=False)]
-            pairs += [(each, given) for each, given in zip(node.kwonlyargs, node.kw_defaults, strict=True) if given]
-            yield from (f"{each.arg}={ast.unparse(default)}" for each, default in pairs if _is_number(default))
+            pairs += [(arg, value) for arg, value in zip(node.kwonlyargs, node.kw_defaults, strict=True) if value]
+            yield from (f"{arg.arg}={ast.unparse(default)}" for arg, default in pairs if _is_number(default))
         for name, value in ast.iter_fields(node):
             if name in TYPES or (name == "slice" and isinstance(getattr(value, "value", ""), int)):
                 continue  # which place of a few is no number that was chosen
@@ -206,18 +206,18 @@ def _is_number(node: ast.AST | None) -> bool:
     return isinstance(value, str | int | float) and not isinstance(value, bool)
 
 
-def _places(code: CodeType) -> Iterator[Place]:
+def _positions(code: CodeType) -> Iterator[Place]:
     yield from code.co_positions()
-    for each in code.co_consts:
-        if isinstance(each, CodeType):
-            yield from _places(each)
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _positions(constant)
 
 
-def _is_within(place: Place, node: ast.AST) -> bool:
+def _is_within(position: Place, node: ast.AST) -> bool:
     if not hasattr(node, "lineno"):  # as the arguments of a function
-        return any(_is_within(place, child) for child in ast.iter_child_nodes(node))
-    first, last, column, last_column = place
-    if None in place:
+        return any(_is_within(position, child) for child in ast.iter_child_nodes(node))
+    first, last, column, last_column = position
+    if None in position:
         return False
     start, end = (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)  # type: ignore[attr-defined]
     return start <= (first, column) and (last, last_column) <= end

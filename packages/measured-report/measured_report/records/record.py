@@ -106,7 +106,7 @@ class Record:
     @property
     def codes(self) -> frozenset[str]:
         """Return digests of the codes that are known to measure the same."""
-        return frozenset({self.identity.code, *(each.code for each in self.carried)})
+        return frozenset({self.identity.code, *(carried.code for carried in self.carried)})
 
     @property
     def processor(self) -> str:
@@ -120,8 +120,8 @@ class Record:
     def machine_in_full(self) -> str:
         """Name all that must be the same for two times to be compared."""
         cores = f"{self.machine_text}, {self.machine.get('cores') or 'an unknown number of'} cores"
-        beside = f", {self.machine['sections_at_once']} sections at once" if "sections_at_once" in self.machine else ""
-        return f"{cores}{beside}" if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
+        load = f", {self.machine['sections_at_once']} sections at once" if "sections_at_once" in self.machine else ""
+        return f"{cores}{load}" if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
@@ -168,17 +168,17 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
     except (TypeError, ValueError) as error:
         raise RecordError(f"{short_path(path)} cannot be written: {error}") from None
     read_record(content, path)
-    kept = {trace_path(path, case).name: packed for case, (_, packed) in (traces or {}).items()}
-    put_record(path, {**kept, path.name: content})
-    for left in path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ():
-        if left.name not in kept:  # that of a case that is no more
-            left.unlink()
+    files = {trace_path(path, case).name: packed for case, (_, packed) in (traces or {}).items()}
+    put_record(path, {**files, path.name: content})
+    for trace in path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ():
+        if trace.name not in files:  # that of a case that is no more
+            trace.unlink()
 
 
 def record_text(record: Record) -> str:
     data = {"schema": SCHEMA, **asdict(replace(record, rows=[]))}  # which would copy every cell
     del data["rows"]
-    data |= {} if data.pop("carried") == () else {"carried": [asdict(each) for each in record.carried]}
+    data |= {} if data.pop("carried") == () else {"carried": [asdict(carried) for carried in record.carried]}
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
     lines = []
     for row in record.rows:
@@ -206,11 +206,11 @@ def read_record(content: bytes, path: Path) -> Record:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
         record = msgspec.convert(data, Record)
         parts = [(data, Record), (data["identity"], Identity), *((seal, Seal) for seal in data["traces"].values())]
-        parts += [(each, Carried) for each in data.get("carried", ())]
-        known = [(part, {each.name for each in fields(kind)}) for part, kind in parts]
-        for part, names in [*known, (data["identity"]["packages"], {*config().packages})]:
-            if others := part.keys() - names:
-                raise ValueError(f"nothing here is called {min(others)!r:.80}")
+        parts += [(carried, Carried) for carried in data.get("carried", ())]
+        allowed = [(table, {field.name for field in fields(kind)}) for table, kind in parts]
+        for table, names in [*allowed, (data["identity"]["packages"], {*config().packages})]:
+            if unknown := table.keys() - names:
+                raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
         msgspec.convert(record.machine, _Machine)
         measured = msgspec.convert(record.measured, _Measured)
         msgspec.convert(record.rows, list[_Row])

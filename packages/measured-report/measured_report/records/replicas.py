@@ -57,22 +57,22 @@ def read_replica(path: Path) -> Records:
 def measurements_beside(path: Path, read: Callable[[Path], Records]) -> list[Record]:
     """Return the record at ``path``, and those of the replicas beside it, as ``read``, that measured the same."""
     tracked = read_record(read_own_file(path, BYTE_LIMIT), path)
-    found = (read(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
-    return [tracked, *(record for record in found if record and not mismatch(tracked, record))]
+    replicas = (read(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
+    return [tracked, *(record for record in replicas if record and not mismatch(tracked, record))]
 
 
-def mismatch(tracked: Record, other: Record) -> str:
+def mismatch(tracked: Record, replica: Record) -> str:
     """Say what keeps a record from being a replica of the tracked one; empty where nothing does."""
-    if tracked.identity.packages != other.identity.packages:
+    if tracked.identity.packages != replica.identity.packages:
         return "other packages"
-    sides = [(each.config, each.profile) for each in (tracked.identity, other.identity)]
-    if sides[0] != sides[1] or tracked.codes.isdisjoint(other.codes):
+    sides = [(identity.config, identity.profile) for identity in (tracked.identity, replica.identity)]
+    if sides[0] != sides[1] or tracked.codes.isdisjoint(replica.codes):
         return "other code"
-    is_whole = other.number_count >= WHOLE * tracked.number_count
+    is_whole = replica.number_count >= WHOLE * tracked.number_count
     return "" if is_whole else "not all of it could be measured there"
 
 
-def is_copy(one: Record, other: Record) -> bool:
+def is_copy(a: Record, b: Record) -> bool:
     """Tell whether two records are of one measurement: of one host and time, or the same bits and of no CPU."""
-    times = [(each.machine.get("host"), each.measured.get("started", each.measured["date"])) for each in (one, other)]
-    return times[0] == times[1] or (one.machine["device"] != "cpu" and list(one.rows) == list(other.rows))
+    times = [(side.machine.get("host"), side.measured.get("started", side.measured["date"])) for side in (a, b)]
+    return times[0] == times[1] or (a.machine["device"] != "cpu" and list(a.rows) == list(b.rows))

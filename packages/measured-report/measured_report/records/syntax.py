@@ -44,8 +44,8 @@ class Reader:
         self._tree, self._package = tree, package
         aside = (_imports_alone, is_text, _is_aside)
         self._statements = [node for node in tree.body if not any(is_so(node) for is_so in aside)]
-        there = (node for node in tree.body if not isinstance(node, DEFINING))
-        self._imports = {name: what for top in there for node in ast.walk(top) for name, what, _ in self._named(node)}
+        loose = (node for node in tree.body if not isinstance(node, DEFINING))
+        self._imports = {name: path for top in loose for node in ast.walk(top) for name, path, _ in self._named(node)}
         self._names = {*self._imports, *(name for node in self._statements for name in bound_names(node))}
 
     def source(self) -> Source:
@@ -63,18 +63,18 @@ class Reader:
         definitions: dict[str, list[Definition]] = {}
         for node in self._statements:
             names = list(dict.fromkeys(bound_names(node))) or [EFFECTS]
-            for place, name in enumerate(names):
-                definitions.setdefault(name, []).append(self._definition(node, place))
-        return {name: tuple(found) for name, found in definitions.items()}
+            for index, name in enumerate(names):
+                definitions.setdefault(name, []).append(self._definition(node, index))
+        return {name: tuple(group) for name, group in definitions.items()}
 
-    def _definition(self, node: ast.stmt, place: int) -> Definition:
+    def _definition(self, node: ast.stmt, index: int) -> Definition:
         nodes = list(ast.walk(node))
-        inner = {name: what for each in nodes for name, what, _ in self._named(each)}
+        inner = {name: path for child in nodes for name, path, _ in self._named(child)}
         tree = Canonical(self._names | inner.keys(), {**self._imports, **inner})
         text = tree.statement(node)
-        decorators = (chain_of(getattr(each, "func", each)) for each in getattr(node, "decorator_list", ()))
+        decorators = (chain_of(getattr(child, "func", child)) for child in getattr(node, "decorator_list", ()))
         return Definition(
-            tree=digest_of([text, place]),
+            tree=digest_of([text, index]),
             names=tuple(tree.gaps),
             imports=inner,
             assets=tuple(_named_assets(nodes)),
@@ -93,14 +93,14 @@ class Reader:
     def _named(self, node: ast.AST) -> Iterator[tuple[str, str, str]]:
         if isinstance(node, ast.Import):
             for alias in node.names:
-                what = alias.name if alias.asname else alias.name.partition(".")[0]
-                yield alias.asname or what, what, alias.name
+                path = alias.name if alias.asname else alias.name.partition(".")[0]
+                yield alias.asname or path, path, alias.name
         elif isinstance(node, ast.ImportFrom):
             start = self._package[: len(self._package) - node.level + 1] if node.level else ()
             module = ".".join((*start, *([node.module] if node.module else [])))
             for alias in node.names:
-                what = f"{module}.{alias.name}"
-                yield alias.asname or alias.name, what, what
+                path = f"{module}.{alias.name}"
+                yield alias.asname or alias.name, path, path
 
 
 IMPORTS = (ast.Import, ast.ImportFrom)
@@ -111,23 +111,23 @@ BINDING = {ast.ExceptHandler: "name", ast.MatchAs: "name", ast.MatchStar: "name"
 """Field by kind of node, of a name that it binds and that is no node itself."""
 
 
-def _here(node: ast.AST) -> Iterator[ast.AST]:
+def _in_scope(node: ast.AST) -> Iterator[ast.AST]:
     """Find a node and those below it that are in no scope of their own."""
     yield node
     if isinstance(node, COMPREHENSIONS):
-        yield from (each.target for each in ast.walk(node) if isinstance(each, ast.NamedExpr))
+        yield from (child.target for child in ast.walk(node) if isinstance(child, ast.NamedExpr))
     elif not isinstance(node, (*DEFINING, ast.Lambda)):
         for child in ast.iter_child_nodes(node):
-            yield from _here(child)
+            yield from _in_scope(child)
 
 
 def bound_names(node: ast.AST) -> Iterator[str]:
-    for each in _here(node):
-        if isinstance(each, DEFINING):
-            yield each.name
-        elif _is_bound(each):
-            yield each.id
-        elif name := getattr(each, BINDING.get(type(each), ""), None):
+    for child in _in_scope(node):
+        if isinstance(child, DEFINING):
+            yield child.name
+        elif _is_bound(child):
+            yield child.id
+        elif name := getattr(child, BINDING.get(type(child), ""), None):
             yield name
 
 
@@ -205,15 +205,15 @@ class Canonical:
 
     def plain(self, node: Any, scope: Scope) -> Any:
         if isinstance(node, list):
-            kept = (each for each in node if not (is_text(each) or isinstance(each, DECLARING)))
-            return tuple(made for made in (self.plain(each, scope) for each in kept) if made != NOTHING)
+            children = (child for child in node if not (is_text(child) or isinstance(child, DECLARING)))
+            return tuple(form for form in (self.plain(child, scope) for child in children) if form != NOTHING)
         if not isinstance(node, ast.AST):
             return repr(node)
         return getattr(self, f"visit_{type(node).__name__}", self._fields)(node, scope)
 
     def _fields(self, node: ast.AST, scope: Scope, **instead: Any) -> Any:
-        there = ((name, value) for name, value in ast.iter_fields(node) if name != "kind")
-        fields = [(name, instead[name] if name in instead else self.plain(value, scope)) for name, value in there]
+        pairs = ((name, value) for name, value in ast.iter_fields(node) if name != "kind")
+        fields = [(name, instead[name] if name in instead else self.plain(value, scope)) for name, value in pairs]
         return type(node).__name__, *(pair for pair in fields if pair[1] not in ("None", ()))
 
     def visit_Name(self, node: ast.Name, scope: Scope) -> Any:
@@ -228,15 +228,15 @@ class Canonical:
         return self._gap(name) if name in self._names else ("Name", name)
 
     def visit_Attribute(self, node: ast.Attribute, scope: Scope) -> Any:
-        asked = chain_of(node)
-        first = asked.partition(".")[0]
+        chain = chain_of(node)
+        first = chain.partition(".")[0]
         if first not in self._names or first in scope.local or first in scope.attributes:
             return self._fields(node, scope)
-        return *self._gap(asked), type(node.ctx).__name__
+        return *self._gap(chain), type(node.ctx).__name__
 
-    def _gap(self, asked: str) -> tuple[str, ...]:
-        self.gaps.append(asked)
-        return GAP, *asked.split(".")[0 if self._names_count else 1 :]
+    def _gap(self, chain: str) -> tuple[str, ...]:
+        self.gaps.append(chain)
+        return GAP, *chain.split(".")[0 if self._names_count else 1 :]
 
     def _stands_for(self, name: str, scope: Scope) -> Any:
         if name in scope.attributes:
@@ -253,16 +253,16 @@ class Canonical:
     visit_ExceptHandler = visit_MatchAs = visit_MatchStar = visit_MatchMapping = _binding
 
     def visit_ClassDef(self, node: ast.ClassDef, scope: Scope) -> Any:
-        inner = Scope(scope.local, frozenset(name for each in node.body for name in bound_names(each)))
+        inner = Scope(scope.local, frozenset(name for child in node.body for name in bound_names(child)))
         return self._fields(node, scope, name=self._stands_for(node.name, scope), body=self.plain(node.body, inner))
 
     def _function(self, node: Any, scope: Scope) -> Any:
         body = node.body if isinstance(node.body, list) else [node.body]
-        declared = [each for part in body for each in _here(part) if isinstance(each, ast.Global | ast.Nonlocal)]
-        others = {name for each in declared for name in each.names}
-        parameters = (each.arg for each in ast.iter_child_nodes(node.args) if isinstance(each, ast.arg))
-        bound = [*parameters, *(name for part in body for name in bound_names(part) if name not in others)]
-        globals_ = {name for each in declared if isinstance(each, ast.Global) for name in each.names}
+        declared = [child for child in chain(*map(_in_scope, body)) if isinstance(child, ast.Global | ast.Nonlocal)]
+        outer = {name for child in declared for name in child.names}
+        parameters = (child.arg for child in ast.iter_child_nodes(node.args) if isinstance(child, ast.arg))
+        bound = [*parameters, *(name for name in chain(*map(bound_names, body)) if name not in outer)]
+        globals_ = {name for child in declared if isinstance(child, ast.Global) for name in child.names}
         instead = {"body": self.plain(node.body, self._within(scope, bound, globals_))}
         if not isinstance(node, ast.Lambda):
             instead["name"] = self._stands_for(node.name, scope)
@@ -271,19 +271,19 @@ class Canonical:
     visit_FunctionDef = visit_AsyncFunctionDef = visit_Lambda = _function
 
     def visit_arguments(self, node: ast.arguments, scope: Scope) -> Any:
-        def unnamed(each: ast.arg | None) -> Any:
-            return (GAP, self.plain(each.annotation, scope)) if each else "None"
+        def unnamed(argument: ast.arg | None) -> Any:
+            return (GAP, self.plain(argument.annotation, scope)) if argument else "None"
 
         positional = tuple(map(unnamed, node.posonlyargs))
         return self._fields(node, scope, posonlyargs=positional, vararg=unnamed(node.vararg), kwarg=unnamed(node.kwarg))
 
     def _comprehension(self, node: Any, scope: Scope) -> Any:
-        targets = (each for part in node.generators for each in ast.walk(part.target))
-        inner = self._within(scope, [each.id for each in targets if _is_bound(each)])
-        first, *rest = node.generators
-        found = [getattr(node, name, None) for name in ("elt", "key", "value")]
-        parts = [first.target, first.ifs, rest, found]
-        return type(node).__name__, self.plain(first.iter, scope), *(self.plain(part, inner) for part in parts)
+        targets = (child for clause in node.generators for child in ast.walk(clause.target))
+        inner = self._within(scope, [child.id for child in targets if _is_bound(child)])
+        first, *clauses = node.generators
+        values = [getattr(node, name, None) for name in ("elt", "key", "value")]
+        parts = [first.target, first.ifs, clauses, values]
+        return type(node).__name__, self.plain(first.iter, scope), *(self.plain(piece, inner) for piece in parts)
 
     visit_ListComp = visit_SetComp = visit_DictComp = visit_GeneratorExp = _comprehension
 
@@ -310,35 +310,35 @@ class Canonical:
         if self._is_silent:
             return "Constant", repr("")
         # Python 3.12 and later put an empty text behind a nested format specification.
-        parts = [part for part in node.values if getattr(part, "value", None) != ""]
+        parts = [value for value in node.values if getattr(value, "value", None) != ""]
         return "JoinedStr", self.plain(parts, scope)
 
     def visit_Expr(self, node: ast.Expr, scope: Scope) -> Any:
-        made = self.plain(node.value, scope)
-        return made if made == NOTHING else ("Expr", made)
+        form = self.plain(node.value, scope)
+        return form if form == NOTHING else ("Expr", form)
 
     def visit_Call(self, node: ast.Call, scope: Scope) -> Any:
         called, keywords = self._called(node.func, scope), node.keywords
-        if called in SAID and all(self._is_shown(each, scope) for each in keywords):
-            parts = chain(*(each.values if isinstance(each, ast.JoinedStr) else [each] for each in node.args))
-            made = self.plain([part for part in parts if not _is_string(part)], scope)
-            return ("Said", called, made) if made else NOTHING
+        if called in SAID and all(self._is_shown(keyword, scope) for keyword in keywords):
+            pieces = chain(*(arg.values if isinstance(arg, ast.JoinedStr) else [arg] for arg in node.args))
+            form = self.plain([piece for piece in pieces if not _is_string(piece)], scope)
+            return ("Said", called, form) if form else NOTHING
         if called in BARS:
-            through = [each for each in keywords if each.arg in (None, "iterable")]
+            through = [keyword for keyword in keywords if keyword.arg in (None, "iterable")]
             return self._fields(node, scope, args=self.plain(node.args[:1], scope), keywords=self.plain(through, scope))
         if called.rpartition(".")[2] in PARSERS:
-            keywords = [each for each in keywords if each.arg not in HELP]
+            keywords = [keyword for keyword in keywords if keyword.arg not in HELP]
             return self._fields(node, scope, keywords=self.plain(keywords, scope))
         return self._fields(node, scope)
 
     def _called(self, function: ast.expr, scope: Scope) -> str:
         """Name what is called as it is known elsewhere; empty where that is not so."""
-        first, dot, rest = chain_of(function).partition(".")
+        first, dot, attributes = chain_of(function).partition(".")
         if first in scope.local or first in scope.attributes:
-            return dot + rest
+            return dot + attributes
         if first in self._imports:
-            return self._imports[first] + dot + rest
-        return first + dot + rest if dot or first not in self._names else ""
+            return self._imports[first] + dot + attributes
+        return first + dot + attributes if dot or first not in self._names else ""
 
     def _is_shown(self, keyword: ast.keyword, scope: Scope) -> bool:
         """Tell whether what is printed so is lost: not with a file of one's own, nor with what is not known."""

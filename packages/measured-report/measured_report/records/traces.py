@@ -80,8 +80,8 @@ def _check_cells(lines: Iterator[list[str]]) -> None:
             raise ValueError(f"line {number} has {len(line)} cells, not {len(head)}")
         if number * len(head) > CELL_LIMIT:
             raise ValueError(f"it has more than {CELL_LIMIT} cells")
-        if found := next(filter(NO_NUMBER.fullmatch, line), ""):
-            raise ValueError(f"{found} is no number")
+        if cell := next(filter(NO_NUMBER.fullmatch, line), ""):
+            raise ValueError(f"{cell} is no number")
     if number < 2:
         raise ValueError("it has no rows")
 
