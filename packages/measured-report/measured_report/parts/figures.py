@@ -23,7 +23,7 @@ from matplotlib.text import Text
 from matplotlib.textpath import TextToPath
 
 from measured_report.parts.macros import Picture
-from measured_report.values.format import format_number, format_power, format_short, whole
+from measured_report.values.format import format_number, format_power, format_short, number_pattern
 from measured_report.values.quantities import Quantity
 
 INK = "#1b1f24"
@@ -260,7 +260,7 @@ def _trimmed(drawing: Drawing) -> Drawing:
 
 def _linked(svg: str, drawing: Drawing) -> str:
     """Return the drawing with texts saying where their numbers are from, marks their own, and ticks what they are."""
-    numbers = {text: whole(escape(text)) for text in _sources}
+    numbers = {text: number_pattern(escape(text)) for text in _sources}
     longest_first = sorted(_sources, key=len, reverse=True)
     drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
     axes, scales = drawing.axes[0], cache(_scales)

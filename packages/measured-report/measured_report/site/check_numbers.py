@@ -21,8 +21,8 @@ from measured_report.values.format import (
     format_number,
     format_short,
     label_of,
+    number_pattern,
     read_number,
-    whole,
 )
 from measured_report.values.quantities import LEAST, MOST, VALUES_FILE
 
@@ -191,7 +191,9 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
             except UNRESOLVED:
                 yield f"{source} resolves to nothing"
                 continue
-            if pattern := next((pattern for pattern in map(whole, written) if pattern.search(remaining)), None):
+            if pattern := next(
+                (pattern for pattern in map(number_pattern, written) if pattern.search(remaining)), None
+            ):
                 remaining = pattern.sub("", remaining, count=1)
             else:
                 yield f"{source} is {value}, which is not said by: {text}"

@@ -102,13 +102,13 @@ def repeats_of(rows: Iterable[Cells]) -> Repeated:
     for row in rows:
         if "of" in row:
             runs.setdefault(row["of"], []).append(row)
-    found: dict[str, dict[str, Repeats]] = {case: {} for case in runs}
+    repeats: dict[str, dict[str, Repeats]] = {case: {} for case in runs}
     for case, column in ((case, column) for case, rows in runs.items() for column in rows[0]):
         numbers = fenced([row[column] for row in runs[case] if is_number(row.get(column))] or [0.0])
         if len(numbers) > 1 and scatters(column):
             length = max(row.get(column_of(column).grows_with) or 0.0 for row in runs[case])
-            found[case][column] = Repeats(mean_of(numbers), variance_of(numbers), len(numbers), length)
-    return found
+            repeats[case][column] = Repeats(mean_of(numbers), variance_of(numbers), len(numbers), length)
+    return repeats
 
 
 @dataclass(frozen=True)
@@ -132,13 +132,13 @@ class Column:
         """Return what is known of the number of a row, which is ``value`` where it is shown."""
         numbers, variance, freedom, count = self.lines[self.places[key]]
         samples = [number if number == number else None for number in numbers]
-        there = [number for number in samples if number is not None]
-        least, largest = min(there), max(there)
+        present = [number for number in samples if number is not None]
+        least, largest = min(present), max(present)
         if is_edge and least < largest:
-            middle = median(there)
+            middle = median(present)
             return Estimate(middle, least=max(largest - middle, middle - least), samples=samples, is_edge=True)
         if least < largest:
-            value = mean_of(there)
+            value = mean_of(present)
         elif isinstance(value, int):  # a count, of which all say the same
             variance = 0.0
         return Estimate(value, variance, freedom, count, 0.0, samples, self.is_of_cards, is_again=True)
@@ -176,16 +176,16 @@ class Evidence:
 
     def means(self) -> dict[tuple[str, str], Estimate]:
         """Return what is known of the means of runs of one case, by case and column."""
-        found = {}
+        estimates = {}
         for case, columns in self.repeats.items():
             for column, runs in columns.items():
                 key = MEAN, case, column
                 measured = self.columns.get((column, MEAN) if is_absolute(column) else (MEAN,))
                 if measured and key in measured.places:
-                    found[case, column] = measured.estimate(key, runs.mean, key in self.edges)
+                    estimates[case, column] = measured.estimate(key, runs.mean, key in self.edges)
                 else:
-                    found[case, column] = Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
-        return found
+                    estimates[case, column] = Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
+        return estimates
 
     def _by_repeats(self, column: str, row: Cells) -> Estimate | None:
         """Return what the noisiest runs of one case say of a number; what repeats to the last bit is rounded."""
@@ -194,8 +194,8 @@ class Evidence:
         if is_repeated(column, row):
             return Estimate(value, least=rounding, samples=(value,))
         length = row.get(about.grows_with)
-        runs = [each[column] for each in self.repeats.values() if column in each]
-        noisiest = max(runs, key=lambda each: each.variance_at(value, length), default=None)
+        runs = [columns[column] for columns in self.repeats.values() if column in columns]
+        noisiest = max(runs, key=lambda run: run.variance_at(value, length), default=None)
         if noisiest is None:
             return None
         variance = noisiest.variance_at(value, length)
@@ -227,27 +227,27 @@ class Cell(NamedTuple):
 
 def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidence:
     """Compare the measurements of a section, None where there is none; the first of them is that which is shown."""
-    shown, *others = measured
-    if shown is None or not any(others):
+    tracked, *replicas = measured
+    if tracked is None or not any(replicas):
         return Evidence(repeats=repeats)
     keyed = [_by_key(record.rows if record else ()) for record in measured]
-    found = {key: [rows.get(key, {}) for rows in keyed] for key in keyed[0]}
-    lost = {key: [is_lost(row) for row in rows] for key, rows in found.items()}
-    edges = {key for key, rows in found.items() if _ends_apart(rows, lost[key])}
-    kept = [key for key in found if key not in edges and not lost[key][0]]
-    is_alike = [record is not None and record.machine_for_speed == shown.machine_for_speed for record in measured]
+    rows_by_key = {key: [rows.get(key, {}) for rows in keyed] for key in keyed[0]}
+    lost = {key: [is_lost(row) for row in rows] for key, rows in rows_by_key.items()}
+    edges = {key for key, rows in rows_by_key.items() if _ends_apart(rows, lost[key])}
+    keys = [key for key in rows_by_key if key not in edges and not lost[key][0]]
+    is_alike = [record is not None and record.machine_for_speed == tracked.machine_for_speed for record in measured]
     groups: dict[Key, list[Cell]] = {}
-    for key in kept:
-        rows = [{} if gone else row for row, gone in zip(found[key], lost[key], strict=True)]
+    for key in keys:
+        rows = [{} if gone else row for row, gone in zip(rows_by_key[key], lost[key], strict=True)]
         engine = engine_of(rows[0])
         for column in filter(scatters, rows[0]):
             if cell := _cell(key, column, rows, is_alike):
                 groups.setdefault((column, *engine), []).append(cell)
     runs = [repeats_of(record.rows if record else ()) for record in measured]
     for case, column in ((case, column) for case, columns in runs[0].items() for column in columns):
-        means = [{column: each[case][column].mean} if column in each.get(case, {}) else {} for each in runs]
-        own = runs[0][case][column]
-        if cell := _cell((MEAN, case, column), column, means, is_alike, math.sqrt(own.variance / own.run_count)):
+        means = [{column: run[case][column].mean} if column in run.get(case, {}) else {} for run in runs]
+        spread = runs[0][case][column]
+        if cell := _cell((MEAN, case, column), column, means, is_alike, math.sqrt(spread.variance / spread.run_count)):
             groups.setdefault((column, MEAN) if is_absolute(column) else (MEAN,), []).append(cell)
     cards = [record.card if record else "" for record in measured]
     columns: dict[Key, Column] = {}
@@ -258,10 +258,10 @@ def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidenc
         else:
             columns[group], deviations = _moderated(MEAN if MEAN in group else group[0], cells)
             far.append(Far([cell.key for cell in cells], deviations))
-    events = {(key, place) for each in far for key, place in each.events}
+    events = {(key, index) for column in far for key, index in column.events}
     count = sum(map(bool, cards))
-    share = len(events) / max(1, len(kept) * count)
-    changed = [_changed(far, events, place, len(kept) * (count - 1)) for place in range(len(cards)) if count > 2]
+    share = len(events) / max(1, len(keys) * count)
+    changed = [_changed(far, events, index, len(keys) * (count - 1)) for index in range(len(cards)) if count > 2]
     return Evidence(count, columns, repeats, frozenset(edges | {key for key, _ in events}), share, changed)
 
 
@@ -281,10 +281,10 @@ def _by_key(rows: Sequence[Cells]) -> dict[Key, Cells]:
 
 def _ends_apart(rows: Sequence[Cells], lost: Sequence[bool]) -> bool:
     """Tell whether measurements of a row were lost in some and not in others, or say another thing in words."""
-    there = [(row, gone) for row, gone in zip(rows, lost, strict=True) if row]
-    words = {name for row, _ in there for name, cell in row.items() if isinstance(cell, str | bool)}
-    words -= {"case"} | {name for name in words if name.endswith(REASON)}
-    return len({gone for _, gone in there}) > 1 or any(len({row.get(name) for row, _ in there}) > 1 for name in words)
+    pairs = [(row, gone) for row, gone in zip(rows, lost, strict=True) if row]
+    texts = {name for row, _ in pairs for name, cell in row.items() if isinstance(cell, str | bool)}
+    texts -= {"case"} | {name for name in texts if name.endswith(REASON)}
+    return len({gone for _, gone in pairs}) > 1 or any(len({row.get(name) for row, _ in pairs}) > 1 for name in texts)
 
 
 def _cell(key: Key, column: str, rows: Sequence[Cells], is_alike: Sequence[bool], scale: float = 1.0) -> Cell | None:
@@ -306,8 +306,8 @@ class Far:
     @property
     def events(self) -> Iterable[tuple[Key, int]]:
         """Yield the rows and measurements that no chance is."""
-        rows, places = (self.deviations > AT_EDGE).nonzero()
-        return ((self.keys[row], place) for row, place in zip(rows.tolist(), places.tolist(), strict=True))
+        rows, indices = (self.deviations > AT_EDGE).nonzero()
+        return ((self.keys[row], index) for row, index in zip(rows.tolist(), indices.tolist(), strict=True))
 
 
 def _moderated(name: str, cells: Sequence[Cell]) -> tuple[Column, "np.ndarray"]:
@@ -320,11 +320,11 @@ def _moderated(name: str, cells: Sequence[Cell]) -> tuple[Column, "np.ndarray"]:
     scaled = samples / scales[:, None]
     counts = (~np.isnan(samples)).sum(axis=1)
     sizes = np.maximum(abs(np.nanmean(scaled, axis=1)), 1e-12) if name != MEAN else np.ones(len(cells))
-    found = moderated(np.nanvar(scaled, axis=1, ddof=1), counts - 1.0, sizes, usual=float(name == MEAN))
+    fit = moderated(np.nanvar(scaled, axis=1, ddof=1), counts - 1.0, sizes, usual=float(name == MEAN))
     least = np.maximum(column_of(name).resolution, ROUNDED_SHARE * abs(np.nanmean(samples, axis=1))) / scales
-    places = {cell.key: place for place, cell in enumerate(cells)}
-    column = Column(places, samples, found.variances * scales**2, found.freedoms, counts)
-    return column, left_out(scaled, found.lent, found.common, least)
+    places = {cell.key: index for index, cell in enumerate(cells)}
+    column = Column(places, samples, fit.variances * scales**2, fit.freedoms, counts)
+    return column, left_out(scaled, fit.lent, fit.common, least)
 
 
 def _of_cards(cells: Sequence[Cell], cards: Sequence[str]) -> Column | None:
@@ -332,26 +332,26 @@ def _of_cards(cells: Sequence[Cell], cards: Sequence[str]) -> Column | None:
     import numpy as np
 
     samples = np.array([cell.samples for cell in cells])
-    places_of = {card: np.array([each == card for each in cards]) for card in cards}
-    there = [samples[:, places] for places in places_of.values() if not np.isnan(samples[:, places]).all()]
-    if len(there) < 2:
+    places_of = {card: np.array([name == card for name in cards]) for card in cards}
+    groups = [samples[:, places] for places in places_of.values() if not np.isnan(samples[:, places]).all()]
+    if len(groups) < 2:
         return None
-    by_card = np.stack([np.nanmean(each, axis=1) if each.shape[1] > 1 else each[:, 0] for each in there], axis=1)
-    whole, means = ~np.isnan(by_card).any(axis=1), by_card.mean(axis=1)
-    if not whole.any():
+    by_card = np.stack([np.nanmean(group, axis=1) if group.shape[1] > 1 else group[:, 0] for group in groups], axis=1)
+    complete, means = ~np.isnan(by_card).any(axis=1), by_card.mean(axis=1)
+    if not complete.any():
         return None
-    share = np.median(by_card[whole].var(axis=1, ddof=1) / means[whole] ** 2)
-    counts = np.full(len(cells), float(len(there)))
-    places = {cell.key: place for place, cell in enumerate(cells) if whole[place]}
+    share = np.median(by_card[complete].var(axis=1, ddof=1) / means[complete] ** 2)
+    counts = np.full(len(cells), float(len(groups)))
+    places = {cell.key: index for index, cell in enumerate(cells) if complete[index]}
     return Column(places, samples, share * means**2, counts - 1, counts, is_of_cards=True)
 
 
-def _changed(far: Sequence[Far], events: set[tuple[Key, int]], place: int, others: int) -> tuple[int, int]:
-    """Return how many numbers a measurement has, and how many changed against the others, of ``others`` rows."""
-    known = {(key, other) for key, other in events if other != place}
-    share, edges = len(known) / max(1, others), {key for key, _ in known}
-    pairs = (pair for each in far for pair in zip(each.keys, each.deviations[:, place].tolist(), strict=True))
+def _changed(far: Sequence[Far], events: set[tuple[Key, int]], index: int, count: int) -> tuple[int, int]:
+    """Return how many numbers a measurement has, and how many changed against the others, of ``count`` rows."""
+    elsewhere = {(key, measurement) for key, measurement in events if measurement != index}
+    share, edges = len(elsewhere) / max(1, count), {key for key, _ in elsewhere}
+    pairs = (pair for column in far for pair in zip(column.keys, column.deviations[:, index].tolist(), strict=True))
     z = [deviations for key, deviations in pairs if deviations == deviations and key not in edges]
-    chances = [max(math.erfc(each / math.sqrt(2)), share) for each in z]
+    chances = [max(math.erfc(deviation / math.sqrt(2)), share) for deviation in z]
     limit = discoveries(chances)
     return len(z), sum(chance <= limit for chance in chances) if limit else 0

@@ -61,8 +61,8 @@ def undusted(value: float | int | None) -> float | int | None:
 
 def read_number(text: str) -> Decimal | None:
     """Read the number that was written so; None for what is none."""
-    found = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
-    return Decimal(found[1] or 1).scaleb(int((found[2] or "⁰").translate(DIGITS))) if found else None
+    match = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
+    return Decimal(match[1] or 1).scaleb(int((match[2] or "⁰").translate(DIGITS))) if match else None
 
 
 def rounded(value: float, noise: float | None, rounding: str = ROUND_HALF_UP) -> Decimal:
@@ -72,16 +72,16 @@ def rounded(value: float, noise: float | None, rounding: str = ROUND_HALF_UP) ->
     rounding itself would move the value by more, there is a digit more. What is beyond the noise has one in any case.
     """
     exact = Decimal(repr(value))
-    place = exact.adjusted() + 1 - (DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
+    exponent = exact.adjusted() + 1 - (DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
     if noise:
-        place = min(max(place, math.ceil(math.log10(noise / 2))), exact.adjusted())
-    found = exact.quantize(Decimal(1).scaleb(place), rounding)
-    while noise and abs(found - exact) > Decimal(repr(noise)) / 2:
-        place -= 1
-        found = exact.quantize(Decimal(1).scaleb(place), rounding)
-    if found.adjusted() > exact.adjusted():
-        return rounded(float(found), noise, rounding)  # 9.996 is 10.0 and not 10.00
-    return found
+        exponent = min(max(exponent, math.ceil(math.log10(noise / 2))), exact.adjusted())
+    decimal = exact.quantize(Decimal(1).scaleb(exponent), rounding)
+    while noise and abs(decimal - exact) > Decimal(repr(noise)) / 2:
+        exponent -= 1
+        decimal = exact.quantize(Decimal(1).scaleb(exponent), rounding)
+    if decimal.adjusted() > exact.adjusted():
+        return rounded(float(decimal), noise, rounding)  # 9.996 is 10.0 and not 10.00
+    return decimal
 
 
 def format_code(value: float | int | None) -> str:
@@ -98,7 +98,7 @@ def format_short(value: float) -> str:
     return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix("0" if places == 2 else "")
 
 
-def whole(text: str) -> re.Pattern[str]:
+def number_pattern(text: str) -> re.Pattern[str]:
     """Match a number as it is written, and not as a part of another one."""
     return re.compile(rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)")
 
@@ -113,9 +113,9 @@ def label_of(case: str, labels: Mapping[str, str]) -> str:
     >>> label_of("length-2.5e6", {"length-#": "{} m long"})
     '2.5×10⁶ m long'
     """
-    for pattern, words in labels.items():
+    for pattern, label in labels.items():
         if match := re.fullmatch(re.escape(pattern).replace(r"\#", NAMED), case):
-            return words.format(*map(number_of, match.groups()))
+            return label.format(*map(number_of, match.groups()))
     return case.replace("-", " ").replace("_", " ")
 
 
@@ -137,8 +137,8 @@ def _format_noise(noise: float, value: float) -> str:
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:
-    place = Decimal(1).scaleb(exact.adjusted() + 1 - digits)
-    return _format_decimal(exact.quantize(place, rounding).normalize())
+    step = Decimal(1).scaleb(exact.adjusted() + 1 - digits)
+    return _format_decimal(exact.quantize(step, rounding).normalize())
 
 
 def _format_decimal(number: Decimal) -> str:

@@ -58,13 +58,13 @@ def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
     import numpy as np
 
     t = np.minimum(difference / np.maximum(error, difference / MOST_T + TINY), MOST_T)
-    return [math.erfc(each) for each in (deviations_of(t, freedom) / math.sqrt(2)).tolist()]
+    return [math.erfc(deviation) for deviation in (deviations_of(t, freedom) / math.sqrt(2)).tolist()]
 
 
 def discoveries(chances: Sequence[float]) -> float:
     """Return the largest chance that counts as none, by Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289."""
     ranked = enumerate(sorted(chances), 1)
-    return max((each for rank, each in ranked if each <= FALSE_SHARE * rank / len(chances)), default=0.0)
+    return max((chance for rank, chance in ranked if chance <= FALSE_SHARE * rank / len(chances)), default=0.0)
 
 
 def fenced(numbers: Sequence[float]) -> list[float]:
@@ -99,8 +99,8 @@ def tolerance(numbers: Sequence[float]) -> float:
     if len(numbers) < LEAST_RUNS:
         return max(numbers) - min(numbers)
     freedom = len(numbers) - 1
-    part = 2 / (9 * freedom)
-    chi_squared = freedom * (1 - part + NORMAL.inv_cdf(1 - CONFIDENCE) * math.sqrt(part)) ** 3
+    term = 2 / (9 * freedom)
+    chi_squared = freedom * (1 - term + NORMAL.inv_cdf(1 - CONFIDENCE) * math.sqrt(term)) ** 3
     deviation = math.sqrt(variance_of(fenced(numbers)) * freedom / chi_squared)
     return math.sqrt(2) * NORMAL.inv_cdf((1 + PAIRS) / 2) * deviation
 
@@ -133,11 +133,11 @@ class Estimate:
     @property
     def note(self) -> str:
         """Say what it is the mean of; nothing where it was measured once."""
-        there = [sample for sample in self.samples if sample is not None]
-        if len(there) < 2:
+        present = [sample for sample in self.samples if sample is not None]
+        if len(present) < 2:
             return ""
-        least, largest = min(there), max(there)
-        several = f"{len(there)} measurements from {least:.6g} to {largest:.6g}"
+        least, largest = min(present), max(present)
+        several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
         return (
             f"at an edge, where chance decides: {several}" if self.is_edge else "mean of " * (least < largest) + several
         )
@@ -180,10 +180,10 @@ def derived_noise(
     if None in noises:
         return None
     middle, changes = function(*values), []
-    for place, noise in enumerate(noises):
+    for index, noise in enumerate(noises):
         if noise:
-            ways = (values[place] + noise, values[place] - noise)
-            ends = [function(*values[:place], way, *values[place + 1 :]) for way in ways]
+            ways = (values[index] + noise, values[index] - noise)
+            ends = [function(*values[:index], way, *values[index + 1 :]) for way in ways]
             changes.append(max(abs(end - middle) for end in ends))
     return math.hypot(*changes)
 

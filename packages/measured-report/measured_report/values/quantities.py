@@ -44,8 +44,8 @@ class Pointer:
     @property
     def cell(self) -> tuple[int, str] | None:
         """Return row and column; None for what is in no row."""
-        found = re.fullmatch(r"[^#]*#/rows/(\d+)/(\w+)", self.text)
-        return (int(found[1]), found[2]) if found else None
+        match = re.fullmatch(r"[^#]*#/rows/(\d+)/(\w+)", self.text)
+        return (int(match[1]), match[2]) if match else None
 
 
 @dataclass(frozen=True)
@@ -67,8 +67,8 @@ class Quantity:
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
     """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
 
-    def _with(self, function: Callable[..., Any], *others: "Quantity | float") -> "Term":
-        return combined(function, self, *others)
+    def _with(self, function: Callable[..., Any], *operands: "Quantity | float") -> "Term":
+        return combined(function, self, *operands)
 
     def _after(self, function: Callable[..., Any], number: float) -> "Term":
         return combined(function, number, self)
@@ -122,20 +122,20 @@ class Quantity:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
         attributes |= {"data-as": written_as} if written_as else {}
-        hint = self.reason or "; ".join(filter(None, (self.formula, self._known)))
+        hint = self.reason or "; ".join(filter(None, (self.formula, self._uncertainty)))
         attributes |= {"title": hint} if hint else {}
         # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
         written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
         return Markup(f"<data{written}>{escape(text)}</data>")
 
     @property
-    def _known(self) -> str:
+    def _uncertainty(self) -> str:
         """Say how far the truth may be from it, and what a derived one was in each of several measurements."""
         if self.value is None or not self.noise:
             return ""
-        there = [sample for sample in self.samples if sample is not None]
-        several = f", in {len(there)} measurements {', '.join(f'{sample:.4g}' for sample in there)}"
-        return f"±{self.noise:.2g}" + (several if len(there) > 1 and isinstance(self, Value) else "")
+        present = [sample for sample in self.samples if sample is not None]
+        several = f", in {len(present)} measurements {', '.join(f'{sample:.4g}' for sample in present)}"
+        return f"±{self.noise:.2g}" + (several if len(present) > 1 and isinstance(self, Value) else "")
 
     def __html__(self) -> Markup:
         return self._with_unit(self.bare)
@@ -195,13 +195,13 @@ LEAST_SAMPLES = 3  # chosen: fewer measurements of a value say less than those o
 
 def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[float | None]:
     """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
-    given = [source.samples if isinstance(source, Quantity) else None for source in sources]
-    count = max((len(samples) for samples in given if samples), default=0)
-    if None in given or not count:
+    sampled = [source.samples if isinstance(source, Quantity) else None for source in sources]
+    count = max((len(samples) for samples in sampled if samples), default=0)
+    if None in sampled or not count:
         return []
-    ways = [samples or count * (source.value,) for samples, source in zip(given, sources, strict=True)]
+    ways = [samples or count * (source.value,) for samples, source in zip(sampled, sources, strict=True)]
     numbers = zip_longest(*(way[:count] for way in ways))
-    return [None if None in each else _sampled(function, each) for each in numbers]
+    return [None if None in values else _sampled(function, values) for values in numbers]
 
 
 def _sampled(function: Callable[..., float], values: Sequence[float]) -> float | None:
@@ -223,9 +223,9 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any], samples: Se
         noise = derived_noise(function, values, noises)
     except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
         noise = None
-    there = [sample for sample in samples if sample is not None]
-    if len(there) >= LEAST_SAMPLES and None not in noises:
-        noise = min(sampled_noise(there), math.inf if noise is None else noise)
+    present = [sample for sample in samples if sample is not None]
+    if len(present) >= LEAST_SAMPLES and None not in noises:
+        noise = min(sampled_noise(present), math.inf if noise is None else noise)
     if noise is None or not math.isfinite(noise):
         return None
     return max(float(noise), WRITTEN_SHARE * abs(function(*values))) if any(noises) else 0.0
@@ -270,8 +270,8 @@ def combined(function: Callable[..., float], *sources: Any, unit: str = "", acro
     operands = {id(operand): operand for group in groups for operand in group}
 
     def composed(*values: Any) -> float:
-        given = dict(zip(operands, values, strict=True))
-        inner = [[given[id(operand)] for operand in group] for group in groups]
+        by_id = dict(zip(operands, values, strict=True))
+        inner = [[by_id[id(operand)] for operand in group] for group in groups]
         arguments = [s.function(*v) if isinstance(s, Term) else v[0] for s, v in zip(sources, inner, strict=True)]
         # The largest or smallest of none is no number.
         return function(arguments, default=math.nan) if function in (max, min) else function(*arguments)

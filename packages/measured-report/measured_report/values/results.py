@@ -75,18 +75,18 @@ class Row:
         value = number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
             return value
-        origins, place = self._origins, f"{self.source}/{column}"
+        unit, origins, pointer = units[column], self._origins, f"{self.source}/{column}"
         if value is None:
             reason = ": ".join(filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost")))
-            return Quantity(None, units[column], place, reason, origins)
-        known = self.estimate(column)
-        if known is None:
-            return Quantity(value, units[column], place, "", origins)
-        if known.value == value:
-            return Quantity(value, units[column], place, "", origins, known.written_noise, known.note, known.samples)
+            return Quantity(None, unit, pointer, reason, origins)
+        estimate = self.estimate(column)
+        if estimate is None:
+            return Quantity(value, unit, pointer, "", origins)
+        details = estimate.written_noise, estimate.note, estimate.samples
+        if estimate.value == value:
+            return Quantity(value, unit, pointer, "", origins, *details)
         mean = f"{self._results.values_file}/{MEANS}.{self._index}.{column}"
-        told = known.value, units[column], mean, "", origins, known.written_noise, known.note, known.samples
-        return Value(*told, sources=(place,), roots=frozenset({place}))
+        return Value(estimate.value, unit, mean, "", origins, *details, sources=(pointer,), roots=frozenset({pointer}))
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
@@ -166,7 +166,7 @@ class Results:
     @cached_property
     def rows(self) -> list[Row]:
         """Return all rows but those that are damaged in what tells them apart."""
-        return [Row(self, index) for index, is_whole in enumerate(_whole(self.record)) if is_whole]
+        return [Row(self, index) for index, is_whole in enumerate(_complete_rows(self.record)) if is_whole]
 
     @cached_property
     def row(self) -> Rows:
@@ -226,7 +226,7 @@ class Results:
         return self.value(name, f"chosen: {why}", constant(value, unit))
 
 
-def _whole(record: Record) -> list[bool]:
+def _complete_rows(record: Record) -> list[bool]:
     """Tell which rows have what says of which run they are: a setting that is not null, a text that all others have."""
     cells = Counter(chain.from_iterable(record.rows))
     # Not the reasons, which say of a number that it is not there: of most rows it may not be.

@@ -57,17 +57,16 @@ class Prior(NamedTuple):
 def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Prior:
     """Fit a column's variances, all above 0: their logarithms less what the degrees of freedom alone make of them."""
     logs = np.log(variances) - digamma(freedoms / 2) + np.log(freedoms / 2)
-    slope, rest = min(
-        ((slope, logs - slope * np.log(sizes)) for slope in (2.0, 1.0, 0.0)), key=lambda way: _width(way[1])
-    )
-    low, high = np.quantile(rest, [0.25, 0.75])
-    rest = np.minimum(rest, high + 1.5 * (high - low))  # Tukey's fence
+    fits = ((slope, logs - slope * np.log(sizes)) for slope in (2.0, 1.0, 0.0))
+    slope, residuals = min(fits, key=lambda fit: _width(fit[1]))
+    low, high = np.quantile(residuals, [0.25, 0.75])
+    residuals = np.minimum(residuals, high + 1.5 * (high - low))  # Tukey's fence
     by_chance = trigamma(freedoms / 2).mean()
     usual = USUAL_ROWS * (by_chance + trigamma(USUAL_FREEDOM / 2))
-    unlike = (((rest - rest.mean()) ** 2).sum() + usual) / (len(rest) - 1 + USUAL_ROWS) - by_chance
+    unlike = (((residuals - residuals.mean()) ** 2).sum() + usual) / (len(residuals) - 1 + USUAL_ROWS) - by_chance
     strongest = trigamma(MOST_FREEDOM / 2)
     freedom = MOST_FREEDOM if unlike <= strongest else 2 * trigamma_inverse(unlike)
-    return Prior(float(np.exp(rest.mean() + digamma(freedom / 2) - np.log(freedom / 2))), slope, freedom)
+    return Prior(float(np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))), slope, freedom)
 
 
 def _width(logs: Array) -> float:
@@ -87,16 +86,17 @@ class Moderated(NamedTuple):
 def moderated(variances: Array, freedoms: Array, sizes: Array, usual: float = 0.0) -> Moderated:
     """Shrink variances towards their column's; those of few rows towards the ``usual`` one, where there is such."""
     floors = (ROUNDED_SHARE * sizes) ** 2 / 12
-    own = np.maximum(variances, floors)
+    clipped = np.maximum(variances, floors)
     scatters = variances > 1e-3 * floors
     if scatters.sum() < LEAST_ROWS:
-        lent, common = np.full(own.shape, USUAL_FREEDOM * bool(usual)), np.full(own.shape, usual) if usual else own
-        return Moderated((lent * common + freedoms * own) / (lent + freedoms), lent + freedoms, lent, common)
-    prior = prior_of(own[scatters], freedoms[scatters], sizes[scatters])
+        lent = np.full_like(clipped, USUAL_FREEDOM * bool(usual))
+        common = np.full_like(clipped, usual) if usual else clipped
+        return Moderated((lent * common + freedoms * clipped) / (lent + freedoms), lent + freedoms, lent, common)
+    prior = prior_of(clipped[scatters], freedoms[scatters], sizes[scatters])
     # Where most agree to the last bit, those that do are not of the few that don't.
     agrees = ~scatters & (scatters.mean() < 0.5)
     common = np.where(agrees, floors, prior.level * sizes**prior.slope)
-    lent = np.where(_deviations(own / common, freedoms, prior.freedom) > WILD, 0.0, prior.freedom)
+    lent = np.where(_deviations(clipped / common, freedoms, prior.freedom) > WILD, 0.0, prior.freedom)
     together = (lent * common + freedoms * variances) / (lent + freedoms)
     return Moderated(np.maximum(together, floors), lent + freedoms, lent, common)
 
@@ -116,14 +116,14 @@ def left_out(samples: Array, lent: Array, common: Array, least: Array) -> Array:
         common: The column's variance for each row.
         least: Differences that count as none, by row.
     """
-    there = ~np.isnan(samples)
-    count = np.maximum(there.sum(axis=1, keepdims=True), 2)
+    present = ~np.isnan(samples)
+    count = np.maximum(present.sum(axis=1, keepdims=True), 2)
     mean = np.nansum(samples, axis=1, keepdims=True) / count
-    off = np.where(there, samples - mean, 0.0)
-    others = np.maximum((off**2).sum(axis=1, keepdims=True) - off**2 * count / (count - 1), 0.0)
+    off = np.where(present, samples - mean, 0.0)
+    remainder = np.maximum((off**2).sum(axis=1, keepdims=True) - off**2 * count / (count - 1), 0.0)
     freedoms = count - 2 + lent[:, None]
-    variances = (others + lent[:, None] * common[:, None]) / np.maximum(freedoms, 1.0)
+    variances = (remainder + lent[:, None] * common[:, None]) / np.maximum(freedoms, 1.0)
     errors = np.sqrt(np.maximum(variances, (ROUNDED_SHARE * mean) ** 2 / 12) * count / (count - 1))
     distance = np.maximum(0.0, abs(off) * count / (count - 1) - least[:, None])
     t = np.minimum(distance / np.where(errors > 0, errors, np.where(distance > 0, distance / MOST_T, 1.0)), MOST_T)
-    return np.where(there & (count > 2), deviations_of(t, np.maximum(freedoms, 1.0)), np.nan)
+    return np.where(present & (count > 2), deviations_of(t, np.maximum(freedoms, 1.0)), np.nan)
