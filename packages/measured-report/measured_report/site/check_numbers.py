@@ -191,9 +191,7 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
             except UNRESOLVED:
                 yield f"{source} resolves to nothing"
                 continue
-            if pattern := next(
-                (pattern for pattern in map(number_pattern, written) if pattern.search(remaining)), None
-            ):
+            if pattern := next((form for form in map(number_pattern, written) if form.search(remaining)), None):
                 remaining = pattern.sub("", remaining, count=1)
             else:
                 yield f"{source} is {value}, which is not said by: {text}"

@@ -101,9 +101,7 @@ def test_of_several_one_that_fails_decides_then_an_opposite_then_one_that_cannot
 def test_what_was_measured_elsewhere_is_not_compared_and_all_that_was_read_is_told():
     here, there = (frozenset({Origin(release, "A processor")}) for release in ("1.4.0", "1.8.0"))
     found = greater(mm(2.0, origins=here), mm(1.0, origins=there), noise=mm(0.0))
-    assert found.answer == "cannot tell" and found.reason.startswith(
-        "it would compare Newton 1.4.0 on A processor with "
-    )
+    assert found.answer == "cannot tell" and found.reason.startswith("it would compare Newton 1.4.0 on A processor")
     assert greater(mm(2.0, origins=here), mm(1.0, origins=here), noise=mm(0.0)) == HOLDS
     read = at_most(mm(2.0, source="a#/1"), mm(3.0, source="a#/2"))
     assert all_of(read, decided(True, mm(1.0, source="a#/3"))).reads == {"a#/1", "a#/2", "a#/3"}
