@@ -14,9 +14,9 @@ from measured_report.values.quantities import Quantity
 
 def chapters(value=None, noise=None, outcome=None):
     """What an edition has of one section: a value and a claim."""
-    found = Quantity(value, "mm", "values.json#/s/slip_mm", "" if value is not None else "it fell", noise=noise)
+    slip = Quantity(value, "mm", "values.json#/s/slip_mm", "" if value is not None else "it fell", noise=noise)
     record = SimpleNamespace(units={"slip_mm": "mm"})
-    results = SimpleNamespace(derived={"slip_mm": found}, row={}, rows=[], record=record)
+    results = SimpleNamespace(derived={"slip_mm": slip}, row={}, rows=[], record=record)
     section = SimpleNamespace(claims=[Claim("c", outcome)] if outcome else [])
     return {"s": SimpleNamespace(results=results, section=section)}
 
@@ -27,8 +27,8 @@ def test_a_number_is_as_the_first_where_it_is_nearer_to_it_and_halfway_it_is_not
     assert [Query("s.v").is_first(each, -1.0, -3.0) for each in (0.0, -1.5, -2.5)] == [True, True, False]
     claim = Query("s.c", is_claim=True)
     assert claim.is_first("holds", "holds", "fails") and not claim.is_first("fails", "holds", "fails")
-    asked = [(each.section, each.case, each.column, each.unit) for each in map(Query, ("s.gap_m", "s.at-0.5.slip_mm"))]
-    assert asked == [("s", "", "gap_m", "m"), ("s", "at-0.5", "slip_mm", "mm")]
+    parts = [(each.section, each.case, each.column, each.unit) for each in map(Query, ("s.gap_m", "s.at-0.5.slip_mm"))]
+    assert parts == [("s", "", "gap_m", "m"), ("s", "at-0.5", "slip_mm", "mm")]
 
 
 MARKS = [((2.0, 0.25), (3.0, 0.125), "worse"), ((3.0, 0.125), (2.0, 0.25), "better")]  # less slip is better
@@ -37,8 +37,8 @@ MARKS += [((2.0, 1.0), (3.0, 0.125), ""), ((2.0, 0.125), (3.0, 1.0), ""), ((2.0,
 
 @pytest.mark.parametrize(("first", "second", "mark"), MARKS)
 def test_what_moves_by_far_more_than_the_larger_noise_is_marked_by_which_way_is_better(first, second, mark):
-    found = points({"1.0": chapters(*first), "2.0": chapters(*second)}, Query("s.slip_mm"))
-    assert [point.mark for point in found] == ["", mark]
+    curve = points({"1.0": chapters(*first), "2.0": chapters(*second)}, Query("s.slip_mm"))
+    assert [point.mark for point in curve] == ["", mark]
 
 
 def test_a_history_says_numbers_in_four_digits_with_their_noise_and_why_there_is_none():
@@ -64,13 +64,13 @@ LATE += [
 @pytest.mark.parametrize(("value", "noise", "threshold", "late"), LATE)
 def test_a_threshold_rings_late_where_the_noise_of_two_is_a_larger_share(monkeypatch, value, noise, threshold, late):
     monkeypatch.setattr(query, "config", lambda: Config(changes=Changes(thresholds={"s.slip_mm": threshold})))
-    found = blind_spots(SimpleNamespace(chapters=chapters(value, noise)))
-    assert found == ([late] if late else [])
+    spots = blind_spots(SimpleNamespace(chapters=chapters(value, noise)))
+    assert spots == ([late] if late else [])
 
 
 def test_a_search_halves_what_is_left_and_passes_over_what_cannot_tell():
-    asked = []
-    found = first_change(range(17), lambda point: asked.append(point) or (None if point == 8 else point < 11))
-    assert found == (10, 11, []) and asked == [8, 9, 13, 11, 10]
+    tried = []
+    first = first_change(range(17), lambda point: tried.append(point) or (None if point == 8 else point < 11))
+    assert first == (10, 11, []) and tried == [8, 9, 13, 11, 10]
     assert first_change(range(8), lambda point: None if point == 4 else point < 2) == (1, 2, []), "4 is no neighbour"
     assert first_change(range(3), lambda _: None) == (0, 2, [1]) and first_change("ab", None) == ("a", "b", [])

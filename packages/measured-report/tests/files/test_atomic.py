@@ -44,9 +44,9 @@ def test_every_damage_to_a_record_is_named_in_one_line(toy):
             load_record(toy.record_path)
             unnamed.append(f"{way}: taken for whole")
         except RecordError as error:
-            said = str(error)
-            if "newton-1.4.0/toy" not in said or "\n" in said or len(said) > 500 or not said.isprintable():
-                unnamed.append(f"{way}: {said!r}")
+            line = str(error)
+            if "newton-1.4.0/toy" not in line or "\n" in line or len(line) > 500 or not line.isprintable():
+                unnamed.append(f"{way}: {line!r}")
         toy.record_path.rmdir() if toy.record_path.is_dir() else toy.record_path.unlink()
         for name, content in whole.items():
             (folder / name).write_bytes(content)
@@ -58,8 +58,8 @@ def test_every_damage_to_a_record_is_named_in_one_line(toy):
 def test_every_damage_to_a_trace_is_named_with_and_without_its_seal(toy, way):
     trace = trace_path(toy.record_path, "stiff")
     damage(trace, way)
-    for said in (refusal(toy.record_path), refusal(toy.record_path, trace)):
-        assert said.startswith("newton-1.4.0/toy.stiff.csv.gz ") and "\n" not in said
+    for line in (refusal(toy.record_path), refusal(toy.record_path, trace)):
+        assert line.startswith("newton-1.4.0/toy.stiff.csv.gz ") and "\n" not in line
     if way.startswith("place: "):
         toy.build()
         assert "root:" not in toy.page and not list(toy.project.site.rglob("*.gz"))
@@ -75,13 +75,13 @@ def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
     newer = toy.of("1.8.0")
     newer.measure()
     damage(newer.record_path, "field: unit 'm'")
-    said = "the unit of slip_mm is given as m, and its name says mm"
+    line = "the unit of slip_mm is given as m, and its name says mm"
     toy.build()
     assert 'id="toy"' in toy.page
     assert check_site(toy.project.site) == ["newton-1.8.0/index.html: there is no claim on any page"]
     left_out = editions_of(toy.project)["1.8.0"].left_out
     assert [(state.kind, state.notes) for state in left_out] == [
-        ("damaged", (f"newton-1.8.0/toy.json is no whole record: {said}",))
+        ("damaged", (f"newton-1.8.0/toy.json is no whole record: {line}",))
     ]
 
 
@@ -170,8 +170,8 @@ def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
 
     ended = killed_at(stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces))
     assert recover(toy.record_path.parent.parent, load_record) == []
-    found = load_record(toy.record_path)
-    assert [row["slip_mm"] for row in found.rows] in (before, [2.0, 2.0])
-    assert ended or found.rows[0]["slip_mm"] == 2.0
-    expected = {"toy.json", *(f"toy.{case}.csv.gz" for case in found.traces)}
+    record = load_record(toy.record_path)
+    assert [row["slip_mm"] for row in record.rows] in (before, [2.0, 2.0])
+    assert ended or record.rows[0]["slip_mm"] == 2.0
+    expected = {"toy.json", *(f"toy.{case}.csv.gz" for case in record.traces)}
     assert {path.name for path in toy.record_path.parent.iterdir()} == expected

@@ -53,11 +53,11 @@ def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, ca
     ending = section_of(toy, batches.single(Batch("end", sys.exit, ("ended",))), "ending-one")
     odd = section_of(toy, batches.single(Batch("odd", os.listdir, (lambda: None,))), "odd-one")
     assert fails(failing, ending, odd, section_of(toy, batches.plan(str(log), "a")))
-    said = capsys.readouterr().err
-    kept = "measuring failed; what was there is kept:"
-    assert re.search(rf"bad-one: {kept} bad: batches.py:\d+: ValueError: as a test\n", said)
-    assert re.search(rf"odd-one: {kept} odd: .", said)
-    assert re.search(rf"ending-one: {kept} end: .*SystemExit: ended\n", said)
+    lines = capsys.readouterr().err
+    start = "measuring failed; what was there is kept:"
+    assert re.search(rf"bad-one: {start} bad: batches.py:\d+: ValueError: as a test\n", lines)
+    assert re.search(rf"odd-one: {start} odd: .", lines)
+    assert re.search(rf"ending-one: {start} end: .*SystemExit: ended\n", lines)
     assert len(rows_of(toy)) == 2
 
 
@@ -75,8 +75,8 @@ TOLD: list[str] = []
 def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go_is_said(monkeypatch):
     monkeypatch.setattr(batch, "datetime", Clock)
     TOLD[:] = "2026-01-02T00:00:00+00:00", "2026-01-01T00:00:00+00:00", "1970-01-01T00:00:00+00:00"
-    found = measure_batch(Batch("a", int), "cpu")
-    assert found.started <= found.ended
+    result = measure_batch(Batch("a", int), "cpu")
+    assert result.started <= result.ended
     TOLD[:] = TOLD[-1:]
     with pytest.raises(BatchError, match="the clock of this machine says 1970-01-01"):
         measure_batch(Batch("a", int), "cpu")
@@ -86,9 +86,9 @@ def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
     mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
     doomed = section_of(toy, batches.single(Batch("die", batches.die_after, (str(log),))), "doomed")
     assert fails(mortal, doomed, section_of(toy, batches.plan(str(log), "efgh", 0.1)), count=2)
-    said, reason = capsys.readouterr().err, "die: its process was killed, and once more when it was alone"
-    assert "mortal/die: its process was killed; it is tried again alone" in said
-    assert f"doomed: measuring failed; what was there is kept: {reason}" in said
+    lines, reason = capsys.readouterr().err, "die: its process was killed, and once more when it was alone"
+    assert "mortal/die: its process was killed; it is tried again alone" in lines
+    assert f"doomed: measuring failed; what was there is kept: {reason}" in lines
     assert [row["case"] for row in rows_of(toy)] == [*"efgh", "sum"]
     assert begun(log).count("die") == 2 and toy.project.record_path("mortal").is_file() and not running(log)
 
@@ -115,8 +115,8 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
 def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, reason):
     before = rows_of(toy)
     assert fails(section_of(toy, handed(returned)))
-    said = capsys.readouterr().err
-    assert re.fullmatch(f"toy: measuring failed; what was there is kept: .*{reason}\n", said)
+    lines = capsys.readouterr().err
+    assert re.fullmatch(f"toy: measuring failed; what was there is kept: .*{reason}\n", lines)
     assert rows_of(toy) == before
 
 
@@ -150,15 +150,15 @@ with host_pools(2) as pools:
 def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(toy, log, outside, sent):
     toy.record_path.unlink()
     command = [sys.executable, "-c", DRIVER, str(toy.project.root), str(log)]
-    own = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of its own
-    driver = subprocess.Popen(command, cwd=outside, env=own, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    env = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of its own
+    driver = subprocess.Popen(command, cwd=outside, env=env, stderr=subprocess.PIPE, text=True, start_new_session=True)
     while "begin slow" not in log.read_text() or not toy.record_path.exists():
         assert driver.poll() is None, driver.stderr.read()
         time.sleep(0.02)
     driver.send_signal(sent)
-    said = driver.communicate(timeout=300.0)[1]  # half of what the batch would take
+    lines = driver.communicate(timeout=300.0)[1]  # half of what the batch would take
     assert not running(log)
-    assert driver.returncode == -sent and "Traceback" not in said
+    assert driver.returncode == -sent and "Traceback" not in lines
     assert [row["case"] for row in rows_of(toy)] == ["a", "b", "sum"]
     assert [path.name for path in Path(toy.record_path).parent.glob("slow*")] == []
 

@@ -22,8 +22,8 @@ def mm(value, noise=None, unit="mm", source="newton-1.4.0/toy.json#/rows/0/slip_
 def cells(*column) -> list[tuple[str, str]]:
     """Return what each cell of a column is filled with, and says."""
     html = Table(pd.DataFrame({"a": pd.Series(column, dtype=object)})).rendered().frame
-    found = re.findall(r'<td(?: class="number")?(?: data-fill="([^"]*)")?>(.*?)</td>', html)
-    return [(fill, re.sub("<[^>]*>", "", text)) for fill, text in found]
+    cells = re.findall(r'<td(?: class="number")?(?: data-fill="([^"]*)")?>(.*?)</td>', html)
+    return [(fill, re.sub("<[^>]*>", "", text)) for fill, text in cells]
 
 
 def test_numbers_of_a_column_stand_with_their_points_below_each_other():
@@ -56,20 +56,20 @@ RANGES = [(1e-4, 1e5, "0.001 1 10\u202f000 20"), (9e-5, 1.0, "10⁻³ 10⁰ 10�
 
 @pytest.mark.parametrize(("low", "high", "labels"), RANGES)
 def test_a_logarithmic_axis_has_powers_where_it_reaches_beyond_what_is_written_plainly(low, high, labels):
-    found, bases = LogLabels(labelOnlyBase=False, minor_thresholds=(99, 99)), LogLabels(labelOnlyBase=True)
-    for each in (found, bases):
+    minor, bases = LogLabels(labelOnlyBase=False, minor_thresholds=(99, 99)), LogLabels(labelOnlyBase=True)
+    for each in (minor, bases):
         each.set_axis(axis(low, high))
-    assert [found(value) for value in (1e-3, 1.0, 1e4, 20.0)] == labels.split(" ") and bases(20.0) == ""
+    assert [minor(value) for value in (1e-3, 1.0, 1e4, 20.0)] == labels.split(" ") and bases(20.0) == ""
 
 
 def test_ticks_stand_at_one_two_and_five_of_each_decade_or_where_they_are_asked_for():
-    found = axis(1.0, 50.0)
-    figures.tick_125(found)
-    labels = {place: found.get_major_formatter()(place) for place in found.get_majorticklocs() if 1.0 <= place <= 50.0}
+    ticks = axis(1.0, 50.0)
+    figures.tick_125(ticks)
+    labels = {place: ticks.get_major_formatter()(place) for place in ticks.get_majorticklocs() if 1.0 <= place <= 50.0}
     assert labels == {1.0: "1", 2.0: "2", 5.0: "5", 10.0: "10", 20.0: "20", 50.0: "50"}
-    figures.tick_at(found, [1.5, 100 / 3], digits=3)
-    assert [found.get_major_formatter()(place) for place in found.get_majorticklocs()] == ["1.5", "33.3"]
-    assert not len(found.get_minorticklocs())
+    figures.tick_at(ticks, [1.5, 100 / 3], digits=3)
+    assert [ticks.get_major_formatter()(place) for place in ticks.get_majorticklocs()] == ["1.5", "33.3"]
+    assert not len(ticks.get_minorticklocs())
     assert fold("a" * 30 + " bbbbb") == "a" * 30 + " bbbbb" and fold("a" * 30 + " bbbbbb") == "a" * 30 + "\nbbbbbb"
     assert fold("slips of 12 mm\nb", 9) == "slips\nof 12 mm\nb"
 

@@ -56,9 +56,9 @@ def kept(project: Project, *records):
 def test_a_replica_is_read_as_it_was_packed(project):
     records = [again(project, section) for section in SECTIONS]
     assert archive_of(records) == archive_of(records)
-    (found,) = kept(project, *records).values()
+    (fresh,) = kept(project, *records).values()
     for record in records:
-        assert _floats(found[record.section]) == [float(f"{cell:.9g}") for cell in _floats(record)]
+        assert _floats(fresh[record.section]) == [float(f"{cell:.9g}") for cell in _floats(record)]
 
 
 def _floats(record) -> list[float]:
@@ -67,8 +67,8 @@ def _floats(record) -> list[float]:
 
 def test_sections_of_other_code_are_left_out_and_named(project, capsys):
     other = again(project, "gap", code=sha256(b"other").hexdigest())
-    (found,) = kept(project, other, again(project, "frames")).values()
-    assert list(found) == ["frames"]
+    (fresh,) = kept(project, other, again(project, "frames")).values()
+    assert list(fresh) == ["frames"]
     assert "left out: other code (gap)" in capsys.readouterr().out
 
 
@@ -136,5 +136,5 @@ def test_a_damaged_one_is_named_without_what_turns_text_round(project):
 def test_what_could_not_be_measured_there_is_left_out(project):
     sent = again(project, "gap")
     lost = [{name: cell for name, cell in row.items() if not isinstance(cell, float)} for row in sent.rows]
-    found = refused(project, {"gap": replace(sent, rows=lost), "frames": again(project, "frames")})
-    assert found == {"gap": "not all of it could be measured there"}
+    words = refused(project, {"gap": replace(sent, rows=lost), "frames": again(project, "frames")})
+    assert words == {"gap": "not all of it could be measured there"}

@@ -51,20 +51,20 @@ def measurements(
     chance = np.random.default_rng(seed)
     truths = chance.uniform(1.0, 3.0, ROWS)
     deviations = run * np.sqrt(8.0 / chance.chisquare(8.0, ROWS))  # each row has a noise of its own
-    found = []
+    again = []
     for place in range(count):
         parts = chance.normal(0, host, ROWS) + chance.normal(0, deviations)
         rows = [{"case": f"c{row}", column: float(number)} for row, number in enumerate(truths + parts)]
-        found.append(record(rows, gpu_uuid=f"card {place}"))
+        again.append(record(rows, gpu_uuid=f"card {place}"))
     runs = truths[0] + chance.normal(0, run, 40)
     runs[:2] += 50 * run
-    return truths, found, record([{"case": f"r{n}", "of": "c", column: float(number)} for n, number in enumerate(runs)])
+    return truths, again, record([{"case": f"r{n}", "of": "c", column: float(number)} for n, number in enumerate(runs)])
 
 
-def known(found: list[Record], repeats: Record, column: str = "drift_mm_s") -> tuple[np.ndarray, np.ndarray]:
+def known(again: list[Record], repeats: Record, column: str = "drift_mm_s") -> tuple[np.ndarray, np.ndarray]:
     """Return the values that are printed, and how far the truth may be from each."""
-    evidence = evidence_of(found, repeats_of(repeats.rows))
-    estimates = [evidence.estimate(column, row) for row in found[0].rows]
+    evidence = evidence_of(again, repeats_of(repeats.rows))
+    estimates = [evidence.estimate(column, row) for row in again[0].rows]
     return np.array([each.value for each in estimates]), np.array([each.noise for each in estimates])
 
 
@@ -75,8 +75,8 @@ def test_the_truth_is_within_the_noise_as_often_as_it_says(count, host):
         pytest.skip("one host says nothing of others")
     within = []
     for seed in range(12):
-        truths, found, repeats = measurements(count, seed, host=host)
-        values, noises = known(found, repeats)
+        truths, again, repeats = measurements(count, seed, host=host)
+        values, noises = known(again, repeats)
         within.append(abs(values - truths) <= noises)
     assert 0.90 <= np.mean(within) <= 0.99
 
@@ -84,17 +84,17 @@ def test_the_truth_is_within_the_noise_as_often_as_it_says(count, host):
 def test_the_noise_falls_with_each_measurement():
     falls = []
     for seed in range(12):
-        _, found, repeats = measurements(6, seed)
-        noises = [known(found[:count], repeats)[1] for count in range(2, 7)]
+        _, again, repeats = measurements(6, seed)
+        noises = [known(again[:count], repeats)[1] for count in range(2, 7)]
         falls.append(noises[-1] < noises[0])
     assert np.mean(falls) >= 0.95
 
 
 def test_one_wild_row_changes_nothing_for_the_others_and_is_said_to_be_at_an_edge():
-    _, found, repeats = measurements(4, 3)
-    plain = known(found, repeats)
-    rows = [*found[-1].rows[:-1], {**found[-1].rows[-1], "drift_mm_s": 9.0}]
-    wild = [*found[:-1], replace(found[-1], rows=rows)]
+    _, again, repeats = measurements(4, 3)
+    plain = known(again, repeats)
+    rows = [*again[-1].rows[:-1], {**again[-1].rows[-1], "drift_mm_s": 9.0}]
+    wild = [*again[:-1], replace(again[-1], rows=rows)]
     values, noises = known(wild, repeats)
     assert noises[:-1] == pytest.approx(plain[1][:-1], rel=0.1) and values[:-1] == pytest.approx(plain[0][:-1])
     evidence = evidence_of(wild, repeats_of(repeats.rows))
@@ -103,12 +103,12 @@ def test_one_wild_row_changes_nothing_for_the_others_and_is_said_to_be_at_an_edg
 
 
 def test_a_run_that_one_measurement_loses_or_words_otherwise_is_at_an_edge():
-    _, found, _ = measurements(2, 0)
+    _, again, _ = measurements(2, 0)
     lost = [
-        {**row, "dropped": place == 3, "end": "b" if place == 5 else "a"} for place, row in enumerate(found[1].rows)
+        {**row, "dropped": place == 3, "end": "b" if place == 5 else "a"} for place, row in enumerate(again[1].rows)
     ]
-    kept = [{**row, "dropped": False, "end": "a"} for row in found[0].rows]
-    evidence = evidence_of([replace(found[0], rows=kept), replace(found[1], rows=lost)], {})
+    plain = [{**row, "dropped": False, "end": "a"} for row in again[0].rows]
+    evidence = evidence_of([replace(again[0], rows=plain), replace(again[1], rows=lost)], {})
     assert evidence.edges == {key_of({"case": "c3"}), key_of({"case": "c5"})}
 
 
@@ -196,8 +196,8 @@ def test_times_stand_beside_those_of_one_kind_of_machine_and_cards_are_known_by_
 
 
 def test_each_measurement_left_out_says_how_often_one_of_the_same_is_told_as_changed():
-    _, found, _ = measurements(5, 4)
-    assert evidence_of(found, {}).changed == [(ROWS, 0)] * 5
-    rows = [{**row, "drift_mm_s": row["drift_mm_s"] + 0.2 * (place < 8)} for place, row in enumerate(found[2].rows)]
-    changed = evidence_of([*found[:2], replace(found[2], rows=rows), *found[3:]], {}).changed
+    _, again, _ = measurements(5, 4)
+    assert evidence_of(again, {}).changed == [(ROWS, 0)] * 5
+    rows = [{**row, "drift_mm_s": row["drift_mm_s"] + 0.2 * (place < 8)} for place, row in enumerate(again[2].rows)]
+    changed = evidence_of([*again[:2], replace(again[2], rows=rows), *again[3:]], {}).changed
     assert changed[2] == (ROWS, 8) and sum(count for _, count in changed) == 8

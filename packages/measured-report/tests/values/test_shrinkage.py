@@ -27,8 +27,8 @@ def variances(freedom: int, strength: float, count: int = 4000, level: float = 2
 
 @pytest.mark.parametrize(("freedom", "strength"), [(1, 4.0), (2, 4.0), (5, 4.0), (5, 12.0), (6, 20.0)])
 def test_a_column_s_strength_and_level_are_found(freedom, strength):
-    found = variances(freedom, strength)
-    prior = prior_of(found, np.full(len(found), float(freedom)), np.ones(len(found)))
+    drawn = variances(freedom, strength)
+    prior = prior_of(drawn, np.full(len(drawn), float(freedom)), np.ones(len(drawn)))
     assert prior.freedom == pytest.approx(strength, rel=0.5) and prior.level == pytest.approx(2.0, rel=0.15)
 
 
@@ -51,12 +51,12 @@ def test_variances_go_with_the_size_of_the_number_as_they_are_seen_to(slope):
 
 
 def test_a_variance_counts_with_its_column_s_by_their_degrees_of_freedom():
-    own, freedoms = variances(4, 6.0), np.full(4000, 4.0)
-    found = moderated(own, freedoms, np.ones(4000))
-    prior = prior_of(own, freedoms, np.ones(4000))
-    tame = found.lent > 0
-    expected = (prior.freedom * prior.level + 4 * own) / (prior.freedom + 4)
-    assert found.variances[tame] == pytest.approx(expected[tame]) and found.freedoms[tame] == pytest.approx(
+    raw, freedoms = variances(4, 6.0), np.full(4000, 4.0)
+    after = moderated(raw, freedoms, np.ones(4000))
+    prior = prior_of(raw, freedoms, np.ones(4000))
+    tame = after.lent > 0
+    expected = (prior.freedom * prior.level + 4 * raw) / (prior.freedom + 4)
+    assert after.variances[tame] == pytest.approx(expected[tame]) and after.freedoms[tame] == pytest.approx(
         prior.freedom + 4
     )
     assert tame.mean() > 0.99
@@ -81,9 +81,9 @@ def test_each_measurement_is_held_against_the_mean_of_the_others():
     """Of 1, 2, 3 and 10 the last is 8 from the mean of the others, whose deviation is 1: t is 8 / √(4/3)."""
     samples = np.array([[1.0, 2.0, 3.0, 10.0], [1.0, 2.0, 3.0, np.nan]])
     nothing = np.zeros(2)
-    found = left_out(samples, nothing, nothing, nothing)
-    assert found[0, 3] == pytest.approx(deviations_of(8 / (4 / 3) ** 0.5, 2.0))
-    assert found[1, 2] == pytest.approx(deviations_of(1.5 / (0.5 * 3 / 2) ** 0.5, 1.0)) and np.isnan(found[1, 3])
+    scores = left_out(samples, nothing, nothing, nothing)
+    assert scores[0, 3] == pytest.approx(deviations_of(8 / (4 / 3) ** 0.5, 2.0))
+    assert scores[1, 2] == pytest.approx(deviations_of(1.5 / (0.5 * 3 / 2) ** 0.5, 1.0)) and np.isnan(scores[1, 3])
     lent = left_out(samples, np.array([6.0, 0.0]), np.array([9.0, 0.0]), nothing)
     assert lent[0, 3] == pytest.approx(deviations_of(8 / ((2 * 1 + 6 * 9) / 8 * 4 / 3) ** 0.5, 8.0))
     least = left_out(samples, nothing, nothing, np.array([8.0, 0.0]))
