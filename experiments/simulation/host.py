@@ -12,7 +12,7 @@ import warp as wp
 from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
-from experiments.simulation import forward_only  # noqa: F401
+from experiments.simulation import forward_only, paired_timing  # noqa: F401
 from experiments.simulation.kernels import Launch, compile_share, is_bare
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
@@ -99,14 +99,18 @@ def be_quiet() -> None:
 
 
 def note_work(note: Callable[[str], None]) -> None:
-    """Note name and size of every kernel that is launched, or captured to be launched, from now on."""
+    """Note name and size of every kernel that is launched, or captured to be launched, from now on.
+
+    What is timed is then looked at once, so that the same work is noted however long it takes.
+    """
+    paired_timing.LOOK_COUNT = 1
     for name in ("launch", "launch_tiled"):
         setattr(wp, name, partial(_noted, note, getattr(wp, name)))
 
 
-def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, dim: object, *given, **options) -> object:
-    note(f"{kernel.key} {dim}")
-    return launch(kernel, dim, *given, **options)
+def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, *args, **options) -> object:
+    note(f"{kernel.key} {options['dim'] if 'dim' in options else args[0]}")
+    return launch(kernel, *args, **options)
 
 
 def explained(error: Exception) -> str:

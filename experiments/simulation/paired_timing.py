@@ -50,7 +50,7 @@ class PairedTimes:
 def time_in_turn(
     blocks: Sequence[Callable[[int], float]], *, cap_s: float = CAP_S, clock: Callable[[], float] = time.perf_counter
 ) -> list[PairedTimes]:
-    """Time the blocks against the first of them until each ratio is known to RESOLUTION.
+    """Time the blocks against the first of them until each ratio is known to RESOLUTION, in LOOK_COUNT looks at most.
 
     A case that is known takes no further part; the reference does to the end. Alone it is timed as often as the first
     look takes.

@@ -153,10 +153,10 @@ def _run_both(
         ]
         for _ in range(repeat_count):
             running = []
-            for command, side in zip(commands, sides, strict=True):
+            for command, side, folder in zip(commands, sides, folders, strict=True):
                 for section in pairs:
                     side.record_path(section).unlink(missing_ok=True)
-                running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, device)))
+                running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, device, folder)))
                 if device != "cpu":
                     running[-1].wait()
             for process, side, records_of_side in zip(running, sides, records, strict=True):
@@ -195,9 +195,11 @@ def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], o
     return [str(python), "-P", reach.__file__, str(spans_file), str(folder), MODULE, *options, *edition]
 
 
-def _settings(root: Path, device: str) -> dict[str, str]:
+def _settings(root: Path, device: str, folder: Path) -> dict[str, str]:
+    """Return the settings of a process; what it times waits for nobody else, as these times are not looked at."""
     packages = [str(each) for each in sorted((root / "packages").glob("*"))]
     settings = {"PYTHONPATH": os.pathsep.join([*packages, os.environ.get("PYTHONPATH", "")]), "TQDM_DISABLE": "1"}
+    settings["TMPDIR"] = str(folder)
     return {**os.environ, **settings} | (accelerator().NONE if device == "cpu" else {})
 
 
