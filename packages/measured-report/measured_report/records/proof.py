@@ -160,9 +160,10 @@ class Code:
                 called = [node.func for node in ast.walk(head) if isinstance(node, ast.Call)]
                 types = [getattr(node, name, None) for node in ast.walk(head) for name in TYPES]
                 aside = {*called, *(below for node in types if node for below in ast.walk(node))}
-                values = self._named(piece, (node for node in ast.walk(head) if node not in aside))
-                if values := [value for value in values if value in self.common]:
-                    yield "\n".join([piece.dump(head), *values]), ast.unparse(head)
+                for part, nodes in _parts(head).items():
+                    values = self._named(piece, (node for node in nodes if node not in aside))
+                    if values := [value for value in values if value in self.common]:
+                        yield "\n".join([*map(piece.dump, part), *values]), ast.unparse(head)
 
     def _name(self, piece: Piece) -> str:
         line = getattr(piece.syntax, "lineno", 1)
@@ -175,6 +176,21 @@ def _bare(node: ast.AST) -> ast.AST:
     for name in (name for name in ("name", *BODIES) if hasattr(bare, name)):
         setattr(bare, name, "" if name == "name" else [])
     return bare
+
+
+def _parts(head: ast.AST) -> dict[tuple[ast.AST, ...], list[ast.AST]]:
+    """Return by what is passed to a call, by what is gone through, and by the rest the nodes that are in no smaller."""
+    parts: dict[ast.AST, tuple[ast.AST, ...]] = dict.fromkeys(ast.walk(head), (head,))
+    for node in ast.walk(head):  # what is in another comes after it
+        if isinstance(node, ast.Call):
+            for place, argument in enumerate((*node.args, *node.keywords)):
+                parts |= dict.fromkeys(ast.walk(argument), (node.func, ast.Constant(place), argument))
+        elif isinstance(node, ast.comprehension):
+            parts |= dict.fromkeys(ast.walk(node.iter), (node.iter,))
+    nodes_by_part: dict[tuple[ast.AST, ...], list[ast.AST]] = {}
+    for node, part in parts.items():
+        nodes_by_part.setdefault(part, []).append(node)
+    return nodes_by_part
 
 
 def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:

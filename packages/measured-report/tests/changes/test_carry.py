@@ -112,6 +112,18 @@ CHANGES_A_BIT = {  # what is measured, before and after
         "def scaled(x, n=41):\n    return n * x\n\n\n" + BODY.format("scaled(x, 4) if conditions.quick else scaled(x)"),
     ),
     "arm": (BODY.format("x if conditions.quick else 2 * x"), BODY.format("x if conditions.quick else x + x + x - x")),
+    "condition": (
+        BODY.format("tools.near(x) if conditions.quick else tools.far(x)"),
+        BODY.format("tools.near(x) if not conditions.is_cuda else tools.far(x)"),
+    ),
+    "filter": (
+        BODY.format("x + sum(tools.far(n) for n in [x] if not conditions.quick)"),
+        BODY.format("x + sum(tools.far(n) for n in [x] if conditions.is_cuda)"),
+    ),
+    "values_swapped": (
+        "def f(x, a, b):\n    return x\n\n\n" + BODY.format("f(x, tools.near, tools.far)"),
+        "def f(x, a, b):\n    return x\n\n\n" + BODY.format("f(x, tools.far, tools.near)"),
+    ),
     "operand": (
         QUICK.format("x = conditions.quick or len('ab') > len('a')"),
         QUICK.format("x = conditions.quick or len('ab') < len('a')"),
@@ -220,6 +232,10 @@ CHANGES_NOTHING = {
     "same_unexecuted": (
         QUICK.format("x = 1.0\n    if not conditions.quick:\n        x = tools.far(x)"),
         QUICK.format("y = 1.0\n    x = y\n    if not conditions.quick:\n        x = tools.far(x)"),
+    ),
+    "renamed_beside_a_value": (
+        COUNTED.format("x = sum(map(tools.near, [n]))"),
+        COUNTED.format("m = n\n    x = sum(map(tools.near, [m]))"),
     ),
     "renamed_where_unexecuted": (
         "def f(x):\n    return x > 5\n\n\n" + BODY.format("x if conditions.quick else -x if f(x) else x"),
