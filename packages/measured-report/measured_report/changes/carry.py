@@ -69,23 +69,28 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
         commits = commits_of(tree, records)
         for name in (name for name in records if name not in commits):
             yield name, f"none of the newest {COMMIT_LIMIT} commits has the code that measured it"
-        groups = defaultdict(list)
-        for name, commit in commits.items():
-            groups[has_times(records[name]), commit].append(name)
-        for (_, commit), group in sorted(groups.items()):  # what has times takes longest, and the rest is kept by then
+        for commit in dict.fromkeys(commits.values()):
             git(tree, "checkout", "--quiet", "--detach", commit)
-            pairs = {name: _codes(name, tree, project.root) for name in group}
+            pairs = {name: _codes(name, tree, project.root) for name in commits if commits[name] == commit}
             runs = _run_both(project, release, tree, pairs, "cpu")
-            reasons = {name: _reasons(runs[name], records[name]) for name in group}
-            open_ = {name: pairs[name] for name in group if any(map(_is_open, reasons[name]))}
-            if device != "cpu" and open_:
-                is_new = any(reason.startswith(UNEXECUTED) for name in open_ for reason in reasons[name])
-                beside = _run_both(project, release, tree, open_, device, REPEAT_COUNT if is_new else 1)
-                reasons |= {name: _reasons(runs[name], records[name], beside[name]) for name in open_}
-            for name in group:
-                if not reasons[name]:
-                    _write(project, records[name], runs[name], (commit[:SHORT], after))
-                yield name, few(reasons[name], 2)
+            reasons = {name: _reasons(runs[name], records[name]) for name in pairs}
+            beside = [name for name in pairs if device != "cpu" and any(map(_is_open, reasons[name]))]
+            for name in [name for name in pairs if name not in beside]:  # are kept, whatever becomes of the others
+                yield name, _kept(project, records[name], runs[name], (commit[:SHORT], after), reasons[name])
+            is_new = {name: any(reason.startswith(UNEXECUTED) for reason in reasons[name]) for name in beside}
+            for count in (1, REPEAT_COUNT):
+                group = {name: pairs[name] for name in beside if is_new[name] == (count > 1)}
+                on_device = _run_both(project, release, tree, group, device, count) if group else {}
+                for name, of_device in on_device.items():
+                    why = _reasons(runs[name], records[name], of_device)
+                    yield name, _kept(project, records[name], runs[name], (commit[:SHORT], after), why)
+
+
+def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str], reasons: Sequence[str]) -> str:
+    """Write a record for which there are no reasons against it, else sum these up."""
+    if not reasons:
+        _write(project, record, runs, commits)
+    return few(reasons, 2)
 
 
 def has_times(record: Record) -> bool:
@@ -125,9 +130,9 @@ def commits_of(tree: Path, records: Mapping[str, Record]) -> dict[str, str]:
     """Find the newest commit with the code of each record; checks them out in turn."""
     files = {f":(top,glob)**/{file}" for record in records.values() for file in record.identity.files}
     newest = git(tree, "rev-parse", "HEAD")
-    commits = git(tree, "log", "--format=%H", f"--max-count={COMMIT_LIMIT}", "--", *sorted(files)).split()
+    before_changes = git(tree, "log", "--format=%P", f"--max-count={COMMIT_LIMIT}", "--", *sorted(files)).splitlines()
     commits_by_section: dict[str, str] = {}
-    for commit in [newest, *commits] if records else ():
+    for commit in [newest, *(parents.split()[0] for parents in before_changes if parents)] if records else ():
         git(tree, "checkout", "--quiet", "--detach", commit)
         graph = Graph(roots_of(tree))
         for name in (name for name in records if name not in commits_by_section):
