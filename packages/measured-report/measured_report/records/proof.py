@@ -171,10 +171,10 @@ class Code:
 
 
 def _bare(node: ast.AST) -> ast.AST:
-    """Return a statement without those in it, and without its name."""
+    """Return a statement without those in it, without its name, and without what type it returns."""
     bare = copy.copy(node)
-    for name in (name for name in ("name", *BODIES) if hasattr(bare, name)):
-        setattr(bare, name, "" if name == "name" else [])
+    for name in (name for name in ("name", "returns", *BODIES) if hasattr(bare, name)):
+        setattr(bare, name, [] if name in BODIES else "" if name == "name" else None)
     return bare
 
 

@@ -233,6 +233,10 @@ CHANGES_NOTHING = {
         QUICK.format("x = 1.0\n    if not conditions.quick:\n        x = tools.far(x)"),
         QUICK.format("y = 1.0\n    x = y\n    if not conditions.quick:\n        x = tools.far(x)"),
     ),
+    "returns_another_type": (
+        "def f(x) -> object:\n    return x > 5\n\n\n" + BODY.format("x if conditions.quick else f(x)"),
+        "def f(x) -> bool:\n    return x > 5\n\n\n" + BODY.format("x if conditions.quick else f(x)"),
+    ),
     "renamed_beside_a_value": (
         COUNTED.format("x = sum(map(tools.near, [n]))"),
         COUNTED.format("m = n\n    x = sum(map(tools.near, [m]))"),
