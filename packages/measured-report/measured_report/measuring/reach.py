@@ -3,7 +3,8 @@
 ``python -P reach.py SPANS FOLDER MODULE …``: SPANS is a JSON file with the first and last lines of definitions by file.
 Each process writes into FOLDER what it executed of these, by section, ``""`` for importing it, and by file: line, last
 line, column, last column, and whether times were measured meanwhile. Of batches that measure times it writes a digest
-of the work that the host notes. It imports nothing of the program that it follows.
+of the work that the host notes. It imports nothing of the program that it follows. A Python that this program starts
+is followed as well: it meets this file as ``sitecustomize``, which comes before all else.
 """
 
 import atexit
@@ -12,6 +13,7 @@ import os
 import runpy
 import sys
 from collections import defaultdict
+from contextlib import suppress
 from hashlib import sha256
 from itertools import count
 from pathlib import Path
@@ -20,15 +22,19 @@ from typing import Any
 
 MEASURING, LEADING = "measure_batch", "advance"
 """Functions that measure a `batch`, of which times are `exclusive`, and that lead a section, `self`, to its record."""
+WORKING = "_process_worker"  # what a process of a pool does until the pool ends; it runs no other exit handlers
 HOST = "measured_report.measuring.host"
+SETTING = "MEASURED_REPORT_REACH"  # of what is started: the arguments of `follow`
 
 
 class Follower:
     """Follow the calls of this process and its forks."""
 
-    def __init__(self, spans: dict[str, list[list[int]]], folder: Path):
-        self.spans, self.folder, self.numbers = spans, folder, count()
-        self.section, self.is_timed, self.is_noted = "", False, False
+    def __init__(self, spans_file: str, folder: str, section: str, is_timed: bool):
+        self.spans: dict[str, list[list[int]]] = json.loads(Path(spans_file).read_text(encoding="utf-8"))
+        self.folder, self.numbers, self.arguments = Path(folder), count(), (spans_file, folder)
+        self.is_noted = False
+        self.measure(section, is_timed)
         # Not by the code itself: that of another file may be equal.
         self.executed: dict[tuple[int, str, bool], tuple[CodeType, set[int]]] = {}
         self.work, self.works = sha256(), defaultdict[str, dict[str, str]](dict)
@@ -39,6 +45,9 @@ class Follower:
             self.begin(frame.f_locals)
             frame.f_trace_lines = False
             return self.ended
+        if code.co_name == WORKING:
+            frame.f_trace_lines = False
+            return self.worked
         lines = self.spans.get(code.co_filename)
         is_module = code.co_name == "<module>"
         if not lines or not (is_module or any(first <= code.co_firstlineno <= last for first, last in lines)):
@@ -53,13 +62,18 @@ class Follower:
 
         return executed
 
+    def measure(self, section: str, is_timed: bool = False) -> None:
+        """Note what is executed from now on, here and in what is started, as that of a section."""
+        self.section, self.is_timed = section, is_timed
+        os.environ[SETTING] = json.dumps([*self.arguments, section, is_timed])
+
     def begin(self, variables: dict[str, Any]) -> None:
         if "batch" not in variables:
-            self.section = str(getattr(variables.get("self"), "name", ""))
+            self.measure(str(getattr(variables.get("self"), "name", "")))
             return
         batch = variables["batch"]
         # One of no section's own module counts for none.
-        self.section, self.is_timed = f"{batch.function.__module__}..".split(".")[1], batch.exclusive
+        self.measure(f"{batch.function.__module__}..".split(".")[1], batch.exclusive)
         self.work = sha256()
         if self.is_timed and not self.is_noted and hasattr(sys.modules[HOST].host(), "note_work"):
             sys.modules[HOST].host().note_work(lambda text: self.work.update(f"{text}\n".encode()))
@@ -71,8 +85,13 @@ class Follower:
                 self.works[self.section][frame.f_locals["batch"].name] = self.work.hexdigest()
             if frame.f_code.co_name == MEASURING:  # the process may be killed once its batch is done
                 self.write()
-            self.section, self.is_timed = "", False
+            self.measure("")
         return self.ended
+
+    def worked(self, frame: FrameType, event: str, _: Any) -> Any:
+        if event == "return":
+            self.write()
+        return self.worked
 
     def write(self) -> None:
         executed_by_section: defaultdict[str, defaultdict[str, list[list[Any]]]] = defaultdict(
@@ -87,15 +106,26 @@ class Follower:
         path.write_text(json.dumps({"executed": executed_by_section, "work": self.works}), encoding="utf-8")
 
 
+def follow(*arguments: Any) -> None:
+    follower = Follower(*arguments)
+    atexit.register(follower.write)
+    sys.settrace(follower.called)
+
+
 def main() -> None:
     spans_file, folder, module, *arguments = sys.argv[1:]
-    follower = Follower(json.loads(Path(spans_file).read_text(encoding="utf-8")), Path(folder))
-    atexit.register(follower.write)
+    started = Path(folder) / "started"
+    with suppress(FileExistsError):  # of an earlier run
+        started.mkdir()
+        (started / "sitecustomize.py").symlink_to(__file__)
+    os.environ["PYTHONPATH"] = os.pathsep.join([str(started), os.environ.get("PYTHONPATH", "")])
     sys.path.insert(0, str(Path.cwd()))
     sys.argv = [module, *arguments]
-    sys.settrace(follower.called)
+    follow(spans_file, folder, "", False)
     runpy.run_module(module, run_name="__main__", alter_sys=True)
 
 
 if __name__ == "__main__":
     main()
+elif __name__ == "sitecustomize":
+    follow(*json.loads(os.environ[SETTING]))

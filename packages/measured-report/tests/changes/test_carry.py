@@ -178,7 +178,15 @@ CHANGES_A_BIT |= {
         "def f(a, b=2, c=1):\n    return a - b\n\n\n" + BODY.format("f(2, 1) if conditions.quick else f(2)"),
     ),
 }
+POOLED = "from measured_report.measuring.pool import gather, processes, start\n\n\ndef f(x):\n{}\n\n\n" + MEASURE
+POOLED += "    with processes(1) as pool:\n        [x] = gather(start(pool, f, [(0.3,)]), 'f')\n"
+POOLED += "    return rows(conditions, x)\n"
+CHANGES_A_BIT["pool"] = (
+    POOLED.format("    return x if x < 5 else x + x"),
+    POOLED.format("    return x if x < 5 else x + x + x"),
+)
 CHANGES_NOTHING = {
+    "in_a_pool": (POOLED.format("    return 2.0 * x"), POOLED.format("    x = 2.0 * x\n    return x")),
     "inlined": (
         "def f(value):\n    return value * 1.5\n\n\n" + COUNTED.format("x = f(n)"),
         COUNTED.format("x = n * 1.5"),
