@@ -20,11 +20,12 @@ from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any
 
-MEASURING, LEADING = "measure_batch", "advance"
-"""Functions that measure a `batch`, of which times are `exclusive`, and that lead a section, `self`, to its record."""
-WORKING = "_process_worker"  # what a process of a pool does until the pool ends; it runs no other exit handlers
+BOUNDS = MEASURING, LEADING, WORKING = "measure_batch", "advance", "_process_worker"
+"""Functions that measure a `batch`, of which times are `exclusive`, that lead a section, `self`, to its record, and in
+which a process of a pool is until the pool ends: it runs no exit handlers."""
+monitoring: Any = getattr(sys, "monitoring", None)  # none before Python 3.12
 HOST = "measured_report.measuring.host"
-SETTING = "MEASURED_REPORT_REACH"  # of what is started: the arguments of `follow`
+SETTING = "MEASURED_REPORT_REACH"  # of what is started: the arguments of its `Follower`
 
 
 class Follower:
@@ -39,39 +40,75 @@ class Follower:
         self.executed: dict[tuple[int, str, bool], tuple[CodeType, set[int]]] = {}
         self.work, self.works = sha256(), defaultdict[str, dict[str, str]](dict)
 
-    def called(self, frame: FrameType, event: str, _: Any) -> Any:
-        code = frame.f_code
-        if code.co_name in (MEASURING, LEADING):
-            self.begin(frame.f_locals)
-            frame.f_trace_lines = False
-            return self.ended
-        if code.co_name == WORKING:
-            frame.f_trace_lines = False
-            return self.worked
-        lines = self.spans.get(code.co_filename)
-        is_module = code.co_name == "<module>"
-        if not lines or not (is_module or any(first <= code.co_firstlineno <= last for first, last in lines)):
+    def follow(self) -> None:
+        atexit.register(self.write)
+        if not monitoring:
+            sys.settrace(self._called)
+            return
+        events, tool = monitoring.events, monitoring.COVERAGE_ID
+        monitoring.use_tool_id(tool, __name__)
+        monitoring.register_callback(tool, events.PY_START, self._started)
+        monitoring.register_callback(tool, events.PY_RETURN, lambda code, *_: self._ended(sys._getframe(1)))
+        monitoring.register_callback(tool, events.INSTRUCTION, self._executed)
+        monitoring.set_events(tool, events.PY_START)
+
+    def _started(self, code: CodeType, _: int) -> Any:
+        """Note of a function that begins which instructions it executes, each once."""
+        if code.co_name in BOUNDS:
+            monitoring.set_local_events(monitoring.COVERAGE_ID, code, monitoring.events.PY_RETURN)
+            self._begin(sys._getframe(1))
             return None
-        frame.f_trace_opcodes, frame.f_trace_lines = True, False
-        _, places = self.executed.setdefault((id(code), self.section, self.is_timed), (code, set()))
+        if self._is_followed(code):
+            monitoring.set_local_events(monitoring.COVERAGE_ID, code, monitoring.events.INSTRUCTION)
+        return monitoring.DISABLE
+
+    def _executed(self, code: CodeType, offset: int) -> Any:
+        self._offsets(code).add(offset)
+        return monitoring.DISABLE
+
+    def _called(self, frame: FrameType, event: str, _: Any) -> Any:
+        """Do as `_started` where Python has no monitoring, which tells each instruction each time."""
+        frame.f_trace_lines = False
+        if frame.f_code.co_name in BOUNDS:
+            self._begin(frame)
+            return self._left
+        if not self._is_followed(frame.f_code):
+            return None
+        frame.f_trace_opcodes = True
+        offsets = self._offsets(frame.f_code)
 
         def executed(frame: FrameType, event: str, _: Any) -> Any:
             if event == "opcode":
-                places.add(frame.f_lasti)
+                offsets.add(frame.f_lasti)
             return executed
 
         return executed
+
+    def _left(self, frame: FrameType, event: str, _: Any) -> Any:
+        if event == "return":
+            self._ended(frame)
+        return self._left
+
+    def _is_followed(self, code: CodeType) -> bool:
+        lines, first_line = self.spans.get(code.co_filename, ()), code.co_firstlineno
+        return bool(lines) and (code.co_name == "<module>" or any(a <= first_line <= b for a, b in lines))
+
+    def _offsets(self, code: CodeType) -> set[int]:
+        return self.executed.setdefault((id(code), self.section, self.is_timed), (code, set()))[1]
 
     def measure(self, section: str, is_timed: bool = False) -> None:
         """Note what is executed from now on, here and in what is started, as that of a section."""
         self.section, self.is_timed = section, is_timed
         os.environ[SETTING] = json.dumps([*self.arguments, section, is_timed])
+        if monitoring:
+            monitoring.restart_events()
 
-    def begin(self, variables: dict[str, Any]) -> None:
-        if "batch" not in variables:
-            self.measure(str(getattr(variables.get("self"), "name", "")))
+    def _begin(self, frame: FrameType) -> None:
+        if frame.f_code.co_name == LEADING:
+            self.measure(str(getattr(frame.f_locals.get("self"), "name", "")))
+        if frame.f_code.co_name != MEASURING:
             return
-        batch = variables["batch"]
+        batch = frame.f_locals["batch"]
         # One of no section's own module counts for none.
         self.measure(f"{batch.function.__module__}..".split(".")[1], batch.exclusive)
         self.work = sha256()
@@ -79,19 +116,13 @@ class Follower:
             sys.modules[HOST].host().note_work(lambda text: self.work.update(f"{text}\n".encode()))
             self.is_noted = True
 
-    def ended(self, frame: FrameType, event: str, _: Any) -> Any:
-        if event == "return":
-            if self.is_timed and self.is_noted:
-                self.works[self.section][frame.f_locals["batch"].name] = self.work.hexdigest()
-            if frame.f_code.co_name == MEASURING:  # the process may be killed once its batch is done
-                self.write()
-            self.measure("")
-        return self.ended
-
-    def worked(self, frame: FrameType, event: str, _: Any) -> Any:
-        if event == "return":
+    def _ended(self, frame: FrameType) -> None:
+        if self.is_timed and self.is_noted:
+            self.works[self.section][frame.f_locals["batch"].name] = self.work.hexdigest()
+        if frame.f_code.co_name != LEADING:  # the process may be killed once its batch is done
             self.write()
-        return self.worked
+        if frame.f_code.co_name != WORKING:
+            self.measure("")
 
     def write(self) -> None:
         executed_by_section: defaultdict[str, defaultdict[str, list[list[Any]]]] = defaultdict(
@@ -106,12 +137,6 @@ class Follower:
         path.write_text(json.dumps({"executed": executed_by_section, "work": self.works}), encoding="utf-8")
 
 
-def follow(*arguments: Any) -> None:
-    follower = Follower(*arguments)
-    atexit.register(follower.write)
-    sys.settrace(follower.called)
-
-
 def main() -> None:
     spans_file, folder, module, *arguments = sys.argv[1:]
     started = Path(folder) / "started"
@@ -121,11 +146,11 @@ def main() -> None:
     os.environ["PYTHONPATH"] = os.pathsep.join([str(started), os.environ.get("PYTHONPATH", "")])
     sys.path.insert(0, str(Path.cwd()))
     sys.argv = [module, *arguments]
-    follow(spans_file, folder, "", False)
+    Follower(spans_file, folder, "", False).follow()
     runpy.run_module(module, run_name="__main__", alter_sys=True)
 
 
 if __name__ == "__main__":
     main()
 elif __name__ == "sitecustomize":
-    follow(*json.loads(os.environ[SETTING]))
+    Follower(*json.loads(os.environ[SETTING])).follow()
