@@ -13,14 +13,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from types import CodeType
+from typing import Any
 
 from measured_report.records.code import Graph, Node, roots_of
-from measured_report.records.syntax import EFFECTS, bound_names, chain_of, is_text
+from measured_report.records.syntax import EFFECTS, Forms, Reader, bound_names, chain_of, is_text
 
+Text = tuple[str, Any]  # of a piece, by the names in it and by their numbers
 Place = tuple[int | None, ...]  # line, last line, column and last column, as instructions have them
 BODIES = ("body", "orelse", "finalbody", "handlers", "cases")
+HEADLESS = ("name", "returns", *BODIES)  # of a definition neither its name counts nor what type it returns
 HEADED = (ast.stmt, ast.ExceptHandler, ast.match_case)
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SILENT = (ast.Raise, ast.Assert, ast.JoinedStr)  # their texts are only printed
@@ -36,24 +39,31 @@ class Piece:
     definition: Node
     syntax: ast.AST
     meanings: Mapping[str, str]  # by name of what both codes have: what it is called does not count
-    context: tuple[str, ...] = ()  # what heads the statement around it, its list there, and the statement before
+    forms: Forms  # in which what a function binds is numbered: what it is called does not count either
+    context: tuple[Text, ...] = ()  # what heads the statement around it, its list there, and the statement before
 
     @cached_property
-    def text(self) -> tuple[str, ...]:
-        return self.dump(self.syntax), *self.context
+    def texts(self) -> tuple[Any, Any]:
+        names, forms = zip(self.text(self.syntax), *self.context, strict=True)
+        return names, forms
+
+    def text(self, syntax: ast.AST) -> Text:
+        return self.dump(syntax), self.forms.of(syntax)
 
     def dump(self, syntax: ast.AST) -> str:
         return NAME.sub(lambda name: self.meanings.get(name[1], name[0]), ast.dump(syntax))
 
     def children(self) -> Iterator["Piece"]:
-        head = (self.dump(_bare(self.syntax)),) if isinstance(self.syntax, HEADED) else self.context[:1]
+        head = self.context[:1]
+        if isinstance(self.syntax, HEADED):
+            head = ((self.dump(_bare(self.syntax)), self.forms.of(self.syntax, HEADLESS)),)
         for name, value in ast.iter_fields(self.syntax):
-            before = ""
+            before: Text = ("", "")
             for child in value if isinstance(value, list) else [value]:
                 # An assertion that held has not read its message.
                 if isinstance(child, ast.AST) and name != "msg":
-                    yield replace(self, syntax=child, context=(*head, name, before) if name in BODIES else head)
-                    before = before if is_text(child) else self.dump(child)
+                    yield replace(self, syntax=child, context=(*head, (name, name), before) if name in BODIES else head)
+                    before = before if is_text(child) else self.text(child)
 
     def all(self) -> Iterator["Piece"]:
         yield self
@@ -75,10 +85,14 @@ class Code:
         """Find the definitions that are not in ``other``, or name what is not there."""
         digests, self.common = set(other.reached.values()), self.own_digests & other.own_digests
         nodes = sorted(node for node, digest in self.reached.items() if digest not in digests)
-        trees = {file: ast.parse(Path(file).read_bytes()).body for file, _ in nodes}
-        pairs = ((node, tree) for node in nodes for tree in trees[node[0]])
-        pairs = ((node, tree) for node, tree in pairs if node[1] in (list(bound_names(tree)) or [EFFECTS]))
-        self.changed = [Piece(node, tree, self._shared_meanings(node)) for node, tree in pairs]
+        trees = {file: ast.parse(Path(file).read_bytes()) for file, _ in nodes}
+        packages = {file: PurePosixPath(self.graph.name_of(file)).parts[:-1] for file in trees}
+        readers = {file: Reader(tree, packages[file]) for file, tree in trees.items()}
+        pairs = ((node, tree) for node in nodes for tree in trees[node[0]].body)
+        for node, tree in pairs:
+            if node[1] in (list(bound_names(tree)) or [EFFECTS]):
+                meanings = self._shared_meanings(node)
+                self.changed.append(Piece(node, tree, meanings, readers[node[0]].forms(tree, meanings)))
 
     def _shared_meanings(self, node: Node) -> dict[str, str]:
         """Digest by name what stands in a definition and both codes have."""
@@ -99,11 +113,13 @@ class Code:
 
     def unexecuted(self, other: "Code", executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[str]:
         """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
-        pieces_by_text: dict[tuple[str, ...], list[Piece]] = {}
+        pieces_by_text: dict[Any, list[Piece]] = {}
         for piece in (inner for outer in other.changed for inner in outer.all()):
-            pieces_by_text.setdefault(piece.text, []).append(piece)
+            for text in piece.texts:
+                pieces_by_text.setdefault(text, []).append(piece)
         for piece in self._unexecuted(executed):
-            if not any(self._meanings(piece) == other._meanings(twin) for twin in pieces_by_text.get(piece.text, ())):
+            twins = (twin for text in piece.texts for twin in pieces_by_text.get(text, ()))
+            if not any(self._meanings(piece) == other._meanings(twin) for twin in twins):
                 yield f"{UNEXECUTED} {self._name(piece)}"
 
     def unread(self, other: "Code", *, is_old: bool = False) -> Iterator[str]:

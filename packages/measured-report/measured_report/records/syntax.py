@@ -67,6 +67,14 @@ class Reader:
                 definitions.setdefault(name, []).append(self._definition(node, index))
         return {name: tuple(group) for name, group in definitions.items()}
 
+    def forms(self, node: ast.stmt, meanings: Mapping[str, str]) -> "Forms":
+        """Return the forms of a definition of this module and of what is in it; see ``Forms``."""
+        inner = {name: path for child in ast.walk(node) for name, path, _ in self._named(child)}
+        forms = Forms(self._names | inner.keys(), {**self._imports, **inner})
+        forms.meanings = meanings
+        forms.statement(node)
+        return forms
+
     def _definition(self, node: ast.stmt, index: int) -> Definition:
         nodes = list(ast.walk(node))
         inner = {name: path for child in nodes for name, path, _ in self._named(child)}
@@ -345,6 +353,33 @@ class Canonical:
         if keyword.arg == "file":
             return self._called(keyword.value, scope) in ("sys.stderr", "sys.stdout")
         return keyword.arg is not None
+
+
+class Forms(Canonical):
+    """Keeps the form of each node, in which a name is what ``meanings`` has of it, and else what it is called."""
+
+    meanings: Mapping[str, str]
+
+    def plain(self, node: Any, scope: Scope) -> Any:
+        form = super().plain(node, scope)
+        if isinstance(node, ast.AST):
+            self._forms[node] = form
+        return form
+
+    def statement(self, node: ast.stmt) -> Any:
+        self._forms: dict[ast.AST, Any] = {}
+        return super().statement(node)
+
+    def of(self, node: ast.AST, without: Collection[str] = ()) -> Any:
+        """Return the form of a node, ``without`` some of its fields; of one that has none, that of what is in it."""
+        if node not in self._forms:
+            return type(node).__name__, *map(self.of, ast.iter_child_nodes(node))
+        form = self._forms[node]
+        return tuple(part for part in form if not (isinstance(part, tuple) and part and part[0] in without))
+
+    def _gap(self, chain: str) -> tuple[str, ...]:
+        first, *attributes = chain.split(".")
+        return GAP, self.meanings.get(first, first), *attributes
 
 
 def _is_bound(node: ast.AST) -> TypeGuard[ast.Name]:

@@ -120,6 +120,10 @@ CHANGES_A_BIT = {  # what is measured, before and after
         BODY.format("x + sum(tools.far(n) for n in [x] if not conditions.quick)"),
         BODY.format("x + sum(tools.far(n) for n in [x] if conditions.is_cuda)"),
     ),
+    "locals_swapped": (
+        QUICK.format("x = 1.0\n    if not conditions.quick:\n        y = tools.far(x)\n        x = y - x"),
+        QUICK.format("x = 1.0\n    if not conditions.quick:\n        y = tools.far(x)\n        x = x - y"),
+    ),
     "values_swapped": (
         "def f(x, a, b):\n    return x\n\n\n" + BODY.format("f(x, tools.near, tools.far)"),
         "def f(x, a, b):\n    return x\n\n\n" + BODY.format("f(x, tools.far, tools.near)"),
@@ -240,6 +244,10 @@ CHANGES_NOTHING = {
     "same_unexecuted": (
         QUICK.format("x = 1.0\n    if not conditions.quick:\n        x = tools.far(x)"),
         QUICK.format("y = 1.0\n    x = y\n    if not conditions.quick:\n        x = tools.far(x)"),
+    ),
+    "local_renamed_where_unexecuted": (
+        QUICK.format("x = 1.0\n    if not conditions.quick:\n        step = tools.far(x)\n        x = step - x"),
+        QUICK.format("x = 1.0\n    if not conditions.quick:\n        y = tools.far(x)\n        x = y - x"),
     ),
     "returns_another_type": (
         "def f(x) -> object:\n    return x > 5\n\n\n" + BODY.format("x if conditions.quick else f(x)"),
