@@ -136,7 +136,7 @@ def commits_of(tree: Path, records: Mapping[str, Record]) -> dict[str, str]:
         git(tree, "checkout", "--quiet", "--detach", commit)
         graph = Graph(roots_of(tree))
         for name in (name for name in records if name not in commits_by_section):
-            if graph.told(f"experiments.{name}.measure")[0] == records[name].identity.code:
+            if graph.summary(f"experiments.{name}.measure")[0] == records[name].identity.code:
                 commits_by_section[name] = commit
         if len(commits_by_section) == len(records):
             break

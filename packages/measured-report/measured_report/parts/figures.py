@@ -4,9 +4,11 @@ import io
 import math
 import re
 import textwrap
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
+from contextvars import ContextVar, copy_context
+from dataclasses import dataclass, field
 from functools import cache, partial
-from types import SimpleNamespace
 from typing import Any
 
 import matplotlib
@@ -59,9 +61,6 @@ NARROW_WIDTH = 3.6  # width of a figure on a narrow screen [in]; at 390 px a poi
 LEAST_SIZE = 7.0  # size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px
 MOST_TICKS = 5  # steps between ticks along a narrow figure
 LONGEST_NAME, LONGEST_LINE = 18, 36  # characters of a name beside a narrow figure, and along it, before it is folded
-# Numbers of the figure that is being drawn as they are written, and where each is from, in their order.
-_sources: dict[str, list[str]] = {}
-_screen = SimpleNamespace(is_narrow=False)
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
     r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
@@ -77,6 +76,21 @@ UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg 
 COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
 LETTER = re.compile(r"[^\W\d_]")
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
+
+
+@dataclass(frozen=True)
+class Screen:
+    """Tells for what a figure is drawn, and of its numbers, as they are written, where each is from, in their order."""
+
+    kind: str = "broad"
+    sources: defaultdict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+
+    @property
+    def is_narrow(self) -> bool:
+        return self.kind == "narrow"
+
+
+_screen = ContextVar("screen", default=Screen())  # noqa: B039, of what is drawn for no page
 
 
 class LogLabels(ticker.LogFormatter):
@@ -102,7 +116,7 @@ def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """Write a number, if ``is_short`` in four characters, for the figure being drawn, which says where it is from."""
     text = format_short(quantity.number) if is_short else quantity.written
     if quantity.source:
-        _sources.setdefault(text, []).append(quantity.source)
+        _screen.get().sources[text].append(quantity.source)
     return text
 
 
@@ -140,7 +154,7 @@ def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) ->
 
 
 def is_narrow() -> bool:
-    return _screen.is_narrow
+    return _screen.get().is_narrow
 
 
 class _Drawing(Drawing):
@@ -188,19 +202,16 @@ def fold(text: str, longest: int = LONGEST_LINE) -> str:
 
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
     """Draw the figure for broad and for narrow screens in SVG whose ids begin with ``name``: always the same bytes."""
-    pictures = []
-    try:
-        for kind, prefix in (("broad", ""), ("narrow", "narrow-")):
-            _sources.clear()
-            _screen.is_narrow = kind == "narrow"
-            with style.context(["default", {**STYLE, "svg.hashsalt": name}]):  # the user's own counts for nothing
-                drawing = _trimmed(draw())
-                if is_narrow():
-                    _fit_narrow(drawing)
-                pictures.append(_svg(drawing, kind, f"{prefix}{name}"))
-    finally:
-        _screen.is_narrow = False
-    return pictures
+    return [copy_context().run(_picture, draw, Screen(kind), name) for kind in ("broad", "narrow")]
+
+
+def _picture(draw: Callable[[], Drawing], screen: Screen, name: str) -> Picture:
+    _screen.set(screen)
+    with style.context(["default", {**STYLE, "svg.hashsalt": name}]):  # the user's own counts for nothing
+        drawing = _trimmed(draw())
+        if screen.is_narrow:
+            _fit_narrow(drawing)
+        return _svg(drawing, screen, f"narrow-{name}" if screen.is_narrow else name)
 
 
 class _Vectors(RendererSVG):
@@ -218,7 +229,7 @@ class _Vectors(RendererSVG):
         return scale * metrics["sTypoAscender"], -scale * metrics["sTypoDescender"], scale * metrics["sTypoLineGap"]
 
 
-def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
+def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     buffer = io.StringIO()
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
     inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
@@ -228,7 +239,7 @@ def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
     setattr(FigureCanvasSVG(drawing), "get_renderer", lambda: renderer)  # noqa: B010, else a layout has one of its own
     drawing.draw(renderer)
     renderer.finalize()
-    svg = _linked(UNWANTED.sub("", buffer.getvalue()), drawing)
+    svg = PIECE.sub(_Links(drawing, screen.sources).linked, UNWANTED.sub("", buffer.getvalue()))
     used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
     svg = NAME.sub(lambda match: match[0] if match[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
     svg = BREAK.sub("\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
@@ -237,7 +248,7 @@ def _svg(drawing: Drawing, kind: str, name: str) -> Picture:
         svg = svg.replace(colour, replacement)
     opening = OPENING.search(svg)
     assert opening, "Matplotlib writes an svg element"
-    return Picture(kind, opening[1], Markup(svg[opening.end() :].rstrip().removesuffix("</svg>")))
+    return Picture(screen.kind, opening[1], Markup(svg[opening.end() :].rstrip().removesuffix("</svg>")))
 
 
 def _trimmed(drawing: Drawing) -> Drawing:
@@ -258,39 +269,45 @@ def _trimmed(drawing: Drawing) -> Drawing:
     return drawing
 
 
-def _linked(svg: str, drawing: Drawing) -> str:
-    """Return the drawing with texts saying where their numbers are from, marks their own, and ticks what they are."""
-    numbers = {text: number_pattern(escape(text)) for text in _sources}
-    longest_first = sorted(_sources, key=len, reverse=True)
-    drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
-    axes, scales = drawing.axes[0], cache(_scales)
-    groups: list[str] = []
+class _Links:
+    """Makes texts of a drawing say where their numbers are from, marks their own, and ticks what they are."""
 
-    def link(piece: re.Match[str]) -> str:
-        nonlocal axes
+    def __init__(self, drawing: Drawing, sources: Mapping[str, list[str]]):
+        # The longest first: a shorter number may be a part of it.
+        self.sources = {text: [*sources[text]] for text in sorted(sources, key=len, reverse=True)}
+        self.patterns = {text: number_pattern(escape(text)) for text in sources}
+        self.drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
+        self.axes, self.scales = drawing.axes[0], cache(_scales)
+        self.groups: list[str] = []  # those that are open, the innermost last
+
+    def linked(self, piece: re.Match[str]) -> str:
+        """Return a piece with what it says, in the order of the drawing."""
+        if piece["mark"]:
+            is_datum = "axes" in self.groups and self.axes.axison and not {"tick", "legend"} & {*self.groups}
+            title = _title(self.axes, self.scales(self.axes), piece) if is_datum else ""
+            return f"{piece['mark']}><title>{title}</title></use>" if is_datum else piece[0]
         if piece["close"]:
-            groups.pop()
-        elif piece["tick"] or piece["open"]:
-            groups.append("tick" if piece["tick"] else piece["id"] or "")
-            axes = next(drawn) if groups[-1] == "axes" else axes
-            return '<g class="tick">' if piece["tick"] else piece[0]
-        elif piece["mark"]:
-            is_datum = "axes" in groups and axes.axison and not {"tick", "legend"} & {*groups}
-            return f"{piece['mark']}><title>{_title(axes, scales(axes), piece)}</title></use>" if is_datum else piece[0]
+            self.groups.pop()
+        elif piece["tick"]:
+            self.groups.append("tick")
+            return '<g class="tick">'
+        elif piece["open"]:
+            self.groups.append(piece["id"] or "")
+            self.axes = next(self.drawn) if piece["id"] == "axes" else self.axes
         else:
-            opening, _, text = piece[0].removesuffix("</text>").partition(">")
-            if "tick" in groups and not LETTER.search(text):
-                return piece[0]  # a number of an axis
-            pointers, remainder = [], text
-            for number in longest_first:
-                remainder, count = numbers[number].subn("", remainder)
-                sources = _sources[number]  # each is used up, unless it is the last
-                pointers += [sources.pop(0) if len(sources) > 1 else sources[0] for _ in range(count)]
-            if pointers:
-                return f'<text data-src="{escape(" ".join(pointers))}"{opening[5:]}>{text}</text>'
+            return self._text(piece[0])
         return piece[0]
 
-    return PIECE.sub(link, svg)
+    def _text(self, element: str) -> str:
+        opening, _, text = element.removesuffix("</text>").partition(">")
+        if "tick" in self.groups and not LETTER.search(text):
+            return element  # a number of an axis
+        pointers, remainder = [], text
+        for number, sources in self.sources.items():
+            remainder, count = self.patterns[number].subn("", remainder)
+            # Each is used up, unless it is the last.
+            pointers += [sources.pop(0) if len(sources) > 1 else sources[0] for _ in range(count)]
+        return f'<text data-src="{escape(" ".join(pointers))}"{opening[5:]}>{text}</text>' if pointers else element
 
 
 def _scales(axes: Axes) -> Sequence[Callable[[float], str]]:

@@ -8,13 +8,13 @@ import ast
 import hashlib
 import sys
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from itertools import accumulate
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, TypeVar
 
 from measured_report.files import root
 from measured_report.files.cache import Cache
@@ -25,6 +25,7 @@ from measured_report.records.syntax import EFFECTS, Definition, Definitions, Rea
 CARRIED = "measured_report"  # the package that carries calls, and changes nothing of what they return
 ROUNDS = 3  # so many steps from a definition what its names mean is part of its digest
 Node = tuple[str, str]
+Some = TypeVar("Some")
 
 _contents: defaultdict[Path, dict[str, Any]] = defaultdict(dict)  # what was read of modules, by report and digest
 SOURCES = "sources"
@@ -75,29 +76,36 @@ _reader = cache(lambda text, name: Reader(ast.parse(text, filename=name), PurePo
 HERE = str(Path(__file__).resolve().parents[2])
 
 
+def cached_method(method: Callable[..., Some]) -> "cached_property[Callable[..., Some]]":
+    """Keep what a method returns of the same arguments, while its object lives: a cache of the class has no end."""
+    return cached_property(lambda owner: cache(partial(method, owner)))
+
+
 class Graph:
     """Finds the definitions of the modules below some folders, and what their names mean."""
 
     def __init__(self, roots: tuple[str, ...]):
         self.roots = roots
-        for name in ("source", "defined", "imported", "module", "reached", "told", "digest", "meanings"):
-            setattr(self, name, cache(getattr(self, name)))
 
     def name_of(self, path: str) -> str:
         """Name a file below the innermost of the folders that it lies in."""
         return path[max(len(root) for root in self.roots if path.startswith(f"{root}/")) + 1 :]
 
+    @cached_method
     def source(self, path: str) -> Source:
         return _read("source", Path(path), self.name_of(path))
 
+    @cached_method
     def defined(self, path: str) -> Definitions:
         return _read("definitions", Path(path), self.name_of(path))
 
+    @cached_method
     def imported(self, path: str) -> list[str]:
         """Name the files that the source at ``path`` may import."""
         named = {prefix for name in self.source(path).modules for prefix in accumulate(name.split("."), "{}.{}".format)}
         return list(filter(None, map(self.module, sorted(named))))
 
+    @cached_method
     def module(self, name: str) -> str:
         """Name the file of a module; nothing where it is none of this project."""
         # Where this program is installed lie other packages beside it, which are none of the project's.
@@ -116,6 +124,7 @@ class Graph:
             waiting += new
         return list(closure)
 
+    @cached_method
     def reached(self, name: str) -> dict[Node, str]:
         """Digest what may be run when what has this dotted name is, and what importing its files does."""
         nodes = self.resolve(name)
@@ -131,8 +140,9 @@ class Graph:
                 waiting += (node for meaning in self.meanings(node) if isinstance(meaning, list) for node in meaning)
         return {node: self.digest(node) for node in reached if self.definitions(node)}
 
-    def told(self, name: str) -> tuple[str, dict[str, str], list[str]]:
-        """Tell of what may be run its digest, the digests by file of what lies there, and the assets that it names."""
+    @cached_method
+    def summary(self, name: str) -> tuple[str, dict[str, str], list[str]]:
+        """Digest what may be run; with the digests by file of what lies there, and the assets that it names."""
         reached = self.reached(name)
         by_file: dict[str, set[str]] = {}
         for (file, _), digest in reached.items():
@@ -152,6 +162,7 @@ class Graph:
             if any(isinstance(self.meaning(file, *pair), list) for pair in pairs):
                 yield file, name
 
+    @cached_method
     def digest(self, node: Node, rounds: int = ROUNDS) -> str:
         """Digest what defines a name, and what the names in it mean."""
         trees = [definition.tree for definition in self.definitions(node)]
@@ -159,6 +170,7 @@ class Graph:
         forms = [ref if isinstance(ref, str) else [self.digest(node, rounds - 1) for node in ref] for ref in meanings]
         return digest_of([trees, forms])
 
+    @cached_method
     def meanings(self, node: Node) -> list[list[Node] | str]:
         """Find what the names mean that stand in what defines a name, in order."""
         return [self.meaning(node[0], binding, name) for binding in self.definitions(node) for name in binding.names]

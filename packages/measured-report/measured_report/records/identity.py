@@ -43,7 +43,7 @@ def identity_of(section: str, profile: str, root: Path, packages: Mapping[str, s
 
 def identity_at(name: str, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Identity:
     """Return the identity of what has a dotted name, or of all that a module of that name has."""
-    digest, code, named = files().graph(roots_of(root)).told(name)
+    digest, code, named = files().graph(roots_of(root)).summary(name)
     existing = (asset for asset in named if (root / asset).is_file())
     assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in existing}
     named_digest = digest_of([profile, sorted(assets.values())])

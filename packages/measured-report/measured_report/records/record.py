@@ -3,7 +3,7 @@
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from functools import cached_property
 from hashlib import sha256
@@ -47,14 +47,12 @@ class Origin:
         return f"{config().edition_name} {self.release} on {self.processor}"
 
 
-@dataclass(frozen=True)
-class Seal:
+class Seal(Struct, frozen=True, forbid_unknown_fields=True):
     digest: Digest
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
-@dataclass(frozen=True)
-class Carried:
+class Carried(Struct, frozen=True, forbid_unknown_fields=True):
     """Tell of a change of code over which a record was carried, as quick runs of both gave the same."""
 
     code: Digest  # of the identity that it had before
@@ -176,9 +174,9 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
 
 
 def record_text(record: Record) -> str:
-    data = {"schema": SCHEMA, **asdict(replace(record, rows=[]))}  # which would copy every cell
-    del data["rows"]
-    data |= {} if data.pop("carried") == () else {"carried": [asdict(carried) for carried in record.carried]}
+    data = {"schema": SCHEMA, **msgspec.to_builtins(replace(record, rows=[]))}  # which would copy every cell
+    for name in ("rows",) if record.carried else ("rows", "carried"):
+        del data[name]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
     lines = []
     for row in record.rows:
@@ -205,11 +203,10 @@ def read_record(content: bytes, path: Path) -> Record:
         if type(schema) is not int or schema != SCHEMA:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
         record = msgspec.convert(data, Record)
-        parts = [(data, Record), (data["identity"], Identity), *((seal, Seal) for seal in data["traces"].values())]
-        parts += [(carried, Carried) for carried in data.get("carried", ())]
-        allowed = [(table, {field.name for field in fields(kind)}) for table, kind in parts]
-        for table, names in [*allowed, (data["identity"]["packages"], {*config().packages})]:
-            if unknown := table.keys() - names:
+        identity = data["identity"]
+        names = {*Record.__match_args__}, {*Identity.__match_args__}, {*config().packages}
+        for table, allowed in zip((data, identity, identity["packages"]), names, strict=True):
+            if unknown := table.keys() - allowed:
                 raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
         msgspec.convert(record.machine, _Machine)
         measured = msgspec.convert(record.measured, _Measured)
