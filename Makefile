@@ -25,18 +25,19 @@ carry:
 
 .PHONY: lint
 lint: $(READY)
-	@"$$TYPED_PYTHON" -m ruff check .
-	@"$$TYPED_PYTHON" -m ruff format --check .
-	@"$$TYPED_PYTHON" -m mypy
+	@"$$PYTHON" -m ruff check .
+	@"$$PYTHON" -m ruff format --check .
+	@"$$PYTHON" -m mypy
 
 # Which errors in MODULE=values/format would the tests of its room miss? In a copy, as each is written into the file.
 .PHONY: mutate
+mutate: override export MODULE := $(or $(value MODULE),values/format)
 mutate: $(READY)
-	@"$$TYPED_PYTHON" -m uv sync --quiet --frozen --inexact --group mutation && PATH="$$PWD/.venv/bin:$$PATH" && \
-		module=$${TYPED_MODULE:-values/format} && kept=$$(git stash create) && root=$$PWD && tree=$$(mktemp -d) && \
+	@"$$PYTHON" -m uv sync --quiet --frozen --inexact --group mutation && PATH="$$PWD/.venv/bin:$$PATH" && \
+		kept=$$(git stash create) && root=$$PWD && tree=$$(mktemp -d) && \
 		trap 'git -C "$$root" worktree remove --force "$$tree"' EXIT && \
 		git worktree add --quiet --detach "$$tree" "$${kept:-HEAD}" && cd "$$tree" && \
-		sed "s|MODULE|$$module|; s|ROOM|$${module%/*}|" tests/mutation.toml > mutation.toml && \
+		sed "s|MODULE|$$MODULE|; s|ROOM|$${MODULE%/*}|" tests/mutation.toml > mutation.toml && \
 		cosmic-ray baseline mutation.toml && cosmic-ray init mutation.toml mutants && \
 		cr-filter-operators mutants mutation.toml && cosmic-ray exec mutation.toml mutants && \
 		cr-report --surviving-only --show-diff mutants && cr-rate --fail-over 5 mutants # what is left out counts as killed

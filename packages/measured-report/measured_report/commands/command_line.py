@@ -6,6 +6,7 @@ A command is a module here or in a report's ``report/commands/`` that has ``run(
 
 import argparse
 import os
+import re
 import signal
 import sys
 from collections.abc import Iterator, Mapping
@@ -109,7 +110,7 @@ def _flag(variable: str) -> str:
 def _typed(module: ModuleType) -> Iterator[str]:
     """Yield the options that were typed as variables of make; UsageError for one that no command has."""
     # Taken out, since programs that are started from here, as the tests, are no part of what make was asked for.
-    typed = {name: os.environ.pop(f"TYPED_{name}", "") for name in os.environ.pop("TYPED", "").split()}
+    typed = variables_of(os.environ.pop("TYPED", ""))
     options = options_of(module)
     if os.environ.get("MAKELEVEL") == "1" and typed.keys() - options:
         variables = {name for command in map(import_module, commands().values()) for name in options_of(command)}
@@ -121,6 +122,14 @@ def _typed(module: ModuleType) -> Iterator[str]:
             if is_switch and value != "1":
                 raise UsageError(f"a switch is on as {name}=1 or left out, not {name}={value}")
             yield option if is_switch else f"{option}={value}"
+
+
+def variables_of(typed: str) -> dict[str, str]:
+    """Return the values of variables that make was called with, but for those that are make's own to read."""
+    words = re.findall(r"(?:\\.|[^\\ \t])+", typed)  # make writes a backslash before blanks and itself, and $ twice
+    plain = (re.sub(r"\\(.)", r"\1", word).replace("$$", "$") for word in words)
+    values = dict(re.split(":?=", word, maxsplit=1) for word in plain)
+    return {name: value for name, value in values.items() if name not in ("SHELL", "MAKEFLAGS", "PYTHON")}
 
 
 def _say(text: str) -> None:

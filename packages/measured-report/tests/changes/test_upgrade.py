@@ -74,7 +74,7 @@ def test_the_variable_of_make_is_the_package_s_own_whatever_is_in_its_name(tmp_p
     (tmp_path / "report/sections").mkdir(parents=True)
     (tmp_path / "build.py").write_text((SKELETON / "build.py").read_text())
     option = edition.upper().replace("-", "_")
-    told = {"TYPED": f"{option} A B", f"TYPED_{option}": "9.9.9", "TYPED_A": "9.9.9", "TYPED_B": "9.9.9"}
+    told = {"TYPED": f"{option}=9.9.9 A=9.9.9 B=9.9.9"}
     command = [sys.executable, "build.py", "upgrade"]
     done = subprocess.run(command, cwd=tmp_path, env={**os.environ, **told}, capture_output=True, text=True)
     assert done.stdout.startswith(f"{edition} 9.9.9 against 1.4.0: "), done.stderr

@@ -100,9 +100,7 @@ def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(toy, 
 )
 def test_what_was_typed_behind_make_is_an_option(typed, arguments, status, command, monkeypatch, capsys):
     monkeypatch.setenv("MAKELEVEL", "1")
-    monkeypatch.setenv("TYPED", " ".join(typed))
-    for name, value in typed.items():
-        monkeypatch.setenv(f"TYPED_{name}", value)
+    monkeypatch.setenv("TYPED", " ".join(f"{name}={value}" for name, value in typed.items()))
     monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
     assert main() == 2
     assert status in capsys.readouterr().err
