@@ -268,15 +268,23 @@ def combined(function: Callable[..., float], *sources: Any, unit: str = "", acro
     sources = tuple(source if hasattr(source, "reads") else constant(source) for source in sources)
     groups = [source.operands if isinstance(source, Term) else (source,) for source in sources]
     operands = {id(operand): operand for group in groups for operand in group}
+    places = {key: place for place, key in enumerate(operands)}
+    # Found once: to find the noise of a count of a thousand numbers, each of them is moved in turn.
+    ways = [_way(source, [places[id(part)] for part in group]) for source, group in zip(sources, groups, strict=True)]
 
     def composed(*values: Any) -> float:
-        by_id = dict(zip(operands, values, strict=True))
-        inner = [[by_id[id(operand)] for operand in group] for group in groups]
-        arguments = [s.function(*v) if isinstance(s, Term) else v[0] for s, v in zip(sources, inner, strict=True)]
+        arguments = [way(values) for way in ways]
         # The largest or smallest of none is no number.
         return function(arguments, default=math.nan) if function in (max, min) else function(*arguments)
 
     return Term(composed, tuple(operands.values()), unit or _unit_of(function, sources), across)
+
+
+def _way(source: Any, places: Sequence[int]) -> Callable[[Sequence[Any]], Any]:
+    """Return what takes a source, or works it out, of the values of all operands."""
+    if isinstance(source, Term):
+        return lambda values: source.function(*map(values.__getitem__, places))
+    return operator.itemgetter(*places)
 
 
 def _unit_of(function: Callable[..., float], quantities: Sequence[Quantity]) -> str:
