@@ -1,10 +1,11 @@
 """What two releases do with the same seeds: an episode depends on its seed and the release alone."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from math import comb
-from textwrap import wrap
 
 import pandas as pd
 
@@ -16,7 +17,8 @@ from measured_report.values.results import Results, Row
 LEVEL = 0.05
 """Share of releases without a change that may raise an alarm, over all tasks that are tested."""
 OPPOSITES = (("lost", "gained"), ("slower", "faster"))
-FAILED, DIGITS = "-", 4
+FAILED = "-"
+STATE = re.compile(".{1,4}")  # how an episode moved, in so many digits
 
 
 def rows_of(releases: Releases, section: str, task: str) -> dict[str, Row]:
@@ -40,17 +42,18 @@ class Step:
     releases: tuple[str, str]
     rows: tuple[Row, Row]
 
-    @property
+    @cached_property
     def counts(self) -> dict[str, int]:
         """In how many of its episodes they differ, and how, as far as both have the same seeds."""
         pairs = list(zip(*(row.steps.split() for row in self.rows), strict=False))
         both = [(int(old), int(new)) for old, new in pairs if FAILED not in (old, new)]
+        states = zip(*(STATE.findall(row.states) for row in self.rows), strict=False)
         return {
             "lost": sum(old != FAILED == new for old, new in pairs),
             "gained": sum(old == FAILED != new for old, new in pairs),
             "slower": sum(old < new for old, new in both),
             "faster": sum(old > new for old, new in both),
-            "other_motion": sum(a != b for a, b in zip(*(wrap(row.states, DIGITS) for row in self.rows), strict=False)),
+            "other_motion": sum(old != new for old, new in states),
         }
 
     def beyond_chance(self, tests: int) -> set[str]:
