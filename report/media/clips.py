@@ -1,20 +1,20 @@
 """How a page shows the clips of a release."""
 
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
-from typing import Any
 
-import jinja2
 from markupsafe import Markup
 
 from experiments.facts.clip_record import CLIPS, FIRST, RUNS, STILL, files_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.files.root import ROOT
+from measured_report.parts.macros import macros
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import CASES
+
+MACROS = ROOT / "templates/clips.html.j2"
 
 
 @dataclass(frozen=True)
@@ -40,14 +40,14 @@ class Clips:
         poster = self.picture if case == FIRST else self._address(row.poster)
         files = self.root + poster, self.root + self._address(row.file)
         label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
-        return _macros().video(row, *files, label, self._sources(row), self._marked(caption))
+        return macros(MACROS).video(row, *files, label, self._sources(row), self._marked(caption))
 
     def still(self, link: str, caption: Markup) -> Markup:
         """Return the long exposure, which leads to ``link``, where there is one."""
         first = self.results.row[FIRST]
         alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
         row, file, sources = self.results.row[STILL], self.root + self.picture, self._sources(first)
-        return _macros().still(row, file, alt, sources, link, self._marked(caption))
+        return macros(MACROS).still(row, file, alt, sources, link, self._marked(caption))
 
     @property
     def picture(self) -> str:
@@ -60,7 +60,7 @@ class Clips:
         return self.results.row[STILL].magnified
 
     def _marked(self, caption: Markup) -> Markup:
-        return _macros().stale(caption, self.state.words)
+        return macros(MACROS).stale(caption, self.state.words)
 
     def _moved(self, row: Row) -> dict[str, Quantity]:
         return {CASES[name]: row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
@@ -74,10 +74,3 @@ class Clips:
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"
-
-
-@cache
-def _macros() -> Any:
-    loader = jinja2.FileSystemLoader(ROOT / "templates")
-    environment = jinja2.Environment(loader=loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True)
-    return environment.get_template("clips.html.j2").module

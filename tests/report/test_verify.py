@@ -8,7 +8,7 @@ from measured_report.editions.project import Project, own_release
 from measured_report.files.errors import ReportError
 from measured_report.findings.editions import Edition
 from measured_report.records.record import load_record
-from report.verify import repeats_of, verify
+from report.commands.verify import repeats_of, verify
 
 TRACKED = {row["case"]: row for row in load_record(Project(own_release()).record_path("reproduction")).rows}
 SHIPPED, STIFF = (TRACKED[case]["slip_mm"] for case in ("as-shipped", "stiff-pads"))

@@ -11,13 +11,13 @@ FILE = Path(__file__).parents[1] / "pages" / "layout" / "parts.html.j2"
 
 
 @cache
-def macros() -> Any:
-    """Compile the macros, which are the names of what is returned."""
-    loader = jinja2.FileSystemLoader(FILE.parent)
+def macros(file: Path = FILE) -> Any:
+    """Compile the macros of a template, which are the names of what is returned."""
+    loader = jinja2.FileSystemLoader(file.parent)
     environment = jinja2.Environment(
         loader=loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
     )
-    return environment.get_template(FILE.name).module
+    return environment.get_template(file.name).module
 
 
 class Picture(NamedTuple):
