@@ -84,7 +84,7 @@ def site(tmp_path_factory) -> Path:
 def editions(site) -> Mapping[str, WordedEdition]:
     """What the tracked results of every release make, as it was kept when their site was built."""
     project = Project(own_release(), root=site.parent)
-    with cached_sources(project.root), unchanged_files():
+    with cached_sources(), unchanged_files():
         return worded_editions(project, Templates(project.templates), DerivedCache(project.root))
 
 

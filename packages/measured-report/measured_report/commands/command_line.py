@@ -78,7 +78,7 @@ def _run(name: str, *typed: str) -> int:
     damages = recover(project.results.parent, load_record)
     for line in damages:
         _say(line)
-    with cached_sources(project.root):
+    with cached_sources():
         return module.run(project, arguments) or int(bool(damages))
 
 

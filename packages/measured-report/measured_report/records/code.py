@@ -7,7 +7,6 @@ the place of these. So it stays the same when it, or what it names, moves to ano
 import ast
 import hashlib
 import sys
-from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -27,7 +26,7 @@ ROUNDS = 3  # so many steps from a definition what its names mean is part of its
 Node = tuple[str, str]
 Some = TypeVar("Some")
 
-_contents: defaultdict[Path, dict[str, Any]] = defaultdict(dict)  # what was read of modules, by report and digest
+_contents: dict[str, Any] = {}  # what was read of modules, by the digest of name and text, wherever they lie
 SOURCES = "sources"
 
 
@@ -57,19 +56,18 @@ def files() -> Files:
 
 
 @contextmanager
-def cached_sources(folder: Path) -> Iterator[None]:
-    """Know what sources say from the processes before, since parsing all of them takes a second."""
-    store = Cache(folder)
+def cached_sources() -> Iterator[None]:
+    """Know what sources say from the processes before, of any project, since parsing all of them takes seconds."""
+    store = Cache(Path(HERE))
     made_by = sys.version, hashlib.sha256(Path(syntax.__file__).read_bytes()).hexdigest()
-    contents = _contents[root.ROOT]
-    contents.update(store.get(SOURCES, made_by) or {})
-    before = len(contents)
+    _contents.update(store.get(SOURCES, made_by) or {})
+    before = len(_contents)
     try:
         yield
     finally:
-        if len(contents) > before:
+        if len(_contents) > before:
             # The newest: those of texts that are no more need not be kept for ever.
-            store.put(SOURCES, made_by, dict(list(contents.items())[-1000:]))
+            store.put(SOURCES, made_by, dict(list(_contents.items())[-2000:]))
 
 
 _reader = cache(lambda text, name: Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1]))
@@ -208,9 +206,8 @@ def _read(kind: str, path: Path, name: str) -> Any:
     try:
         text = path.read_bytes()
         key = hashlib.sha256(f"{kind}\0{name}\0".encode() + text).hexdigest()
-        contents = _contents[root.ROOT]
-        if key not in contents:
-            contents[key] = getattr(_reader(text, name), kind)()
-        return contents[key]
+        if key not in _contents:
+            _contents[key] = getattr(_reader(text, name), kind)()
+        return _contents[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None

@@ -1,7 +1,11 @@
 """Freshness: what makes a record stale, and what does not."""
 
+import shutil
+
 import pytest
 
+from measured_report.files.config import report_in
+from measured_report.records import code
 from measured_report.records import identity as of_records
 from measured_report.records.identity import identity_of, sections
 
@@ -123,3 +127,11 @@ def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, mo
 def test_what_an_editor_locks_beside_a_section_is_no_section(toy):
     (toy.project.root / "report/sections/.#toy.py").symlink_to("somebody@here.1:2")
     assert sections(toy.project.root) == ["toy"]
+
+
+def test_a_source_is_read_once_wherever_it_lies(chain, tmp_path, monkeypatch):
+    shutil.copytree(chain.project.root, other := tmp_path / "other")
+    before = identity_of("toy", "full", chain.project.root)
+    monkeypatch.setattr(code, "_reader", None)
+    with report_in(other):
+        assert identity_of("toy", "full", other) == before
