@@ -159,7 +159,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
         patch = min(patches, key=paces.__getitem__)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
     read = [cell for cell in (seen, *(way.slip(sections) for way in tests)) if cell.value is not None]
-    read += [times[way] for way in (*timed, *patches)]
+    read += [*ratios.values(), *(times[way] for way in (*timed, *patches))]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
     return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, flags, strict=True)))

@@ -13,6 +13,7 @@ from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.records.columns import column_of
 from measured_report.records.replicas import FOLDER
+from measured_report.values.format import format_share
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
@@ -163,7 +164,7 @@ def largest(comparison: Comparison) -> list[str]:
         columns.setdefault(move.column, []).append(move)
     lines = []
     for lead, *more in list(columns.values())[:LINES]:
-        share = "" if lead.share is None or math.isinf(lead.share) else f", {100 * lead.share:+.2g} %"
+        share = "" if lead.share is None or math.isinf(lead.share) else f", {format_share(lead.share, '+')}"
         location = f"{lead.section} {lead.place.get('case', '')}".strip()
         location += f"; and {len(more)} more" if more else ""
         text = f"{'alarm: ' if lead.exceeds_threshold else ''}{column_of(lead.column).words} {lead.ends}{share}"
@@ -204,8 +205,10 @@ def power(comparison: Comparison) -> str:
         if threshold is not None and cell.share is not None and cell.before:
             label = column_of(cell.column).words
             least[label] = max(least.get(label, threshold), comparison.alone(cell) / abs(cell.before))
-    shares = ", ".join(f"{label} from {100 * share:.2g} %" for label, share in least.items()) or "nothing that is named"
-    return shares + (f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else "")
+    shares = ", ".join(f"{label} from {format_share(share)}" for label, share in least.items())
+    return (shares or "nothing that is named") + (
+        f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
+    )
 
 
 COUNTED = ("comparisons", "told", "numbers", "moves")

@@ -1,9 +1,14 @@
 """Queries: a claim or a value that editions are asked for, by a command or by ``report.toml``, which must not err."""
 
+import ast
 import math
+import sys
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 from measured_report.changes.compare import flips
@@ -13,9 +18,12 @@ from measured_report.files.config import FILE, config, report
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.chapters import Chapters, Releases
 from measured_report.findings.editions import Edition
-from measured_report.parts.claim import Claim
-from measured_report.records.columns import column_of, columns_of, parameters
-from measured_report.records.identity import sections
+from measured_report.findings.sections import file_of
+from measured_report.parts.claim import WITHIN, Claim
+from measured_report.records.code import CARRIED, files, roots_of
+from measured_report.records.columns import REASON, UNBELIEVED, column_of, columns_of, parameters
+from measured_report.records.identity import package_versions, sections
+from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 
@@ -173,6 +181,9 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         answer = query.claim(edition.chapters) if query.is_claim else query.quantity(edition.chapters)
         if query.section in edition.chapters and not (answer and (not isinstance(answer, Quantity) or answer.source)):
             _refuse(f"changes.{setting}", [query.text], "value", [*query.names(edition.chapters)])
+    _refuse_unknown_cases(edition)
+    if edition.project.named.is_installed_with(package_versions()):
+        _refuse_absent_imports(edition.project.root)
     if not edition.left_out:
         rows = (chapter.results.record.rows for each in editions.values() for chapter in each.chapters.values())
         columns = {column for each in rows for column in columns_of(each)} | {*parameters()}
@@ -187,6 +198,49 @@ def _refuse(setting: str, names: Iterable[str], kind: str, existing: Collection[
     for name in names:
         if name and name not in existing:
             raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, existing)}")
+
+
+def _refuse_unknown_cases(edition: Edition) -> None:
+    """Raise ReportError where repeats are of a case that is not there, beside cases that are no repeats."""
+    if chapter := edition.chapters.get(config().noise_section):
+        rows = chapter.results.record.rows
+        cases = [row["case"] for row in rows if "of" not in row]
+        if unknown := [row["of"] for row in rows if cases and row.get("of", cases[0]) not in cases]:
+            raise ReportError(f"{chapter.name}: of = {unknown[0]} names no case{suggestion(str(unknown[0]), cases)}")
+
+
+def _refuse_absent_imports(root: Path) -> None:
+    """Raise ReportError for what is imported first of all where sections are measured, and that is not installed."""
+    graph, modules = files().graph(roots_of(root)), (file_of("experiments", section) for section in sections(root))
+    measuring = {path for module in modules if module for path in graph.closure(str(module), CARRIED)}
+    for path in sorted(measuring):
+        for node in ast.parse(Path(path).read_bytes()).body:
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module or ""] if isinstance(node, ast.ImportFrom) and not node.level else []
+            for name in names:
+                package = name.partition(".")[0]
+                if not (package in sys.modules or find_spec(package)):
+                    place = f"{graph.name_of(path)}:{node.lineno}"
+                    raise ReportError(f"{place}: it imports {name}, and no {package} is installed")
+
+
+def gaps(edition: Edition) -> list[str]:
+    """Say which rows nothing tells apart, what is no number, and which claims can't tell for lack of something."""
+    lines = []
+    for name, chapter in edition.chapters.items():
+        rows = [row for row in chapter.results.record.rows if "of" not in row]
+        exact = (tuple(item for item in row.items() if not isinstance(item[1], float)) for row in rows)
+        doubles = dict.fromkeys(dict(cells)["case"] for cells, count in Counter(exact).items() if count > 1)
+        lines += [f"{name}: several rows of case {case}, which nothing tells apart" for case in doubles]
+        for row in rows:
+            texts = ((column, str(cell)) for column, cell in row.items())
+            lost = [f"{column.removesuffix(REASON)}: {text}" for column, text in texts if text.startswith(UNBELIEVED)]
+            lines += [f"{name}: {row['case']} has no {text}" for text in lost]
+        outcomes = {claim.name: claim.outcome for claim in chapter.section.claims if claim.outcome.name == "unknown"}
+        lacking = {claim: outcome for claim, outcome in outcomes.items() if not outcome.is_inconclusive}
+        texts = {claim: str(outcome.reason) for claim, outcome in lacking.items() if outcome.reason != WITHIN}
+        lines += [f"{name}.{claim} cannot tell: {text}" for claim, text in texts.items()]
+    return lines
 
 
 def blind_spots(edition: Edition) -> list[str]:
@@ -204,6 +258,6 @@ def blind_spots(edition: Edition) -> list[str]:
             late.append(f"{name} never rings: {number.reason}")
         elif isinstance(number, Quantity) and number.value:
             least = CHOSEN_SHARE if number.noise is None else math.sqrt(2) * number.noise / abs(number.value)
-            text = f"{name}: threshold {100 * threshold:.2g} %, but noise hides changes below {100 * least:.2g} %"
+            text = f"{name}: threshold {format_share(threshold)}, but noise hides changes below {format_share(least)}"
             late += [text] if least > threshold else []
     return ([f"no noise is known of {few(list(unknown), 8)}"] if unknown else []) + late

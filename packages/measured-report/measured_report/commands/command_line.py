@@ -28,7 +28,12 @@ OWN = "report.commands"  # the package of a report's own commands, which need no
 
 class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        raise UsageError(f"{' '.join(message.split()):.300}; see {self.prog} --help")
+        text = f"{' '.join(message.split()):.300}; see {self.prog} --help"
+        if os.environ.get("MAKELEVEL") == "1":
+            command = self.prog.rpartition(" ")[2]
+            text = re.sub("--([a-z-]+)", lambda flag: f"{flag[1].upper().replace('-', '_')}=", text.partition(";")[0])
+            text += f"; make {command} takes them behind it, and make help says which"
+        raise UsageError(text)
 
 
 def main() -> int:

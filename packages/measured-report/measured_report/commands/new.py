@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import os
 import re
 import shlex
 import shutil
@@ -44,11 +45,9 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     """Write a report into a folder that is empty or not there: on a pendulum, or importing a package."""
     if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
         raise UsageError(f"{folder} is not empty; name a folder that is not there")
-    if any(mark in title for mark in '"\\\n{}') or UNPRINTABLE.search(title):
+    if any(mark in title for mark in "\\\n{}") or UNPRINTABLE.search(title):
         title = UNPRINTABLE.sub("?", title)
-        raise UsageError(
-            f"--title={title} has a quote, a brace, a break or what can't be printed, which no title takes"
-        )
+        raise UsageError(f"--title={title} has a brace, a break or what can't be printed, which no title takes")
     name, _, version = (package or PACKAGE).partition("==")
     if is_name := re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
         version = version or next((str(release) for release in releases_of(name)[-1:]), "")
@@ -59,7 +58,8 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, kind, {**marks, "@TITLE@": title or KINDS[kind].format(name)})
     (folder / FILE).write_text(reference(), encoding="utf-8")
-    print(f"wrote {folder}; cd {shlex.quote(folder.name)} && make report measures, and builds site/index.html")
+    way = shlex.quote(os.path.relpath(folder))
+    print(f"wrote {folder}; cd {way} && make report measures, and builds site/index.html")
 
 
 def _write(folder: Path, kind: str, marks: Mapping[str, str]) -> None:
@@ -77,7 +77,9 @@ def _write(folder: Path, kind: str, marks: Mapping[str, str]) -> None:
             name = "/".join(below if first == kind else [first, *below]).replace("dot.", ".")
             text = template.read_text(encoding="utf-8")
             for mark, replacement in replacements.items():
-                text = text.replace(mark, replacement)
+                is_quoted = mark == "@TITLE@" and template.suffix in (".toml", ".cff")
+                quoted = json.dumps(replacement, ensure_ascii=False)[1:-1]
+                text = text.replace(mark, quoted if is_quoted else replacement)
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8")
 

@@ -39,7 +39,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
         on = f" on a {accelerator().NOUN}"
         device = None if accelerator().accelerators() or takes_card else "cpu"
         print(f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}")
-    for note in built.notes:
+    for note in (*built.gaps, *built.notes):
         print(note)
     print(f"built {project.site / 'index.html'}")
     return say_damage(state for release in releases.values() for state in release.left_out), bool(lacking)

@@ -11,7 +11,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.findings.chapters import Chapter, Chapters
 from measured_report.findings.editions import Edition, editions_of
-from measured_report.records.columns import changed_parameters
+from measured_report.records.columns import changed_parameters, parameters
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value, local
 
@@ -81,7 +81,8 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
     for index, column, cell in sorted((*pointer.cell, pointer) for pointer in cells if pointer.cell):
         row = record.rows[index]
         changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
-        case = f"{row['case']} ({config().baseline}{f', but for {changed}' if changed else ''})"
+        changes = f" ({config().baseline}{f', but for {changed}' if changed else ''})" if parameters() else ""
+        case = f"{row['case']}{changes}"
         number = _cell({chapter.results.source: chapter}, cell)
         yield f"  row {index}, case {case}: {column} = {_text(number) if number else row[column]}"
     release, commit = record.origin.release, record.measured["commit"]

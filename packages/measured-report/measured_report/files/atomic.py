@@ -53,11 +53,22 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
         try:
             fcntl.flock(descriptor, mode | fcntl.LOCK_NB)
         except BlockingIOError:
-            print(f"waiting for another process that is at work in {folder.name}/", file=sys.stderr, flush=True)
+            whose = _holder(os.fstat(descriptor).st_ino)
+            print(f"waiting for {whose} that is at work in {folder.name}/", file=sys.stderr, flush=True)
             fcntl.flock(descriptor, mode)
         yield
     finally:
         os.close(descriptor)
+
+
+def _holder(inode: int) -> str:
+    """Name the process that holds a lock, as far as Linux tells."""
+    with suppress(OSError):
+        for fields in map(str.split, Path("/proc/locks").read_text(encoding="utf-8").splitlines()):
+            if fields[1] == "FLOCK" and fields[5].endswith(f":{inode}"):
+                command = Path(f"/proc/{fields[4]}/cmdline").read_text(encoding="utf-8").replace("\0", " ")
+                return f"process {fields[4]} ({UNPRINTABLE.sub('?', command).strip():.80})"
+    return "another process"
 
 
 def put_record(record: Path, files: Mapping[str, bytes]) -> None:

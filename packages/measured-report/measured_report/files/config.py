@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar
 
 import msgspec
 
@@ -26,7 +26,7 @@ T = TypeVar("T")
 class ColumnTraits:
     """Describes what ``report.toml`` may tell of a column."""
 
-    better: str = ""  # `less` or `more`
+    better: Literal["", "less", "more"] = ""  # which numbers are better; empty: neither
     resolution: float = 0.0  # least difference that counts, however well a machine repeats itself
     rate_of: str = ""  # the column of the time that makes this rate, whose share of noise it has
     known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
@@ -41,7 +41,7 @@ class Columns(ColumnTraits):
 
     names: Collection[str] = ()  # the columns that it is of
     pattern: str = ""  # a regular expression that matches all of the name of any other
-    kind: str = ""
+    kind: Literal["", "parameter", "setting", "given", "cost", "chance", "loss"] = ""
     """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``given`` (made from settings),
     ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
     signed: bool | None = None  # whether its numbers have a sign; None: its unit says so

@@ -88,7 +88,10 @@ def file_of(package: str, name: str) -> Path | None:
     """Return the file of a module of a package, of which a folder may be made as well; None where there is none."""
     folders = import_module(package).__path__
     paths = (Path(folder) / path for folder in folders for path in (f"{name}/__init__.py", f"{name}.py"))
-    return next((path for path in paths if path.is_file()), None)
+    modules = [path for path in paths if path.is_file()]
+    if len(modules) > 1 and modules[0].stem != modules[1].stem:
+        raise ReportError(f"{name} in {package.replace('.', '/')}/ is a file and a folder: one of them is never read")
+    return modules[0] if modules else None
 
 
 def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:

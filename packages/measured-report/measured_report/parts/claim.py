@@ -2,7 +2,7 @@
 
 import math
 import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import accumulate, groupby
@@ -13,8 +13,10 @@ from markupsafe import Markup, escape
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
-from measured_report.values.quantities import Quantity, combined, mixed
+from measured_report.records.columns import column_of
+from measured_report.values.quantities import VALUES_FILE, Quantity, combined, mixed
 
+WITHIN = "the difference is within the noise"
 NEAR_NOISE = 2.0  # chosen: up to so many times the noise a difference can't tell: some other pair may differ more
 
 
@@ -94,6 +96,15 @@ class Claim:
             return self
         return replace(self, outcome=replace(self.outcome, name="unknown", reason=lost.reason, is_opposite=False))
 
+    def unread(self, names: frozenset[str]) -> Iterator[str]:
+        """Yield the measured numbers of these names that its test read neither themselves nor all that makes them."""
+        reads = self.outcome.reads
+        for name in sorted(names & self.numbers.keys()) if self.outcome.name != "unknown" else ():
+            sources = self.numbers[name].reads if isinstance(self.numbers[name], Quantity) else ()
+            measured = {source for source in sources if VALUES_FILE not in source and not _is_set(source)}
+            if not (measured <= reads or self.numbers[name].source in reads):
+                yield name
+
     @property
     def text(self) -> str:
         return self.sentence.striptags().replace("\xa0", " ")
@@ -105,6 +116,10 @@ class Claim:
         """Render one part of its wording."""
         assert self.wording, f"the claim {self.name} has no words yet"
         return self.wording(part, self.numbers)
+
+
+def _is_set(pointer: str) -> bool:
+    return column_of(pointer.rpartition("/")[2]).is_setting
 
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
@@ -156,7 +171,7 @@ def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Ou
         if len(values) < 2:
             return Outcome("unknown", "it takes two values to see a trend")
         if abs(values[-1] - values[0]) <= most:
-            return Outcome("unknown", "the difference is within the noise")
+            return Outcome("unknown", WITHIN)
         if _rises(values[::-1], most):
             return HOLDS
         return OPPOSITE if _rises(values, most) else FAILS
@@ -199,7 +214,8 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
 def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", compares: bool = True) -> Outcome:
     """Return what ``judge`` says of them where all may be compared; a plain number was chosen for ``why``."""
     unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
-    assert why or all(isinstance(number, Quantity) for number in numbers), "a bound that is a number needs its why"
+    if plain := [number for number in numbers if not (why or isinstance(number, Quantity))]:
+        raise ReportError(f'{plain[0]} was chosen and not measured: say for what with why="…", or name it by chosen(…)')
     chosen = partial(Bound, unit=unit, source="", noise=0.0, why=why)
     quantities = [number if isinstance(number, Quantity) else chosen(number) for number in numbers]
     if compares:

@@ -11,7 +11,7 @@ from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.words import Wording
-from measured_report.records.columns import column_of, unlike
+from measured_report.records.columns import PLAIN, column_of, is_unit, unlike
 from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import ResultsError, Series
@@ -134,11 +134,16 @@ class Figure:
         units = {source.unit for source in self.sources if isinstance(source, Quantity)}
         tables = (source.value for source in self.sources if isinstance(source, Series))
         units |= {column_of(column).unit for table in tables if table is not None for column in table}
-        for axes in drawing.axes:
-            for label in (axes.get_xlabel(), axes.get_ylabel()):
-                match = AXIS.search(label)
-                if match and match[1] not in units and (clash := [unit for unit in units if unlike([unit, match[1]])]):
-                    raise ReportError(f"its axis {label!r} has another unit than what it draws, {clash[0]}")
+        labels = [label for axes in drawing.axes for label in (axes.get_xlabel(), axes.get_ylabel()) if label]
+        matches = {label: AXIS.search(label) for label in labels}
+        unsaid = sorted(units - {match[1] for match in matches.values() if match}) if PLAIN not in units else []
+        for label, match in matches.items():
+            if match and " " not in match[1] and not is_unit(match[1]):
+                raise ReportError(f"its axis {label!r} has a unit that nobody knows: units in report.toml declares it")
+            if match and match[1] not in units and (clash := [unit for unit in units if unlike([unit, match[1]])]):
+                raise ReportError(f"its axis {label!r} has another unit than what it draws, {clash[0]}")
+            if not match and unsaid:
+                raise ReportError(f"its axis {label!r} has no unit, and no axis has {unsaid[0]}, which it draws")
         return drawing
 
     def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
@@ -211,6 +216,9 @@ class Section:
             if not hasattr(item, "wording"):
                 return item
             wordings[kind, name].refuse_unknown(f"{kind} {name}", item.numbers)
+            for unread in item.unread(wordings[kind, name].names) if kind == "claim" else ():
+                words = f"{wordings[kind, name].source}: claim {name} prints {unread}, which its test has not read"
+                raise ReportError(f"{words}: hand it to the test, or say it outside the claim")
             item = replace(item, wording=wordings[kind, name])
             for part in wordings[kind, name].blocks:  # those as well that are not said now: with other numbers they are
                 wordings[kind, name](part, item.numbers)

@@ -14,7 +14,7 @@ from measured_report.files.errors import UNPRINTABLE
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
 _OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "count": "1"}
-SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|min|h|°C?|%|1|dB)[²³]?")
+SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|cm|min|h|°C?|%|1|dB)[²³]?")
 """A unit that nobody declares; several make one with ``/`` and ``·``. Numbers are never converted, so this is all."""
 PLAIN = "1"  # the unit of a number whose column names none
 LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}
@@ -82,7 +82,8 @@ def parameters() -> Mapping[str, Any]:
 
 
 def is_unit(text: str) -> bool:
-    return text in units().values() or all(map(SYMBOL.fullmatch, re.split("[/·]", text)))
+    unknown = {factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)}
+    return not unknown or unknown <= {factor for unit in units().values() for factor in (unit, *re.split("[/·]", unit))}
 
 
 def unlike(units: Iterable[str]) -> list[str]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-from measured_report.changes.query import blind_spots, refuse_unknown_names
+from measured_report.changes.query import blind_spots, gaps, refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import digests_below, replace, staging_folder, sums
@@ -33,6 +33,7 @@ class Built:
 
     stale: Sequence[str]
     left_out: Sequence[State]
+    gaps: Sequence[str] = ()  # of the own release what was measured and is no answer, as the next
     notes: Sequence[str] = ()
 
 
@@ -56,8 +57,8 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         built = {}
         for release, edition in editions.items():
             stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
-            notes = blind_spots(edition) if edition.project.is_own else ()
-            built[release] = Built(stale, [*edition.left_out, *edition.plugins.left_out], notes)
+            notes = (gaps(edition), blind_spots(edition)) if edition.project.is_own else ()
+            built[release] = Built(stale, [*edition.left_out, *edition.plugins.left_out], *notes)
         cache.put(BUILT, (digest, digests_below(project.site)), built)
     return built
 

@@ -103,6 +103,11 @@ def number_pattern(text: str) -> re.Pattern[str]:
     return re.compile(rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)")
 
 
+def format_share(share: float, sign: str = "") -> str:
+    """Write a share in percent, in two digits; ``sign`` as Python's formats have it."""
+    return f"{float(f'{100 * share:.2g}'):{sign},.12g} %"
+
+
 def format_power(exponent: int) -> str:
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
 

@@ -15,7 +15,7 @@ from markupsafe import Markup, escape
 
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import PLAIN
+from measured_report.records.columns import PLAIN, is_unit
 from measured_report.records.record import Origin
 from measured_report.values.format import format_code, format_least, format_most, format_number, unit_label
 from measured_report.values.noise import WRITTEN_SHARE, derived_noise, sampled_noise
@@ -80,6 +80,11 @@ class Quantity:
     __mul__, __truediv__ = partialmethod(_with, operator.mul), partialmethod(_with, operator.truediv)
     __neg__, __abs__, __rmul__ = partialmethod(_with, operator.neg), partialmethod(_with, abs), __mul__
     __rsub__, __rtruediv__ = partialmethod(_after, operator.sub), partialmethod(_after, operator.truediv)
+
+    def _compared(self, number: object) -> bool:
+        raise ReportError("numbers have noise: greater(a, b), at_least(a, bound) or at_most(a, bound) compare them")
+
+    __lt__ = __le__ = __gt__ = __ge__ = _compared
 
     @property
     def reads(self) -> frozenset[str]:
@@ -158,6 +163,8 @@ def absent(unit: str, reason: str) -> Quantity:
 
 def constant(value: float, unit: str = PLAIN) -> Quantity:
     """Make an exact number that nobody measured, as a factor."""
+    if not is_unit(unit):
+        raise ReportError(f"{value:g} has the unit {unit}, which units in report.toml does not declare")
     return Quantity(value, unit, "", noise=0.0)
 
 
@@ -265,6 +272,8 @@ def combined(function: Callable[..., float], *sources: Any, unit: str = "", acro
 
     What it takes twice changes in both places at once. ReportError for quantities of unlike units.
     """
+    if plain := [source for source in sources if not (hasattr(source, "reads") or hasattr(source, "__float__"))]:
+        raise ReportError(f"{plain[0]!r:.80} is no number to compute with, nor a series")
     sources = tuple(source if hasattr(source, "reads") else constant(source) for source in sources)
     groups = [source.operands if isinstance(source, Term) else (source,) for source in sources]
     operands = {id(operand): operand for group in groups for operand in group}

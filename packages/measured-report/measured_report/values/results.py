@@ -5,7 +5,6 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -55,7 +54,9 @@ class Row:
     def __init__(self, results: "Results", index: int | None, case: str = ""):
         self._results, self._record, self._index = results, results.record, index
         self.plain: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
-        self._lack = f"there is no single row of case {case}" if index is None else ""
+        count = sum(row["case"] == case for row in self._record.rows) if index is None else 0
+        lack = f"there are {count} rows of case {case}" if count > 1 else f"there is no single row of case {case}"
+        self._lack = lack if index is None else ""
         self.source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
         self._read: dict[str, Any] = {}  # a section asks for the same again and again
 
@@ -165,8 +166,12 @@ class Results:
 
     @cached_property
     def rows(self) -> list[Row]:
-        """Return all rows but those that are damaged in what tells them apart."""
-        return [Row(self, index) for index, is_whole in enumerate(_complete_rows(self.record)) if is_whole]
+        """Return all rows but those that say of a setting, or of a text, why it is not there."""
+        return [Row(self, index) for index, row in enumerate(self.record.rows) if not self._lacks_setting(row)]
+
+    def _lacks_setting(self, row: Mapping[str, Any]) -> bool:
+        names = (name for name, cell in row.items() if cell is None and row.get(name + REASON))
+        return any(name not in self.record.units or "parameter" in column_of(name).kinds for name in names)
 
     @cached_property
     def row(self) -> Rows:
@@ -224,16 +229,3 @@ class Results:
     def chosen(self, name: str, why: str, value: float, unit: str = PLAIN) -> Value:
         """Set the value ``name``, which nobody measured: a bound, and ``why`` in words."""
         return self.value(name, f"chosen: {why}", constant(value, unit))
-
-
-def _complete_rows(record: Record) -> list[bool]:
-    """Tell which rows have what says of which run they are: a setting that is not null, a text that all others have."""
-    cells = Counter(chain.from_iterable(record.rows))
-    # Not the reasons, which say of a number that it is not there: of most rows it may not be.
-    texts = {column for column in cells if column not in record.units and not column.endswith(REASON)}
-    telling = texts | {column for column in cells if "parameter" in column_of(column).kinds}
-    common = {column for column in texts if len(record.rows) > 1 and cells[column] >= len(record.rows) - 1}
-    return [
-        row.keys() >= common and not any(row.get(column, 0) is None and row.get(column + REASON) for column in telling)
-        for row in record.rows
-    ]

@@ -4,10 +4,13 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+from toys import EXPERIMENT, MODULE, ROWS, SCENE
 
 from measured_report.changes import query
 from measured_report.files.config import Changes, Columns, Config
 from measured_report.files.errors import ReportError
+from measured_report.measuring.section import believable
+from measured_report.site.build import build
 
 RULES = Config(
     noise_section="toy",
@@ -42,3 +45,50 @@ def test_a_name_of_nothing_stops_the_build(toy, monkeypatch, wrong, said):
         return
     with pytest.raises(ReportError, match=f"^report.toml: .*{said}"):
         toy.build()
+
+
+@pytest.fixture
+def own(toy, monkeypatch):
+    """The toy as a report whose names are looked at."""
+    monkeypatch.setattr(query, "report", lambda: SimpleNamespace(root=toy.project.root))
+    monkeypatch.setattr(query, "config", lambda: RULES)
+    return toy
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "said"),
+    [
+        (
+            "experiments/toy.py",
+            "import nosuch\n" + EXPERIMENT,
+            "experiments/toy.py:1: it imports nosuch, and no nosuch is",
+        ),
+        (
+            "experiments/scene.py",
+            SCENE + "from nosuch.a import b\n",
+            r"scene.py:\d+: it imports nosuch.a, and no nosuch is",
+        ),
+        ("experiments/toy/__init__.py", EXPERIMENT, "toy in experiments/ is a file and a folder: one of them is never"),
+        ("report/sections/toy/__init__.py", MODULE, "toy in report/sections/ is a file and a folder"),
+    ],
+)
+def test_what_was_written_after_the_measurement_and_cannot_be_run_stops_the_build(own, file, text, said):
+    own.write(file, text)
+    with pytest.raises(ReportError, match=said):
+        own.build()
+
+
+def test_repeats_of_no_case_stop_the_build(own):
+    own.measure((*ROWS, {"case": "again", "of": "safter", "slip_mm": 6.0, "dropped": False}))
+    with pytest.raises(ReportError, match="toy: of = safter names no case; near it: soft"):
+        own.build()
+
+
+def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_site_is_built(toy):
+    nan = believable({"case": "firm", "slip_mm": float("nan"), "dropped": False})
+    toy.measure((ROWS[0], nan, ROWS[1], {**ROWS[1], "slip_mm": 0.4}))
+    assert build(toy.project)["1.4.0"].gaps == [
+        "toy: several rows of case stiff, which nothing tells apart",
+        "toy: firm has no slip_mm: the measurement gave nan",
+        "toy.helps cannot tell: there are 2 rows of case stiff",
+    ]

@@ -95,6 +95,7 @@ def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(toy, 
         ({"SECTION": "tay"}, ["rerun"], "near it: toy"),
         ({"SECTION": "frction"}, ["rerun", "--section", "tay"], "near it: toy"),
         ({"SECTON": "toy"}, ["rerun"], "SECTON= is no variable of make here; near it: SECTION"),
+        ({"A": "1.4.0"}, ["diff"], "are required: B=; make diff takes them behind it"),
         ({"STRICT": "yes"}, ["check"], "STRICT=1 or left out, not STRICT=yes"),
     ],
 )

@@ -1,5 +1,7 @@
 """A new report: on the package and with the title that it was asked for, everywhere."""
 
+import json
+import os
 import re
 
 import pytest
@@ -10,14 +12,14 @@ from measured_report.files.errors import UsageError
 
 
 def test_a_report_on_another_package_names_no_other(tmp_path):
-    new(folder := tmp_path / "mine", "scikit-learn==1.5.0", "How it changes")
+    new(folder := tmp_path / "mine", "scikit-learn==1.5.0", title := "How \"it\" changes: a 'title'")
     texts = {
         path: path.read_text() for path in folder.rglob("*") if path.is_file() and path.suffix not in (".whl", ".json")
     }
     for path, text in texts.items():
         assert not re.search("(?i)pendulum|numpy|@[A-Z]+@", text), path
-    titled = ("CITATION.cff", "README.md", "report.toml", "templates/front.md.j2")
-    assert all("How it changes" in texts[folder / name] for name in titled)
+    assert all(title in texts[folder / name] for name in ("README.md", "templates/front.md.j2"))
+    assert Report(folder).config.title == title and f"title: {json.dumps(title)}" in texts[folder / "CITATION.cff"]
     assert '"scikit-learn==1.5.0"' in texts[folder / "pyproject.toml"]
     assert Report(folder).config.option == "SCIKIT_LEARN"
     assert "steps.new.outputs.release" in texts[folder / ".github/workflows/upgrade.yml"]
@@ -25,12 +27,14 @@ def test_a_report_on_another_package_names_no_other(tmp_path):
     assert len(compiled) == 4
 
 
-def test_without_one_it_is_the_pendulum_and_what_is_no_package_or_title_is_refused(tmp_path):
-    new(tmp_path / "mine")
+def test_without_one_it_is_the_pendulum_and_what_is_no_package_or_title_is_refused(tmp_path, capsys):
+    new(tmp_path / "in a" / "mine")
+    assert f"cd '{os.path.relpath(tmp_path / 'in a' / 'mine')}' &&" in capsys.readouterr().out
+    (tmp_path / "in a" / "mine").rename(tmp_path / "mine")
     names = {path.name for path in (tmp_path / "mine").rglob("*") if path.is_file()}
     assert "pendulum.py" in names and "importing.py" not in names
     assert len(names) >= 3
-    for package, title in (("no package", ""), ("numpy==one", ""), ("numpy==2.3.0", 'A "title"'), ("", "a\x1b[2Jb")):
+    for package, title in (("no package", ""), ("numpy==one", ""), ("numpy==2.3.0", "A {title}"), ("", "a\x1b[2Jb")):
         with pytest.raises(UsageError, match=r"which no title takes|names one with its release"):
             new(tmp_path / "other", package, title)
     assert not (tmp_path / "other").exists()

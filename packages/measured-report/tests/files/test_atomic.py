@@ -17,7 +17,7 @@ from markupsafe import Markup
 from toys import MODULE, ROWS, TEMPLATE, killed_at
 
 from measured_report.editions.environment import requirements
-from measured_report.files.atomic import RecordError, recover
+from measured_report.files.atomic import RecordError, locked, recover
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
@@ -175,3 +175,16 @@ def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
     assert ended or record.rows[0]["slip_mm"] == 2.0
     expected = {"toy.json", *(f"toy.{case}.csv.gz" for case in record.traces)}
     assert {path.name for path in toy.record_path.parent.iterdir()} == expected
+
+
+@pytest.mark.skipif(not Path("/proc/locks").is_file(), reason="Linux says whose a lock is")
+def test_whoever_waits_for_a_lock_says_whose_it_is(tmp_path):
+    with locked(tmp_path):
+        child = subprocess.Popen(
+            [sys.executable, "-c", f"{HOLD}\nwith locked(Path({str(tmp_path)!r})): pass"], stderr=-1
+        )
+        assert child.stderr and f"waiting for process {os.getpid()} (" in child.stderr.readline().decode()
+    assert child.wait() == 0
+
+
+HOLD = "from pathlib import Path; from measured_report.files.atomic import locked"

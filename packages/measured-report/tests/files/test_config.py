@@ -18,6 +18,7 @@ TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
         ("title =", "titel =", "there is no setting titel; near it: title"),
         ("better =", "beter =", "there is no setting columns.beter; near it: better"),
         ("[changes.thresholds]", "[changes.tresholds]", "there is no setting changes.tresholds; near it: thresholds"),
+        ('better = "less"', 'better = "fewer"', r"Invalid enum value 'fewer' - at `\$.columns\[1\].better`"),
         ('edition = "', 'edition = 3 # "', r"Expected `str`, got `int` - at `\$.edition`"),
         ("pages = [", 'pages = ["x",', r"Expected `object`, got `str` - at `\$.pages\[0\]`"),
         ("title =", "title", "Expected '=' after a key"),

@@ -61,8 +61,12 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
     assert all_of(found, greater(quantity(2.0), 1.0, noise=NOISE, why="much")).bounds == (*found.bounds, "1 mm (much)")
     assert "the noise of 0.1 mm, but" in within(quantity(0.15), 0.1, why="the same").reason
     assert greater(quantity(3.0), quantity(1.0), noise=NOISE).bounds == ()
-    with pytest.raises(AssertionError, match="needs its why"):
+    with pytest.raises(ReportError, match=r"0\.5 was chosen and not measured: say for what"):
         at_least(quantity(0.4), 0.5)
+    with pytest.raises(ReportError, match="numbers have noise: greater"):
+        _ = quantity(0.4) > quantity(0.5)
+    with pytest.raises(ReportError, match="'far' is no number to compute with"):
+        _ = quantity(0.4) - "far"
 
 
 def test_an_outcome_without_numbers_is_unknown_and_says_why():
@@ -105,6 +109,14 @@ def test_a_value_says_how_it_is_derived_or_why_it_is_chosen(results):
     }
     bound = results.chosen("bound", "far from it", 0, unit="mm")
     assert bound.entry == {"value": 0, "unit": "mm", "noise": 0.0, "formula": "chosen: far from it", "sources": []}
+
+
+def test_a_row_is_dropped_for_nothing_that_others_have(toy):
+    repeats = [{"case": f"repeat-{n}", "of": "soft", "slip_mm": 1.0 + n, "note": "again"} for n in range(8)]
+    rows = [{"case": "soft", "slip_mm": 1.0}, *repeats]
+    assert Results(toy.record(rows), toy.record_path).row["soft"].slip_mm.value == 1.0
+    rows += [{"case": "soft", "slip_mm": 2.0}]
+    assert Results(toy.record(rows), toy.record_path).row["soft"].slip_mm.reason == "there are 2 rows of case soft"
 
 
 def test_what_has_no_value_says_why(results):

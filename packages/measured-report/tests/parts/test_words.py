@@ -25,6 +25,12 @@ ASKS = "{% asks %} whether it helps\n"
         ("helps {{ gain }}", "helps at\nleast {{ gain.most }}", r"j2:4: at least {{ gain.most }} takes .least$"),
         ("helps {{ gain }}", "helps more than {{ gain }}", r"more than {{ gain }} takes .most or .least$"),
         (ASKS, ASKS * 2, r"sections/toy.md.j2:7: claim helps is worded twice"),
+        (
+            "\n{% table",
+            TEMPLATE[TEMPLATE.index("{% claim") : TEMPLATE.index("Stiff")] + "\n{% table",
+            "helps is worded twice",
+        ),
+        ("at_least(gain, bound)", "at_least(bound, bound)", "toy.md.j2:4: claim helps prints gain, .* has not read"),
         ("It helps", r"It helps $\fooo x$", r"toy.md.j2:4: .*fooo x is no TeX that is known here"),
         ("claims=[", 'claims=[Claim("lasts", at_least(gain, bound)), ', "toy.md.j2 says nothing of the claim lasts"),
         ('{"gain": gain}', '{"gain": gain, "none": gain}', r"toy.md.j2:4: claim helps is given none, which is a const"),

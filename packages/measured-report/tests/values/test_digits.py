@@ -64,5 +64,7 @@ def test_what_is_written_is_read_back_and_is_whole():
     there = {"6.36 mm": 1, "at 6.36.": 1, "16.36": 0, "6.361": 0, "0.6.36": 0, "6.36.1": 0}
     assert {text: bool(module.number_pattern("6.36").search(text)) for text in there} == there
     assert not module.number_pattern("6").search(thin("6 000")) and not module.number_pattern("0").search(thin("6 0"))
+    shares = [module.format_share(share) for share in (4.0, 2.81, 0.0512, -0.5)]
+    assert shares == ["400 %", "280 %", "5.1 %", "-50 %"] and module.format_share(4.0, "+") == "+400 %"
     names = {"1e-3": "0.001", "9e-4": "9×10⁻⁴", "9.9e4": "99000", "1e5": "10⁵", "2.50": "2.50", "1.0e6": "10⁶"}
     assert {name: module.number_of(name) for name in names} == names
