@@ -16,6 +16,7 @@ from measured_report.files.atomic import RecordError, atomic_file, read_own_file
 from measured_report.files.config import FILE, Report, config, report, report_in, tomllib
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import name_problem
+from measured_report.records.identity import full_version
 
 PROFILES = ("full", "quick")
 INPUTS = ("packages", "experiments", "report", "templates", "assets", "static", "results")
@@ -148,4 +149,4 @@ def own_release(root: Path | None = None) -> str:
     if not match:
         line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
         raise ReportError(f"pyproject.toml has no line {line}")
-    return match[1]
+    return full_version(match[1])

@@ -19,7 +19,7 @@ from packaging.version import Version
 
 from measured_report.files.config import cached_in_report, config
 from measured_report.files.errors import UsageError
-from measured_report.records.identity import SHORT_COMMIT, checkout_source, git, wheel_source
+from measured_report.records.identity import SHORT_COMMIT, checkout_source, full_version, git, wheel_source
 
 VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?")
 WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
@@ -77,11 +77,6 @@ def read_label(text: str) -> Release | None:
     requirement = "" if source else f"{rules.requirement_of(rules.edition)}=={version}"
     named = tuple(sorted((names[name], pin) for name, _, pin in pins))
     return Release(version, source, named, machine, requirement, text)
-
-
-def full_version(version: str) -> str:
-    """Write a version with three numbers at least."""
-    return re.sub(r"[0-9]+(?:\.[0-9]+)*", lambda match: match[0] + ".0" * (2 - match[0].count(".")), version, count=1)
 
 
 @cached_in_report  # a repository or an index is asked once

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import re
 import subprocess
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -83,12 +84,17 @@ def package_versions() -> dict[str, str]:
     if not versions:
         for package in config().packages:
             try:
-                versions[package] = metadata.version(package)
+                versions[package] = full_version(metadata.version(package))
             except metadata.PackageNotFoundError:
                 versions[package] = MISSING
         if versions[config().edition] != MISSING and (source := _source()):
             versions[config().edition] += f"+{source}"
     return dict(versions)
+
+
+def full_version(version: str) -> str:
+    """Write a version with three numbers at least: 2.0 and 2.0.0 are the same."""
+    return re.sub(r"^[0-9]+(\.[0-9]+)*(?![0-9!])", lambda match: match[0] + ".0" * (2 - match[0].count(".")), version)
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:

@@ -38,3 +38,16 @@ def test_without_one_it_is_the_pendulum_and_what_is_no_package_or_title_is_refus
         with pytest.raises(UsageError, match=r"which no title takes|names one with its release"):
             new(tmp_path / "other", package, title)
     assert not (tmp_path / "other").exists()
+
+
+@pytest.mark.parametrize("package", ["JINJA2", "no-such-thing"])
+def test_a_package_is_imported_however_its_name_is_spelt(tmp_path, package):
+    new(folder := tmp_path / "mine", f"{package}==1.0")
+    module, codes = {}, []
+    exec((folder / "experiments/importing.py").read_text(), module)
+    module["start"] = lambda code: codes.append(code) or 1.0
+    if "no" in package:
+        with pytest.raises(ImportError, match="no-such-thing has no module that can be imported"):
+            module["measure"](None)
+    else:
+        assert len(module["measure"](None).rows) == 9 and codes[0] == "import jinja2"

@@ -15,12 +15,13 @@ from toys import Toy, git
 
 from measured_report.editions import environment
 from measured_report.editions.environment import environment_of
-from measured_report.editions.project import Manifest, write_manifest
+from measured_report.editions.project import Manifest, own_release, write_manifest
 from measured_report.editions.release import read_label, release_of
 from measured_report.editions.status import expected_packages
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
 from measured_report.measuring import machine, measure
+from measured_report.measuring.run import edition_of
 from measured_report.records import identity
 from measured_report.records.identity import package_versions
 from measured_report.records.record import write_record
@@ -91,9 +92,15 @@ def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_o
     assert sum(path.stat().st_size for path in folder.rglob("*") if not path.is_symlink()) < 1 << 20
 
 
-def test_a_measurement_refuses_what_is_not_installed():
-    from measured_report.measuring.run import edition_of
+def test_a_release_of_two_numbers_is_the_one_with_a_zero_behind_them(toy):
+    for path in toy.project.root.glob("newton-*.dist-info/METADATA"):
+        path.write_text("Name: newton\nVersion: 2.0\n")
+    toy.write("pyproject.toml", '[project]\ndependencies = ["newton[sim]==2.0"]\n')
+    assert own_release() == edition_of("2.0") == edition_of(None) == "2.0.0"
+    assert release_of("2.0").is_installed_with(package_versions())
 
+
+def test_a_measurement_refuses_what_is_not_installed():
     installed = package_versions()["newton"]
     assert edition_of(None) == edition_of(f"{installed}@cpu").removesuffix("@cpu") == installed
     for other in ("1.0.0", f"{installed}+warp-0.1.0", "nonsense"):

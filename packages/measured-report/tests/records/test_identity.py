@@ -121,7 +121,7 @@ def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, mo
     assert toy.state().kind == "fresh"
     installed = {**toy.packages, "warp-lang": "9.9"}
     monkeypatch.setattr(of_records.metadata, "version", installed.__getitem__)
-    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
+    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9.0") for note in toy.state().notes)
 
 
 def test_what_an_editor_locks_beside_a_section_is_no_section(toy):

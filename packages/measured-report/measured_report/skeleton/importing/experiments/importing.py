@@ -1,5 +1,6 @@
 """How long a Python takes that imports the package, and one that imports nothing."""
 
+import re
 import resource
 import subprocess
 import sys
@@ -23,10 +24,16 @@ def least(code: str) -> float:
     return min(start(code) for _ in range(TRY_COUNT))
 
 
+def plain(name: str) -> str:
+    """Write the name of a package as the index has it: its metadata may spell it otherwise."""
+    return re.sub("[-_.]+", "-", name).lower()
+
+
 def measure(conditions: Conditions) -> Measurement:
     """Return a row for each, and repeats of the first, whose spread is the noise."""
-    found = packages_distributions().items()  # by the names of their metadata, which may be spelt otherwise
-    modules = [module for module, names in found if PACKAGE in {name.lower().replace("_", "-") for name in names}]
+    modules = [module for module, names in packages_distributions().items() if plain(PACKAGE) in map(plain, names)]
+    if not modules:
+        raise ImportError(f"{PACKAGE} has no module that can be imported")
     code = f"import {min(modules, key=lambda module: (module.startswith('_'), len(module)))}"
     start(code)  # files are read, and compiled, for the first time
     rows = [{"case": "whole", "import_ms": least(code)}, {"case": "nothing", "import_ms": least("pass")}]
