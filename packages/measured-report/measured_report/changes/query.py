@@ -78,7 +78,8 @@ class Query:
         row = next(filter(None, rows), None)
         if row and self.column in row:
             return row[self.column]
-        return absent(self.unit, f"{self.section} has not been measured so with {config().edition_name} {release}")
+        edition = f" with {config().name_of(release)}" if release else ""
+        return absent(self.unit, f"{self.section} has not been measured so{edition}")
 
     def _row(self, results: Results) -> Row | None:
         if not self.device:
@@ -238,8 +239,8 @@ def gaps(edition: Edition) -> list[str]:
             lines += [f"{name}: {row['case']} has no {text}" for text in lost]
         outcomes = {claim.name: claim.outcome for claim in chapter.section.claims if claim.outcome.name == "unknown"}
         lacking = {claim: outcome for claim, outcome in outcomes.items() if not outcome.is_inconclusive}
-        texts = {claim: str(outcome.reason) for claim, outcome in lacking.items() if outcome.reason != WITHIN}
-        lines += [f"{name}.{claim} cannot tell: {text}" for claim, text in texts.items()]
+        reasons = {claim: str(outcome.reason) for claim, outcome in lacking.items() if outcome.reason != WITHIN}
+        lines += [f"{name}.{claim} cannot tell: {reason}" for claim, reason in reasons.items()]
     return lines
 
 

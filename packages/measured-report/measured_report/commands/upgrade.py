@@ -13,7 +13,6 @@ from measured_report.changes.compare import Comparison, Fault, compare
 from measured_report.changes.moves import few
 from measured_report.changes.query import Query
 from measured_report.commands.options import Arguments, refuse_itself, shared
-from measured_report.commands.page import build_site
 from measured_report.commands.report import measure_what_can
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
@@ -27,9 +26,11 @@ from measured_report.measuring.machine import machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
 from measured_report.pages.editions import sentences_of
 from measured_report.parts.claim import HOLDS
+from measured_report.records.columns import column_of
 from measured_report.records.identity import package_changes
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.replicas import FOLDER, archive_of
+from measured_report.site.build import build
 from measured_report.values.evidence import is_absolute
 
 TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
@@ -44,8 +45,14 @@ def run(project: Project, arguments: Arguments) -> int:
     refuse_itself(str(base), project.release)
     answer = sys.stdout if arguments.format == "text" else _answer_file()
     # What may not install goes first: a base would be measured for nothing.
-    after = _with_deciding(project, arguments.release, device, renews=True)
-    before = _with_deciding(project, base, device, renews=False)
+    sides = {arguments.release: True, base: False}
+    unmeasured = {release: _unmeasured(project.of(str(release)), device, renews) for release, renews in sides.items()}
+    for release, sections in unmeasured.items():
+        if sections:
+            took = sum(record.measured["seconds"] for record in records_of(project) if record.section in sections)
+            time = f", about {took:.0f} s of a processor as last time" if took else ""
+            print(f"{config().edition} {release}: to be measured are {', '.join(sections)}{time}", flush=True)
+    after, before = (_measured(project, release, device, sections) for release, sections in unmeasured.items())
     names = [before.release, after.release]
     editions = editions_of(project, among=names)
     compared = [editions[name] for name in names]
@@ -56,7 +63,9 @@ def run(project: Project, arguments: Arguments) -> int:
     say = sentences_of(project)
     print(upgrade_text(comparison, verdict(comparison, say, *compared), arguments.format, say), file=answer, flush=True)
     if arguments.format == "text":  # the front page stays that of the project's own edition
-        build_site(project.of(project.own_release or project.release))
+        project = project.of(project.own_release or project.release)
+        build(project)
+        print(f"built {project.site / 'index.html'}")
     return int(comparison.is_alarm)
 
 
@@ -68,13 +77,19 @@ def _answer_file() -> TextIO:
     return answer
 
 
-def _with_deciding(project: Project, release: Release, device: str | None, *, renews: bool) -> Project:
-    edition = project.of(str(release))
+def _unmeasured(edition: Project, device: str | None, renews: bool) -> list[str]:
+    """Name the deciding sections that are to be measured, those that are stale too where it ``renews`` them."""
     stale = {state.section for state in states_of(edition) if state.kind != "fresh"} if device and renews else ()
-    if not (names := [section for section in deciding(edition) if section in {*stale, *lacking(edition)}]):
-        return edition
-    if not device:
+    names = [section for section in deciding(edition) if section in {*stale, *lacking(edition)}]
+    if names and not device:
         raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
+    return names
+
+
+def _measured(project: Project, release: Release, device: str | None, names: Sequence[str]) -> Project:
+    edition = project.of(str(release))
+    if not names or not device:
+        return edition
     print(f"{config().edition} {edition.release}: measuring {', '.join(names)}", flush=True)
     return measure_what_can(kept_by(edition, machine_name(device), names), release, names, device)[0]
 
@@ -133,6 +148,9 @@ def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in comparison.flips]
     query, why = Query(config().changes.cause, is_claim=True), "the sections that were measured do not say"
+    given = [move for move in comparison.moves if move.is_setting or "given" in column_of(move.column).kinds]
+    if given:
+        why = f"what it is set to changed: {few([f'{move.name} {move.ends}' for move in given])}"
     if (cause := query.claim(after.chapters)) and cause.outcome == HOLDS:
         why = say(query.section, cause)
     asks_why = flips or any(not move.is_setting for move in comparison.alarms)

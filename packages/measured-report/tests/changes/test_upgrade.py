@@ -7,15 +7,18 @@ from argparse import Namespace
 from dataclasses import replace
 
 import pytest
-from toys import program
+from toys import ROWS, derived, program
 
+from measured_report.changes.compare import compare
+from measured_report.changes.query import Query
 from measured_report.commands import diff, upgrade
 from measured_report.commands.new import SKELETON
 from measured_report.commands.upgrade import base_of, lacking
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
-from measured_report.files.config import config
+from measured_report.files.config import Columns, config, report_in
 from measured_report.files.errors import UsageError
+from measured_report.records.columns import column_of
 
 
 def test_progress_does_not_run_into_an_answer_for_a_program():
@@ -89,3 +92,35 @@ def test_the_front_page_stays_the_own_edition_s_after_the_upgrade_of_an_older_on
     project = replace(toy.project.of("1.3.0"))
     upgrade.run(project, Namespace(device="cpu", since=release_of("1.4.0"), release=release_of("1.3.0"), format="text"))
     assert '<meta name="release" content="1.4.0">' in toy.front
+
+
+def test_an_upgrade_says_first_what_it_measures_of_both_and_at_last_nothing_that_it_did_not(toy, monkeypatch, capsys):
+    toy.record_path.unlink()
+
+    def measure(project, *others):
+        replace(toy, project=project).measure()
+        return project, True
+
+    monkeypatch.setattr(upgrade, "measure_what_can", measure)
+    monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
+    asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
+    upgrade.run(toy.project.of("1.9.0"), asked)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[:2] == [f"newton {name}: to be measured are toy" for name in ("1.9.0", "1.8.0")]
+    assert lines[-1].startswith("built ") and not [line for line in lines if "not measured" in line or "rerun" in line]
+
+
+def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_named(toy, monkeypatch):
+    newer = toy.of("1.9.0")
+    for side, damping in ((toy, 0.0), (newer, 0.62)):
+        side.measure([{**row, "damping": damping, "slip_mm": row["slip_mm"] * (1 + damping)} for row in ROWS])
+    changed = replace(config().changes, thresholds={"toy.soft.slip_mm": 0.05})
+    columns = [*config().columns, Columns(names=["damping"], kind="given")]
+    rules = replace(config(), changes=changed, columns=columns)
+    with report_in(toy.project.root) as entered:
+        monkeypatch.setitem(vars(entered), "config", rules)
+        column_of.cache_clear()
+        sides = [derived(side.project) for side in (toy, newer)]
+        lines = upgrade.verdict(compare(*sides), lambda *claim: "", *sides)
+        assert "why: what it is set to changed: toy.soft.damping 0 → 0.62; toy.stiff.damping 0 → 0.62" in lines
+        assert Query("toy.firm.slip_mm").quantity(sides[0].chapters).reason == "toy has not been measured so"
