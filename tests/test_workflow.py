@@ -3,13 +3,17 @@
 import os
 import re
 import subprocess
+import sys
 import textwrap
 from itertools import chain
 from pathlib import Path
 
 import pytest
+from toys import ROWS, Toy, git, lay_out
 
 from measured_report.commands.new import SKELETON
+from measured_report.editions.project import Project
+from measured_report.files.config import report_in
 from measured_report.files.root import ROOT
 
 WORKFLOWS = ROOT / ".github/workflows", SKELETON / "dot.github/workflows"
@@ -18,6 +22,8 @@ PROGRAM = """#!/bin/bash
 printf '%s|' "${0##*/}" "$@" >> "$FOLDER/log"; echo >> "$FOLDER/log"
 case "$1 $2" in
   "label create") exit 1;;
+  "run list") echo "$RUNS";;
+  "run download") [ "$3" != 3 ] || exit 1;;
   "issue list") printf %s "$OPEN_ISSUE";;
   "build.py newest") printf 'newton=1.9.0\\nwith=\\n';;
   "build.py upgrade") printf %s "$ANSWER"; echo "it took a while" >&2; exit "$STATUS";;
@@ -26,14 +32,15 @@ esac
 """In place of ``gh`` and of Python."""
 
 
-def run_script(folder: Path, number: int, **settings: str) -> subprocess.CompletedProcess:
+def run_script(
+    folder: Path, number: int, workflow: Path = WORKFLOWS[0] / "upgrade.yml", **settings: str
+) -> subprocess.CompletedProcess:
     """A script of the workflow as a runner runs it, in a folder with programs that note what they are called with."""
-    for name in ("gh", ".venv/bin/python", "nvidia-smi"):
-        path = folder / name
+    for path in (folder / name for name in ("gh", ".venv/bin/python", "nvidia-smi") if not (folder / name).exists()):
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text("#!/bin/bash\nexit 1\n" if name == "nvidia-smi" else PROGRAM)
+        path.write_text("#!/bin/bash\nexit 1\n" if path.name == "nvidia-smi" else PROGRAM)
         path.chmod(0o755)
-    script = textwrap.dedent(SCRIPT.findall((ROOT / ".github/workflows/upgrade.yml").read_text())[number + 1])
+    script = textwrap.dedent(SCRIPT.findall(workflow.read_text())[number])
     given = {"FOLDER": folder, "GITHUB_OUTPUT": folder / "output", "PATH": f"{folder}:{os.environ['PATH']}", **settings}
     command = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script]
     return subprocess.run(command, cwd=folder, env=given, capture_output=True, text=True, check=False)
@@ -45,7 +52,7 @@ def run_script(folder: Path, number: int, **settings: str) -> subprocess.Complet
     + [("", "2", "It could")],
 )
 def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_path, answer, status, comment):
-    done = run_script(tmp_path, 1, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)
+    done = run_script(tmp_path, 2, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)
     assert done.returncode == 0 and (tmp_path / "output").read_text().startswith(f"status={status}\ncomment<<")
     said = (tmp_path / "comment.md").read_text()
     assert said.startswith(comment) and ("it took a while" in said) == (not answer)
@@ -67,7 +74,7 @@ def test_finding_8_workflows_name_what_they_run_by_its_content_and_keep_no_crede
 @pytest.mark.parametrize(("open_issue", "call"), [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")])
 def test_the_workflow_keeps_one_issue(tmp_path, open_issue, call):
     title = 'Upgrade: newton 1.9.0 "$(touch evil)"'
-    assert run_script(tmp_path, 2, OPEN_ISSUE=open_issue, TITLE=title, COMMENT="$(touch evil)").returncode == 0
+    assert run_script(tmp_path, 3, OPEN_ISSUE=open_issue, TITLE=title, COMMENT="$(touch evil)").returncode == 0
     assert (tmp_path / "log").read_text().splitlines()[-1] == f"{call}|--title|{title}|--body-file|comment.md|"
     assert not (tmp_path / "evil").exists()
 
@@ -82,10 +89,32 @@ def test_the_job_that_may_write_runs_nothing_that_was_measured(folder):
 
 
 @pytest.mark.parametrize("folder", WORKFLOWS, ids=["here", "new"])
-def test_what_was_measured_is_kept_and_used_the_next_time(folder):
+def test_what_was_measured_is_kept_and_used_the_next_time(folder, tmp_path):
     text = (folder / "upgrade.yml").read_text()
-    kept = re.search(r"name: measured\n +path: (\S+)\n", text)[1]
-    assert f"name: before\n          path: {kept}\n" in text and "--name measured" in text
+    assert text.count("path: results\n") == 2 and "git checkout --quiet -- results" in text
+    run_script(tmp_path, 0, workflow=folder / "upgrade.yml", RUNS="3 2 1")
+    calls = (tmp_path / "log").read_text().splitlines()[1:]
+    assert calls == [f"gh|run|download|{run}|--name|results|--dir|measured|" for run in (3, 2)], "3 found no release"
+
+
+def test_a_pull_request_that_moves_to_another_release_is_compared_with_that_of_its_base(tmp_path):
+    lay_out(folder := tmp_path / "project")
+    for release in ("1.4.0", "1.9.0"):
+        with report_in(folder):
+            toy = Toy(Project(release, root=folder))
+            toy.write("pyproject.toml", f'[project]\ndependencies = ["newton[sim]=={release}"]\n')
+            toy.measure(({**ROWS[0], "slip_mm": 9.0}, ROWS[1]) if release == "1.9.0" else ROWS)
+        git(folder, "init", "--quiet")
+        git(folder, "add", "--all")
+        git(folder, "commit", "--quiet", "--message", release)
+    toy.write(".venv/bin/python", f'#!/bin/bash\nexec {sys.executable} "$@"\n')
+    (folder / ".venv/bin/python").chmod(0o755)
+    paths = f"{folder}{os.pathsep}{ROOT / 'packages/measured-report'}"
+    base = git(folder, "rev-parse", "HEAD~1")
+    done = run_script(folder, 0, SKELETON / "dot.github/workflows/changes.yml", BASE=base, PYTHONPATH=paths)
+    comment = (folder / "comment.md").read_text()
+    assert done.returncode == 0 and "newton 1.4.0@base → newton 1.9.0: " in comment, comment + done.stderr
+    assert "+41 % worse (toy soft)" in comment and "trusted: 0" in comment, comment
 
 
 def test_a_new_report_takes_the_uv_of_the_lock_by_its_bytes():

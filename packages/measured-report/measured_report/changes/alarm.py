@@ -69,7 +69,7 @@ def upgrade_text(comparison: Comparison, verdict: Sequence[str], form: str, say:
     """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
     if form == "json":
         return _json("upgrade", comparison.is_alarm, {"verdict": list(verdict), **_diff_data(comparison, say)})
-    return _lines(verdict if form == "text" else [*verdict, "", *_diff_lines(comparison, say)], form)
+    return _lines(verdict if form == "text" else [*verdict, "", *_details(comparison, say)], form)
 
 
 def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
@@ -81,9 +81,15 @@ def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
     }
     editions = " → ".join(f"{config().edition} {release}" for release in comparison.releases)
     count_texts = (f"{label}: {len(items)}" for label, items in counts.items())
-    lines = [f"{editions}: {summary(comparison)}", "; ".join(count_texts), *(fault.text for fault in comparison.faults)]
+    faults = (fault.text for fault in comparison.faults[:NAMED])
+    lines = [f"{editions}: {summary(comparison)}", "; ".join(count_texts), *faults]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
-    lines.append(f"would have shown: {power(comparison)}")
+    return [*lines, f"would have shown: {power(comparison)}", *_details(comparison, say)]
+
+
+def _details(comparison: Comparison, say: Say) -> list[str]:
+    """Say of a comparison what its verdict does not."""
+    lines = [fault.text for fault in comparison.faults[NAMED:]]
     for flip in comparison.flips:
         lines += [f"{flip.claim}: {flip.outcomes}", *(f"  {say(flip.section, claim)}" for claim in flip.ends)]
     for section, sums in _sums(comparison).items():
