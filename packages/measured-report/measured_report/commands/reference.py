@@ -14,12 +14,13 @@ NAMES = {
     "files/config": "Config Page Columns ColumnTraits Changes",
     "measuring/measurement": "Conditions Measurement absent",
     "measuring/batch": "Batch",
+    "measuring/machine": "needs_device",
     "values/results": "Results Row",
     "values/quantities": "Quantity constant combined",
     "findings/sections": "Outline",
     "parts/section": "Section Table Figure Download",
     "parts/figures": "new_figure",
-    "parts/claim": "Claim decided at_least at_most greater decreases equal_within all_of",
+    "parts/claim": "Claim decided at_least at_most greater decreases equal_within within beyond all_of",
     "parts/words": "",
     "pages/passages": "",
     "parts/citations": "",
@@ -52,7 +53,9 @@ def _entries(lines: Sequence[str], body: Sequence[ast.stmt], names: Collection[s
             if description := " ".join(str(long).split()) or lines[(node.end_lineno or 0) - 1].partition("  # ")[2]:
                 yield f"- `{ast.unparse(node)}` {description}"
         elif isinstance(node, ast.ClassDef) and node.name in names:
-            yield f"### {node.name}\n\n{ast.get_docstring(node)}"
+            fields = [part for part in node.body if isinstance(part, ast.AnnAssign)]
+            order = ", ".join(f"{ast.unparse(part.target)}{'=…' if part.value else ''}" for part in fields)
+            yield "\n\n".join([f"### {node.name}", f"`{node.name}({order})`", str(ast.get_docstring(node))])
             yield from _entries(lines, node.body)
         elif isinstance(node, ast.FunctionDef) and (node.name in names or not names) and ast.get_docstring(node):
             yield f"- `{node.name}({ast.unparse(node.args)})` {' '.join(str(ast.get_docstring(node)).split())}"

@@ -20,7 +20,7 @@ class Outline:
 
     file: Path
     root: Path
-    order: int
+    order: int  # place on its page; sections can read those of a lower one
     page: Page  # the page that it names, or else the first that takes sections
     compares: bool
     """Set where it compares releases: its ``derive(results, releases)`` then takes them as well, as

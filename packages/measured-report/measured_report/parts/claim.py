@@ -101,7 +101,8 @@ class Claim:
         reads = self.outcome.reads
         for name in sorted(names & self.numbers.keys()) if self.outcome.name != "unknown" else ():
             sources = self.numbers[name].reads if isinstance(self.numbers[name], Quantity) else ()
-            measured = {source for source in sources if VALUES_FILE not in source and not _is_set(source)}
+            leaves = (source for source in sources if VALUES_FILE not in source)
+            measured = {leaf for leaf in leaves if not column_of(leaf.rpartition("/")[2]).is_setting}
             if not (measured <= reads or self.numbers[name].source in reads):
                 yield name
 
@@ -116,10 +117,6 @@ class Claim:
         """Render one part of its wording."""
         assert self.wording, f"the claim {self.name} has no words yet"
         return self.wording(part, self.numbers)
-
-
-def _is_set(pointer: str) -> bool:
-    return column_of(pointer.rpartition("/")[2]).is_setting
 
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:

@@ -11,7 +11,10 @@
     {% table cases %} All cases. {% endtable %}
 
 ``{% opposite %}`` may stand beside ``{% fails %}``, or in its place. Parts name what Python hands over, nothing else; a
-number behind *at most* or *up to* is ``{{ angle.most }}``, behind *at least* ``{{ angle.least }}``.
+number behind *at most* or *up to* is ``{{ angle.most }}``, behind *at least* ``{{ angle.least }}``. Around them the
+template of a section has ``row["north"].lean_mm``, ``rows``, ``value.lean`` as it was derived, ``release``,
+``table(name)``, ``figure(name)``, ``download(name)`` and ``holds("section.claim")``; the texts of pages have
+``sections.tower.claim("leans")`` and the same of its tables and figures.
 """
 
 import re

@@ -81,11 +81,6 @@ class Quantity:
     __neg__, __abs__, __rmul__ = partialmethod(_with, operator.neg), partialmethod(_with, abs), __mul__
     __rsub__, __rtruediv__ = partialmethod(_after, operator.sub), partialmethod(_after, operator.truediv)
 
-    def _compared(self, number: object) -> bool:
-        raise ReportError("numbers have noise: greater(a, b), at_least(a, bound) or at_most(a, bound) compare them")
-
-    __lt__ = __le__ = __gt__ = __ge__ = _compared
-
     @property
     def reads(self) -> frozenset[str]:
         """Return pointers to itself and to all that it is computed from."""

@@ -186,6 +186,7 @@ class Results:
         return {name: Row(self, int(index))[column] for name, (_, index, column) in places.items()}
 
     def trace(self, case: str) -> Series:
+        """Return the trace of a case, ``.value`` a table; None, and the reason, where there is none."""
         path = trace_path(self.path, case)
         source = f"{path.parent.name}/{path.name}"
         if not (seal := self.record.traces.get(case)):
