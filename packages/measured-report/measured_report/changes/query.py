@@ -237,6 +237,8 @@ def gaps(edition: Edition) -> list[str]:
             texts = ((column, str(cell)) for column, cell in row.items())
             lost = [f"{column.removesuffix(REASON)}: {text}" for column, text in texts if text.startswith(UNBELIEVED)]
             lines += [f"{name}: {row['case']} has no {text}" for text in lost]
+        unread = ((claim.name, number) for claim in chapter.section.claims for number in claim.unread)
+        lines += [f"{name}.{claim} prints {number}, which its test has not read" for claim, number in unread]
         outcomes = {claim.name: claim.outcome for claim in chapter.section.claims if claim.outcome.name == "unknown"}
         lacking = {claim: outcome for claim, outcome in outcomes.items() if not outcome.is_inconclusive}
         reasons = {claim: str(outcome.reason) for claim, outcome in lacking.items() if outcome.reason != WITHIN}

@@ -96,9 +96,10 @@ class Claim:
             return self
         return replace(self, outcome=replace(self.outcome, name="unknown", reason=lost.reason, is_opposite=False))
 
-    def unread(self, names: frozenset[str]) -> Iterator[str]:
-        """Yield the measured numbers of these names that its test read neither themselves nor all that makes them."""
-        reads = self.outcome.reads
+    @property
+    def unread(self) -> Iterator[str]:
+        """Yield the numbers it may print of which its test read neither themselves nor all that makes them."""
+        reads, names = self.outcome.reads, self.wording.names if self.wording else frozenset()
         for name in sorted(names & self.numbers.keys()) if self.outcome.name != "unknown" else ():
             sources = self.numbers[name].reads if isinstance(self.numbers[name], Quantity) else ()
             leaves = (source for source in sources if VALUES_FILE not in source)

@@ -92,3 +92,8 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
         "toy: firm has no slip_mm: the measurement gave nan",
         "toy.helps cannot tell: there are 2 rows of case stiff",
     ]
+
+
+def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the_site_is_built(own):
+    own.write("report/sections/toy.py", MODULE.replace("at_least(gain, bound)", "at_least(bound, bound)"))
+    assert build(own.project)["1.4.0"].gaps == ["toy.helps prints gain, which its test has not read"]
