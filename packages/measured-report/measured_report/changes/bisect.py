@@ -2,12 +2,11 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 from measured_report.changes.query import Answer, Query
 from measured_report.editions.project import Project
-from measured_report.editions.release import Release, release_of, releases_between
+from measured_report.editions.release import Release, folder_at, release_of, releases_between
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError, suggestion
@@ -82,8 +81,8 @@ def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) 
 def points_between(first: Release, last: Release) -> list[str]:
     """Name what a search may look at, as a command would: commits of one local repository, or else releases."""
     (path, _, old), (new_path, _, new) = (release.asked.rpartition("@") for release in (first, last))
-    if path and path == new_path and Path(path).is_dir():
-        commits = git(Path(path), "rev-list", "--reverse", "--first-parent", f"{old}..{new}").split()
+    if path and path == new_path and folder_at(path).is_dir():
+        commits = git(folder_at(path), "rev-list", "--reverse", "--first-parent", f"{old}..{new}").split()
         return [first.asked, *(f"{path}@{commit}" for commit in commits[:-1]), last.asked]
     return [first.asked, *map(str, releases_between(first, last)), last.asked]
 

@@ -19,7 +19,7 @@ from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import recover
 from measured_report.files.config import config, report
-from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion
+from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion, without_secrets
 from measured_report.records.code import cached_sources
 from measured_report.records.record import load_record
 
@@ -50,7 +50,7 @@ def main() -> int:
         return 130
     except OSError as error:
         if not isinstance(error, BrokenPipeError):  # else whoever reads the output, as head, has enough of it
-            print(f"{error.filename or 'the output cannot be written'}: {error.strerror or error}", file=sys.stderr)
+            _say(f"{error.filename or 'the output cannot be written'}: {error.strerror or error}")
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return 1
     except ReportError as error:
@@ -138,4 +138,4 @@ def variables_of(typed: str) -> dict[str, str]:
 
 
 def _say(text: str) -> None:
-    print(UNPRINTABLE.sub("?", " ".join(text.split())), file=sys.stderr)
+    print(UNPRINTABLE.sub("?", " ".join(without_secrets(text).split())), file=sys.stderr)

@@ -13,7 +13,7 @@ from measured_report.measuring.accelerator import kinds
 from measured_report.records.identity import sections
 
 Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
-SCHEDULER = re.compile(r"(tcp|tls)://[^\s/]+:[0-9]{1,5}")
+SCHEDULER = re.compile(r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}")
 
 
 def read_cluster(cluster: str) -> str:
@@ -29,7 +29,7 @@ def read_device(asked: str) -> str:
 
 
 def read_address(address: str) -> str:
-    if address and not address.startswith(("https://", "http://")):
+    if address and not re.fullmatch(r"https?://[^/@\s]+(/[^\s?]*)?", address):
         raise UsageError(f"ADDRESS={address} is no address of a site; use one as https://example.org/report/")
     return f"{address.rstrip('/')}/" if address else ""
 

@@ -41,7 +41,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
         print(f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}")
     for note in (*built.gaps, *built.notes):
         print(note)
-    print(f"built {project.site / 'index.html'}")
+    print(f"built {project.site.name}/index.html")
     return say_damage(state for release in releases.values() for state in release.left_out), bool(lacking)
 
 

@@ -1,7 +1,6 @@
 """Check site/ and put it at TARGET, or on the branch gh-pages of git's origin."""
 
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -11,7 +10,7 @@ from pathlib import Path
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
 from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums
-from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.errors import ReportError, UsageError, without_secrets
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
@@ -31,23 +30,16 @@ def run(project: Project, arguments: Arguments) -> int:
 def publish(site: Path, target: str) -> str:
     """Put a checked copy of ``site`` at ``dir:PATH`` or ``git:REMOTE#BRANCH``, whole, and return where it lies."""
     scheme, _, location = (target or DEFAULT).partition(":")
-    option = f"TARGET={without_password(target)}"
+    option = f"TARGET={target}"
     if scheme not in TARGETS or not location or location.startswith("-") or "\0" in location:
         raise UsageError(f"{option!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE")
     try:
         (site.parent / ASIDE).mkdir(exist_ok=True)
         with staging_folder(site.parent / ASIDE / "copy") as folder:  # what a killed one has left goes now
             copy = _checked_copy(site, folder / "site")
-            return without_password(TARGETS[scheme](copy, location, site))
-    except UsageError as error:
-        raise UsageError(without_password(str(error))) from None
+            return without_secrets(TARGETS[scheme](copy, location, site))
     except OSError as error:
         raise UsageError(f"{option}: {error.strerror or ' '.join(str(error).split())}") from None
-
-
-def without_password(text: str) -> str:
-    """Return a text without what opens the addresses in it."""
-    return re.sub(r"(?<=//)[^/\s]*@", "", text)
 
 
 def _checked_copy(site: Path, copy: Path) -> Path:

@@ -29,7 +29,7 @@ NAMES = {
 
 def run(project: Project, arguments: Arguments) -> int:
     (project.root / FILE).write_text(reference(), encoding="utf-8")
-    print(f"wrote {project.root / FILE}")
+    print(f"wrote {FILE}")
     return 0
 
 

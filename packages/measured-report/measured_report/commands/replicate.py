@@ -11,7 +11,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.status import records_of, states_of
 from measured_report.files.atomic import atomic_file
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.findings.replicas import reasons_text, refused
+from measured_report.findings.replicas import reasons_text, refused, replicas_text
 from measured_report.measuring.accelerator import lacks
 from measured_report.measuring.machine import machine_of, needs_device
 from measured_report.measuring.measure import measure
@@ -52,6 +52,9 @@ def _keep(project: Project, records: Records, source: str) -> None:
     path = project.results / FOLDER / f"{machine}-{day}-{sha256(content).hexdigest()[:8]}.tgz"
     with atomic_file(path) as temporary:
         temporary.write_bytes(content)
-    print(f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {path}")
+    print(
+        f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {path.relative_to(project.root)}"
+    )
     if left_out:
         print(f"left out: {reasons_text(left_out)}")
+    print(next(line for line in replicas_text(project) if path.stem in line))

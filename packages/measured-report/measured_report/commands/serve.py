@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import partial
+from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from itertools import chain
 from pathlib import Path
@@ -25,7 +26,7 @@ OPTIONS = {"port": PORT, **shared("edition", "profile")}
 def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     server = Server(project.site, arguments.port)
-    print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
+    print(f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True)
     options = [f"--{config().flag}", arguments.release.asked, "--profile", project.profile]
     command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
     folders = [project.root / name for name in INPUTS]
@@ -34,6 +35,15 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 class _Handler(SimpleHTTPRequestHandler):
+    def send_head(self) -> Any:
+        """Answer who asks for this machine by its own name, with files of the site that are no links out of it."""
+        path, folder = os.path.normpath(self.translate_path(self.path)), os.path.realpath(self.directory)
+        if self.headers.get("Host", "").partition(":")[0] not in ("127.0.0.1", "localhost"):
+            return self.send_error(HTTPStatus.MISDIRECTED_REQUEST)  # a page from elsewhere, whose name leads here
+        if "\0" in path or os.path.realpath(path) != os.path.normpath(folder + path.removeprefix(self.directory)):
+            return self.send_error(HTTPStatus.NOT_FOUND)
+        return super().send_head()
+
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-store")
         super().end_headers()

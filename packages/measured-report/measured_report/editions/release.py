@@ -17,7 +17,7 @@ from typing import Any
 
 from packaging.version import Version
 
-from measured_report.files.config import cached_in_report, config
+from measured_report.files.config import cached_in_report, config, report
 from measured_report.files.errors import UsageError
 from measured_report.records.identity import SHORT_COMMIT, checkout_source, full_version, git, wheel_source
 
@@ -25,6 +25,7 @@ VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(
 WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
 REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
+SECRET = re.compile(r"https?://[^/]*@|://[^/@]*:[^/@]*@|://.*[?#]")  # in an address that says what opens it
 OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
 INDEX = "https://pypi.org/simple"
 
@@ -92,23 +93,38 @@ def _resolved(spec: str, option: str) -> Release:
         return label
     if not spec:
         raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.2.3 does")
+    if SECRET.search(spec):
+        raise UsageError(f"{option}= has what opens the address, which would be kept; git's credential helper keeps it")
     address, _, reference = spec.rpartition("@")
-    path, repository = (Path(spec).expanduser().resolve() for spec in (spec, address))
+    path, repository = map(folder_at, (spec, address))
     wheel = WHEEL.fullmatch(path.name)
     if wheel and path.is_file() and wheel["package"].replace("_", "-").lower() == package:
         version = full_version(wheel["version"])
-        return Release(version, wheel_source(path), requirement=f"{requirement} @ {path.as_uri()}", asked=str(path))
+        return Release(version, wheel_source(path), requirement=f"{requirement} @ {path.as_uri()}", asked=plain(path))
     if spec.startswith("git+") and ADDRESS.fullmatch(address[4:]) and REFERENCE.fullmatch(reference):
         return _commit(address[4:], reference, spec, option)
     if (path / "pyproject.toml").is_file():
         source = ".".join(checkout_source(path).split(".")[:2])
         version = _own_version((path / "pyproject.toml").read_text(encoding="utf-8"), spec, option)
         date = git(path, "show", "-s", "--format=%cs", "HEAD")
-        return Release(version, source, (), "", str(path), str(path), date, path)
+        return Release(version, source, (), "", str(path), plain(path), date, path)
     if address and repository.is_dir() and REFERENCE.fullmatch(reference):
-        return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
+        return _commit(repository.as_uri(), reference, spec, option)
     kinds = "release number, checkout, wheel or git+https://…@ref"
     raise UsageError(f"{option}={spec} is no {kinds}; {option}=1.2.3 is one")
+
+
+def folder_at(text: str) -> Path:
+    """Return what a path leads to from the report's folder, where make runs, or from a home."""
+    # Path.expanduser would raise for a user that does not exist.
+    return (report().root / os.path.expanduser(text)).resolve()  # noqa: PTH111
+
+
+def plain(path: Path) -> str:
+    """Write a path as anybody may read it: from the report's folder, or from a home; nothing of this machine."""
+    root, home = folder_at("."), folder_at("~")
+    is_elsewhere = path.is_relative_to(home) and not path.is_relative_to(root.parent)
+    return f"~/{path.relative_to(home)}" if is_elsewhere else os.path.relpath(path, root)
 
 
 def _commit(address: str, reference: str, spec: str, option: str) -> Release:
@@ -124,7 +140,8 @@ def _commit(address: str, reference: str, spec: str, option: str) -> Release:
             raise UsageError(f"{option}={spec} cannot be fetched; git fetch {address} {reference} says why")
         version = _own_version(git(fetched, "show", f"{commit}:pyproject.toml"), spec, option)
     requirement = f"{config().requirement_of(config().edition)} @ git+{address}@{commit}"
-    return Release(version, f"g{commit[:SHORT_COMMIT]}", requirement=requirement, asked=spec, date=date)
+    asked = f"{plain(Path(local))}@{reference}" if local else spec
+    return Release(version, f"g{commit[:SHORT_COMMIT]}", requirement=requirement, asked=asked, date=date)
 
 
 def _own_version(project: str, spec: str, option: str) -> str:

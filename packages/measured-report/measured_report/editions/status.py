@@ -3,9 +3,9 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from measured_report.editions.project import Project
+from measured_report.editions.release import folder_at
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.records.code import unchanged_files
@@ -74,7 +74,7 @@ def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mappi
 def package_version(project: Project) -> str:
     """Return the version that an edition is of; of an edited checkout with its digest, without what git may run."""
     release, manifest = project.named, project.manifest
-    if release.source.endswith(EDITED) and manifest and (folder := Path(manifest.asked)).is_dir():
+    if release.source.endswith(EDITED) and manifest and (folder := folder_at(manifest.asked)).is_dir():
         return f"{release.package_version}.{code_in(folder)}"
     return release.package_version
 

@@ -2,11 +2,23 @@
 
 import os
 import pickle
+import sys
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
+
+
+@cache
+def _is_ours(folder: Path) -> bool:
+    """Tell whether nobody else may write in a folder, and say where somebody may: what is read there is executed."""
+    info = folder.stat()
+    if is_ours := info.st_uid == os.geteuid() and not info.st_mode & 0o022:
+        return is_ours
+    print(f"nothing is kept in {folder.name}/ of the cache: others may write there", file=sys.stderr)
+    return is_ours
 
 
 @dataclass(frozen=True)
@@ -23,6 +35,8 @@ class Cache:
     def get(self, name: str, key: Any) -> Any:
         """Return what is kept as ``name`` and was made from ``key``; None when there is nothing whole."""
         with suppress(Exception), (self.folder / name).open("rb") as file:  # it may name code that is no more
+            if not _is_ours(self.folder):
+                return None
             is_current = pickle.load(file) == key  # the key stands before the value, which may be large
             return pickle.load(file) if is_current else None
         return None
@@ -31,6 +45,8 @@ class Cache:
         """Keep ``value``, made from ``key``; where nothing can be written it is not kept."""
         with suppress(OSError, RuntimeError):
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            if not _is_ours(self.folder):
+                return
             temporary = self.folder / f".{name}.{os.getpid()}"
             with temporary.open("wb") as file:
                 pickle.dump(key, file, pickle.HIGHEST_PROTOCOL)

@@ -1,5 +1,6 @@
 """Errors: what a command says in one line, in place of a traceback."""
 
+import os
 import re
 import sys
 from collections.abc import Iterable
@@ -17,9 +18,19 @@ UNPRINTABLE = re.compile(
 class ReportError(Exception):
     """Tells the reader of its message, which is one line, what to mend."""
 
+    def __str__(self) -> str:
+        return without_secrets(super().__str__())
+
 
 class UsageError(ReportError):
     """Tells that what was asked for does not exist or makes no sense; nothing was changed."""
+
+
+def without_secrets(text: str) -> str:
+    """Return a text without what opens the addresses in it, and without where its reader's home lies."""
+    home = os.path.expanduser("~").rstrip("/")  # noqa: PTH111 # Path.home would raise where there is none
+    text = re.sub(r"(?<=//)[^/\s]*@", "", text)
+    return re.sub(rf"(?<![\w.~-]){re.escape(home)}(?=/)", "~", text) if home else text
 
 
 def suggestion(name: str, names: Iterable[str]) -> str:

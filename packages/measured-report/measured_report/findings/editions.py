@@ -103,17 +103,15 @@ def editions_of(project: Project, cache: DerivedCache | None = None, among: Sequ
 
 def derive_edition(project: Project, cache: DerivedCache | None = None) -> Edition:
     """Derive what the results of one release make by themselves: what compares releases has its results alone."""
-    states, measurements, cache = states_of(project), Measurements(), cache or DerivedCache()
+    states, cache = states_of(project), cache or DerivedCache()
     left_out = [state for state in states if not state.record]
     tracked = {state.section: state.record for state in states if state.record}
     try:  # what a manifest that can't be read says is missed is missed unseen
         read_manifest(project.results)
     except RecordError as error:
         left_out.append(State(MANIFEST, "damaged", notes=(str(error),)))
-    try:
-        measurements = measurements_of(project, tracked, cache)
-    except RecordError as error:
-        left_out.append(State(FOLDER, "damaged", notes=(str(error),)))
+    measurements = measurements_of(project, tracked, cache)
+    left_out += [State(FOLDER, "damaged", notes=(fault,)) for fault in measurements.damaged]
     edition = Edition(project, {}, left_out, cache, measurements)
 
     def derive(state: State, chapters: Chapters) -> Chapter:

@@ -16,7 +16,7 @@ from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
-from measured_report.records.replicas import FOLDER, Records, is_copy, mismatch, read_replica
+from measured_report.records.replicas import FOLDER, Records, believed, is_copy, is_far, mismatch, read_replica
 from measured_report.values.evidence import Evidence, evidence_of, repeats_of
 
 
@@ -29,6 +29,8 @@ class Measurements:
     """On how many kinds of processor a section was measured, in words; empty for one."""
     digest: str = ""
     """Covers the replicas."""
+    damaged: Sequence[str] = ()  # what is wrong with each replica that can't be read
+    names: Sequence[str] = ()  # of the others
 
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims say by how many measurements they are decided, where there are several."""
@@ -43,16 +45,17 @@ def _decided_by(claim: Claim, text: str) -> str:
 
 
 def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> Measurements:
-    """Return what all measurements of an edition say, kept from before; RecordError for a damaged replica."""
+    """Return what all measurements of an edition say, kept from before."""
 
     def find() -> Measurements:
-        replicas = [*replicas_of(project, tracked).values()]
+        read, damaged = read_replicas(project)
+        replicas = [_alike(tracked, records) for records in read.values()]
         noise = tracked.get(config().noise_section)
         repeats = repeats_of(noise.rows) if noise else {}
-        of = {name: [record, *(replica.get(name) for replica in replicas)] for name, record in tracked.items()}
+        of = {name: believed([record, *(side.get(name) for side in replicas)]) for name, record in tracked.items()}
         evidence = {name: evidence_of(records, repeats) for name, records in of.items()}
         kinds = {name: _kinds([*filter(None, records)]) for name, records in of.items()}
-        return Measurements(evidence, kinds, files_digest(replica_files(project), project.results))
+        return Measurements(evidence, kinds, files_digest(replica_files(project), project.results), damaged, [*read])
 
     if not tracked:
         return Measurements()
@@ -71,22 +74,32 @@ def replica_files(project: Project) -> list[Path]:
     return sorted((project.results / FOLDER).glob("*.tgz"))
 
 
+def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
+    """Read an edition's replicas by name, and what is wrong with each that is damaged."""
+    replicas, damaged = {}, []
+    for path in replica_files(project):
+        try:
+            replicas[path.stem] = read_replica(path)
+        except RecordError as error:
+            damaged.append(str(error))
+    return replicas, damaged
+
+
 def replicas_of(project: Project, tracked: Records) -> dict[str, Records]:
-    """Read an edition's replicas by name, as far as they are like what is tracked; RecordError for a damaged one."""
-    replicas = {path.stem: read_replica(path) for path in replica_files(project)}
-    return {name: _alike(tracked, records) for name, records in replicas.items()}
+    """Read an edition's replicas by name, as far as they are like what is tracked."""
+    return {name: _alike(tracked, records) for name, records in read_replicas(project)[0].items()}
 
 
 def replicas_text(project: Project) -> list[str]:
-    """Write a line for each replica: how many of its sections are as they are tracked."""
-    tracked, lines = {record.section: record for record in records_of(project)}, []
-    for path in replica_files(project):
-        try:
-            records = read_replica(path)
-        except RecordError as error:
-            lines.append(f"damaged: {error}")
-        else:
-            lines.append(f"replica {path.stem}: {len(_alike(tracked, records))} of {len(records)} sections fresh")
+    """Write a line for each replica: how many of its sections are as they are tracked, and which move nothing."""
+    tracked, (replicas, damaged) = {record.section: record for record in records_of(project)}, read_replicas(project)
+    fresh = {name: _alike(tracked, records) for name, records in replicas.items()}
+    sides = [tracked, *fresh.values()]
+    lines = [f"damaged: {fault}" for fault in damaged]
+    for name, records in fresh.items():
+        far = [section for section, record in records.items() if is_far(record, [side.get(section) for side in sides])]
+        apart = f"; kept apart, far outside what the others say: {', '.join(far)}" if far else ""
+        lines.append(f"replica {name}: {len(records)} of {len(replicas[name])} sections fresh{apart}")
     return lines
 
 

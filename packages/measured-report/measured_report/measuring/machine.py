@@ -22,9 +22,23 @@ def machine(kind: str) -> dict[str, str | None]:
     """Return the machine that measures; host and card tell of two records whether they ran side by side."""
     card, uuid = host().card(kind)
     driver = None if kind == "cpu" else accelerator().driver()
-    node, system = hashlib.sha256(platform.node().encode()).hexdigest(), f"{platform.system()} {platform.machine()}"
+    system = f"{platform.system()} {platform.machine()}"
     devices = {"device": kind, "gpu": card, "driver": driver, "cpu": cpu_name(), "cores": str(os.cpu_count())}
-    return {**devices, "python": platform.python_version(), "host": node[:12], "gpu_uuid": uuid, "system": system}
+    return {
+        **devices,
+        "python": platform.python_version(),
+        "host": None if uuid else host_digest(),
+        "gpu_uuid": uuid,
+        "system": system,
+    }
+
+
+def host_digest() -> str | None:
+    """Return a digest of a number drawn by chance when this host was set up, or begun; a name would be guessed."""
+    for path in map(Path, ("/etc/machine-id", "/proc/sys/kernel/random/boot_id")):
+        if os.access(path, os.R_OK) and (number := path.read_text(encoding="utf-8").strip()):
+            return hashlib.sha256(f"{config().edition} {number}".encode()).hexdigest()[:12]
+    return None
 
 
 def cpu_name() -> str:

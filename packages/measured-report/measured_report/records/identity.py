@@ -4,8 +4,10 @@ import hashlib
 import json
 import os
 import re
+import stat
 import subprocess
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from importlib import metadata
 from pathlib import Path
@@ -76,6 +78,7 @@ def sections(root: Path | None = None) -> list[str]:
 
 
 SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"
+BYTE_LIMIT = 1 << 30  # of a file that is digested: wheels have hundreds of MiB
 
 
 def package_versions() -> dict[str, str]:
@@ -140,9 +143,11 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
     """Digest files, by their names below ``root`` and what they hold; folders are passed over."""
     digest = hashlib.sha256()
     for path in sorted(paths):
-        if path.is_file():
-            content = path.read_bytes()
-            digest.update(os.fsencode(f"{path.relative_to(root).as_posix()}\0{len(content)}\0") + content)
+        with suppress(OSError):  # of what can't be read its reader says so
+            info = path.stat()
+            if stat.S_ISREG(info.st_mode):  # what has no size may have no end, and what is larger nobody reads
+                content = path.read_bytes() if 0 < info.st_size <= BYTE_LIMIT else b""
+                digest.update(os.fsencode(f"{path.relative_to(root).as_posix()}\0{info.st_size}\0") + content)
     return digest.hexdigest()
 
 

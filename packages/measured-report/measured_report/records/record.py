@@ -139,6 +139,10 @@ class Record:
         return datetime.fromisoformat(self.measured["date"])
 
     @property
+    def started(self) -> datetime:
+        return datetime.fromisoformat(self.measured.get("started") or self.measured["date"])
+
+    @property
     def time_text(self) -> str:
         return self.time.strftime("%Y-%m-%d %H:%M %Z")
 

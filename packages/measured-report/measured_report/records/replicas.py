@@ -2,20 +2,26 @@
 
 import gzip
 import io
+import math
 import tarfile
 import zlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path, sums
+from measured_report.records.columns import column_of
 from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
 
 FOLDER = "replicas"  # beside the records of the edition that was measured again
 SUMS = "SHA256SUMS"  # the file in it that seals all others
 WHOLE = 0.9  # chosen: so large a share of the numbers is there again; runs at an edge may be lost
+COPIED, NEAR = 0.9, 1e-6
+"""Chosen: a copy has so large a share of its numbers so near the others'; two measurements agree in up to 0.6."""
+FAR, FAR_SHARE = 5.0, 0.05  # chosen: what is far outside is by more than so many ranges and such a share of a number
 Records = Mapping[str, Record]
+Key = tuple[str, str]
 
 
 def archive_of(records: Iterable[Record]) -> bytes:
@@ -42,11 +48,15 @@ def read_replica(path: Path) -> Records:
             content = file.read(BYTE_LIMIT + 1)
         if len(content) > BYTE_LIMIT:
             raise RecordError(f"{short_path(path)} holds more than {BYTE_LIMIT >> 20} MiB")
-        with tarfile.open(fileobj=io.BytesIO(content), mode="r:") as archive:
-            for member in archive:
-                if member.type != tarfile.REGTYPE:  # as a sparse one, which makes gigabytes of a few bytes
-                    raise RecordError(f"{short_path(path)} is no archive of plain files")
-                files[member.name] = archive.extractfile(member).read()  # type: ignore[union-attr]
+        start = 0
+        while any(header := content[start : start + tarfile.BLOCKSIZE]):
+            # Header by header: a reader of archives believes what goes before one, as a sparse file's size.
+            member = tarfile.TarInfo.frombuf(header, "utf-8", "strict")
+            start += tarfile.BLOCKSIZE
+            if member.type != tarfile.REGTYPE or not 0 <= member.size <= len(content) - start:
+                raise RecordError(f"{short_path(path)} is no archive of plain files")
+            files[member.name] = content[start : start + member.size]
+            start += -(-member.size // tarfile.BLOCKSIZE) * tarfile.BLOCKSIZE
         if files.pop(SUMS, b"") != _sums(files) or not files:
             raise RecordError(f"{short_path(path)} is not as it was sealed")
     except (OSError, EOFError, ValueError, zlib.error, tarfile.TarError) as error:
@@ -58,7 +68,8 @@ def measurements_beside(path: Path, read: Callable[[Path], Records]) -> list[Rec
     """Return the record at ``path``, and those of the replicas beside it, as ``read``, that measured the same."""
     tracked = read_record(read_own_file(path, BYTE_LIMIT), path)
     replicas = (read(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
-    return [tracked, *(record for record in replicas if record and not mismatch(tracked, record))]
+    alike = [record for record in replicas if record and not mismatch(tracked, record)]
+    return [*filter(None, believed([tracked, *alike]))]
 
 
 def mismatch(tracked: Record, replica: Record) -> str:
@@ -73,6 +84,43 @@ def mismatch(tracked: Record, replica: Record) -> str:
 
 
 def is_copy(a: Record, b: Record) -> bool:
-    """Tell whether two records are of one measurement: of one host and time, or the same bits and of no CPU."""
-    times = [(side.machine.get("host"), side.measured.get("started", side.measured["date"])) for side in (a, b)]
-    return times[0] == times[1] or (a.machine["device"] != "cpu" and list(a.rows) == list(b.rows))
+    """Tell whether two records are of one measurement: of one moment, or more alike than two of them ever are."""
+    is_alike = a.measured["seconds"] == b.measured["seconds"] and list(a.rows) == list(b.rows)
+    if a.started == b.started and (is_alike or a.card.casefold() == b.card.casefold()):
+        return True
+    sides = [
+        {key: cell for key, cell in _numbers(side) if side.machine["device"] != "cpu" or _is_cost(key)}
+        for side in (a, b)
+    ]
+    same = [math.isclose(sides[0][key], sides[1][key], rel_tol=NEAR) for key in sides[0].keys() & sides[1].keys()]
+    return bool(same) and sum(same) >= COPIED * len(same)
+
+
+def believed(measured: Sequence[Record | None]) -> list[Record | None]:
+    """Return the measurements of a section, what is tracked first, without replicas that are far from the others."""
+    return [*measured[:1], *(record if record and not is_far(record, measured) else None for record in measured[1:])]
+
+
+def is_far(record: Record, measured: Sequence[Record | None]) -> bool:
+    """Tell whether most numbers of a column are far outside what two other measurements or more say."""
+    sides = [dict(_numbers(other)) for other in measured if other and other is not record]
+    is_outside: dict[str, list[bool]] = {}
+    for key, cell in _numbers(record):
+        numbers = [side[key] for side in sides if key in side]
+        if len(numbers) > 1 and not _is_cost(key):
+            low, high = min(numbers), max(numbers)
+            reach = FAR * (high - low) + FAR_SHARE * max(abs(low), abs(high))
+            is_outside.setdefault(key[1], []).append(not low - reach <= cell <= high + reach)
+    return any(sum(column) > len(column) / 2 for column in is_outside.values())
+
+
+def _numbers(record: Record) -> Iterator[tuple[Key, float]]:
+    """Yield what was measured, by case and column."""
+    for row in record.rows:
+        for name, cell in row.items():
+            if isinstance(cell, float) and cell and not column_of(name).is_exact:
+                yield (row["case"], name), cell
+
+
+def _is_cost(key: Key) -> bool:
+    return "cost" in column_of(key[1]).kinds

@@ -210,7 +210,8 @@ class Site:
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"
         files = {f"{folder}{source.name}": source for source in edition.plugins.data} | {**edition.plugins.files}
-        files |= {f"{folder}{FOLDER}/{source.name}": source for source in replica_files(edition.project)}
+        replicas = filter(lambda source: source.stem in edition.measurements.names, replica_files(edition.project))
+        files |= {f"{folder}{FOLDER}/{source.name}": source for source in replicas}
         for chapter in edition.chapters.values():
             path = chapter.results.path
             self._write(f"{folder}{path.stem}.csv", rows_csv(chapter.results.record.rows))

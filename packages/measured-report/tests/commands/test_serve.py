@@ -46,11 +46,21 @@ def test_a_folder_that_vanishes_while_it_is_looked_at_ends_nothing(toy, monkeypa
 def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
     toy.build()
     (tmp_path / "secret").write_text("secret")
+    (toy.project.site / "link").symlink_to(tmp_path / "secret")
+    (toy.project.site / "all").symlink_to(tmp_path)
     with Server(toy.project.site, 0) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        for path, status in {"/": 200, "/nothing": 404, "/../secret": 404, "/%2e%2e/secret": 404}.items():
-            connection = HTTPConnection("127.0.0.1", server.server_port)
-            connection.request("GET", path)
-            assert connection.getresponse().status == status, path
+        for path in ("/link", "/all/secret", "/all/"):
+            assert answered(server, path) == 404
+        for host, status in {"localhost:1": 200, "elsewhere.example": 421, "": 421}.items():
+            assert answered(server, "/", Host=host) == status
+        for path, status in {"/": 200, "/nothing": 404, "/../secret": 404, "/%2e%2e/secret": 404, "/%00": 404}.items():
+            assert answered(server, path) == status, path
         server.shutdown()
     assert capfd.readouterr().err == ""
+
+
+def answered(server: Server, path: str, **headers: str) -> int:
+    connection = HTTPConnection("127.0.0.1", server.server_port)
+    connection.request("GET", path, headers=headers)
+    return connection.getresponse().status

@@ -3,6 +3,7 @@
 Packaging alone: a small repository that is named newton stands for a checkout, and nothing is simulated.
 """
 
+import hashlib
 import os
 import shutil
 import subprocess
@@ -13,6 +14,7 @@ from pathlib import Path
 import pytest
 from toys import Toy, git
 
+from measured_report.commands.options import read_address
 from measured_report.editions import environment
 from measured_report.editions.environment import environment_of
 from measured_report.editions.project import Manifest, own_release, write_manifest
@@ -67,6 +69,38 @@ def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
     assert str(release_of(f"{checkout}@main")).startswith("1.10.0.dev0+g")
     with pytest.raises(UsageError, match="cannot be fetched"):
         release_of(f"{checkout}@nothing")
+
+
+@pytest.mark.parametrize("address", ["http://user:TOKEN@h/x.git@m", "https://TOKEN@h/x.git@m", "ssh://a:TOKEN@h/x@m"])
+@pytest.mark.parametrize("ending", ["", "?private=TOKEN"])
+def test_an_address_with_what_opens_it_is_refused_and_not_printed(address, ending):
+    for spec in (f"git+{address}{ending}", f"git+{address.removesuffix('@m')}"):
+        with pytest.raises(UsageError, match=r"^[^\n]+$") as error:
+            release_of(spec)
+        assert "TOKEN" not in str(error.value)
+    with pytest.raises(UsageError):
+        read_address(address)
+
+
+def test_what_is_kept_of_a_path_names_nobody(toy, checkout, monkeypatch, tmp_path_factory):
+    home = tmp_path_factory.mktemp("home") / "NAME"
+    monkeypatch.setenv("HOME", str(home))
+    shutil.copytree(checkout, home / "x/newton")
+    (wheel := home / "newton-1.9.0-py3-none-any.whl").write_bytes(b"")
+    specs = {str(checkout): "../newton", f"{checkout}@main": "../newton@main", str(home / "x/newton"): "~/x/newton"}
+    specs |= {str(wheel): f"~/{wheel.name}", f"git+file://{checkout}@main": "../newton@main"}
+    for spec, asked in specs.items():
+        release = release_of(spec)
+        assert release.asked == asked and release_of(asked).package_version == release.package_version
+    assert str(UsageError(f"{wheel} and file://{wheel}")) == f"~/{wheel.name} and file://~/{wheel.name}"
+
+
+def test_a_host_s_name_is_in_no_record(monkeypatch):
+    machine.machine.cache_clear()
+    named = machine.machine("cpu")["host"]
+    monkeypatch.setattr("platform.node", lambda: "another")
+    machine.machine.cache_clear()
+    assert machine.machine("cpu")["host"] == named != hashlib.sha256(b"another").hexdigest()[:12]
 
 
 def test_with_names_packages(tmp_path):

@@ -12,7 +12,7 @@ import pytest
 from toys import MODULE, ROWS
 
 from measured_report.changes.compare import faults_of
-from measured_report.commands import page
+from measured_report.commands import page, status
 from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import RecordError, recover
@@ -20,6 +20,7 @@ from measured_report.files.errors import ReportError
 from measured_report.findings.editions import derive_edition
 from measured_report.records import traces
 from measured_report.records.record import load_record, trace_path, write_record
+from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.records.traces import load_trace
 from measured_report.site.check import check_site
 
@@ -138,3 +139,30 @@ def test_finding_5_what_waits_to_be_put_in_place_is_read_before_it_is_believed(t
     assert recover(folder.parent, load_record) == []
     write_record(toy.record_path, toy.record())
     assert load_record(toy.record_path)
+
+
+ODD = {
+    "a pipe": os.mkfifo,
+    "a link to no end": lambda path: path.symlink_to("/dev/zero"),
+    "a link to nowhere": lambda path: path.symlink_to("nowhere"),
+    "a folder": lambda path: path.mkdir(),
+    "three gigabytes": lambda path: (path.touch(), os.truncate(path, 3 << 30)),
+    "a name that is no text": lambda path: path.with_name("\udcff.tgz").touch(),
+}
+
+
+@pytest.mark.parametrize("place", ["replicas/x.tgz", "x.tgz", "edition.toml", "toy.json", "toy.stiff.csv.gz"])
+@pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
+def test_one_odd_thing_costs_itself_alone(toy, odd, place, capsys):
+    (folder := toy.project.results / FOLDER).mkdir()
+    (folder / "good.tgz").write_bytes(archive_of([toy.record([{**row, "slip_mm": 2.0} for row in ROWS])]))
+    (toy.project.results / place).unlink(missing_ok=True)
+    odd(toy.project.results / place)
+    is_damage = place == "replicas/x.tgz" or (place != "x.tgz" and odd is not ODD["a name that is no text"])
+    is_damage |= place == "toy.stiff.csv.gz"
+    asked = Namespace(release=release_of("1.4.0"), address="")
+    assert status.run(toy.project, asked) == page.run(toy.project, asked) == int(is_damage)
+    assert ("damaged: " in capsys.readouterr().err) == is_damage
+    assert (toy.project.site / "index.html").is_file()
+    if not place.startswith("toy"):
+        assert 'id="toy"' in toy.page and len(list(toy.project.site.rglob("replicas/*.tgz"))) == 1

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from toys import MODULE, REPORT, ROWS, TEMPLATE, Toy, program
 
-from measured_report.files.cache import Cache
+from measured_report.files.cache import Cache, _is_ours
 from measured_report.findings import cache as derived
 from measured_report.findings.editions import editions_of
 from measured_report.records.record import write_record
@@ -198,3 +198,19 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
         assert program("-c", REPORT, tmp_path / name, "1.4.0", **environment).returncode == 0
         sites.append(files(tmp_path / name / "site"))
     assert len(sites[0]) > 10 and sites[0] == sites[1] == sites[2]
+
+
+def test_what_others_may_write_is_no_cache(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    mine = Cache(tmp_path / "one")
+    mine.put("a", 1, "value")
+    assert mine.get("a", 1) == "value"
+    mine.folder.chmod(0o777)
+    _is_ours.cache_clear()
+    assert mine.get("a", 1) is None and "others may write there" in capsys.readouterr().err
+    mine.folder.chmod(0o700)
+    monkeypatch.setattr("os.geteuid", lambda: mine.folder.stat().st_uid + 1)
+    _is_ours.cache_clear()
+    mine.put("b", 1, "value")
+    assert not (mine.folder / "b").exists()
+    _is_ours.cache_clear()

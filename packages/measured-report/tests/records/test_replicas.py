@@ -14,22 +14,23 @@ from measured_report.commands import replicate
 from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError
-from measured_report.findings.replicas import refused, replicas_of, replicas_text
+from measured_report.findings.cache import DerivedCache
+from measured_report.findings.replicas import measurements_of, refused, replicas_of, replicas_text
 from measured_report.records.record import load_record, write_record
 from measured_report.records.replicas import FOLDER, archive_of, read_replica
 
 LABEL = "1.4.0"
 SECTIONS = ("gap", "frames")
+GPU = {**BY_HAND["machine"], "device": "cuda", "gpu": "A GPU"}
 
 
 @pytest.fixture
 def project(toy):
     """A project with records of some sections."""
     rows = [{"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(999)]
-    machine = {**BY_HAND["machine"], "device": "cuda", "gpu": "A GPU"}
     for section in SECTIONS:
-        toy.write(f"report/sections/{section}.py", "")
-        write_record(toy.project.record_path(section), toy.record(rows, section=section, machine=machine))
+        toy.write(f"report/sections/{section}.py", "order = 1\n")
+        write_record(toy.project.record_path(section), toy.record(rows, section=section, machine=GPU))
     return toy.project
 
 
@@ -102,6 +103,7 @@ DAMAGES = {
     "packed in another way, which may hold anything": bz2.compress,
     "a name that is no UTF-8": lambda text: headed(name=b"\xff") + text,
     "a few bytes that say they are an exabyte": lambda text: headed(size=b"\x80\0\0\0\x10" + bytes(7)) + text,
+    "a header before one, which says it is of 3 GB": lambda text: extended(size="3000000000", map="0,0") + text,
     "a few bytes that are read as a gigabyte": lambda text: headed(kind=b"S", real_size=b"10000000000") + text,
 }
 
@@ -114,6 +116,13 @@ def headed(name: bytes = b"x", size: bytes = b"0", kind: bytes = b"0", real_size
         header[start : start + len(field)] = field
     header[148:155] = b"%06o\0" % sum(header)
     return bytes(header)
+
+
+def extended(**fields: str) -> bytes:
+    """A plain file with a header of PAX before its own."""
+    file = tarfile.TarInfo("x")
+    file.pax_headers = {f"GNU.sparse.{name}": text for name, text in fields.items()}
+    return file.tobuf(tarfile.PAX_FORMAT)
 
 
 @pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
@@ -130,7 +139,7 @@ def test_one_that_is_not_as_it_was_sealed_is_damaged_and_costs_no_memory(project
 def test_a_damaged_one_is_named_without_what_turns_text_round(project):
     (project.results / FOLDER).mkdir()
     (project.results / FOLDER / "\u202e.tgz").write_bytes(b"")
-    assert replicas_text(project) == ["damaged: replicas/?.tgz is no whole replica: empty file"]
+    assert replicas_text(project) == ["damaged: replicas/?.tgz is not as it was sealed"]
 
 
 def test_what_could_not_be_measured_there_is_left_out(project):
@@ -138,3 +147,29 @@ def test_what_could_not_be_measured_there_is_left_out(project):
     lost = [{name: cell for name, cell in row.items() if not isinstance(cell, float)} for row in sent.rows]
     words = refused(project, {"gap": replace(sent, rows=lost), "frames": again(project, "frames")})
     assert words == {"gap": "not all of it could be measured there"}
+
+
+@pytest.mark.parametrize("change", ["a digit", "another host", "another zone"])
+def test_a_copy_is_known_by_how_near_it_is(project, change):
+    tracked = load_record(project.record_path("gap"))
+    copy = {
+        "a digit": replace(
+            again(project, "gap", by=0.0), rows=[{**tracked.rows[0], "slip_mm": 1.00000001}, *tracked.rows[1:]]
+        ),
+        "another host": replace(tracked, machine={**tracked.machine, "host": "A"}),
+        "another zone": replace(tracked, measured={**tracked.measured, "started": "2026-01-02T03:04:05-00:00"}),
+    }[change]
+    with pytest.raises(ReportError, match="copy"):
+        kept(project, copy)
+
+
+def test_what_is_far_outside_is_kept_apart_and_named_and_moves_nothing(project, capsys):
+    for by in (1e-4, 2e-4, 3e-4):
+        kept(project, replace(again(project, "gap", by), machine={**GPU, "host": str(by)}))
+    tracked = {section: load_record(project.record_path(section)) for section in SECTIONS}
+    before = measurements_of(project, tracked, DerivedCache()).evidence["gap"]
+    kept(project, replace(again(project, "gap", 0.5), machine={**GPU, "host": "x"}))
+    assert "kept apart, far outside what the others say: gap" in capsys.readouterr().out
+    assert "kept apart" in "".join(replicas_text(project))
+    after = measurements_of(project, tracked, DerivedCache()).evidence["gap"]
+    assert (before.count, after.count) == (4, 4)
