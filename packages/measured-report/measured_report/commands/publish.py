@@ -19,6 +19,11 @@ DEFAULT, BRANCH = "git:origin", "gh-pages"
 SUBJECT = "The report, as make publish made it"
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
+DOMAIN = "CNAME"  # a file that GitHub keeps on the branch
+ALONE = ("core.bare=true", "core.hooksPath=/dev/null", "push.followTags=false", "push.recurseSubmodules=no")
+OF_HOOKS = [
+    f"GIT_{name}" for name in ("DIR", "WORK_TREE", "INDEX_FILE", "OBJECT_DIRECTORY", "QUARANTINE_PATH", "PREFIX")
+]
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
@@ -87,27 +92,36 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
     is_named = remote in _run([*git, "remote"]).splitlines()
     address = _run([*git, "remote", "get-url", "--push", remote]) if is_named else remote
     _run(["git", "init", "--quiet", "--bare", str(aside)])
-    objects = site.parent / _run([*git, "rev-parse", "--git-path", "objects"])
-    (aside / "objects/info/alternates").write_text(f"{objects}\n", encoding="utf-8")
-    kept_aside = {"GIT_OBJECT_DIRECTORY": f"{aside}/objects"}
-    tips = (line.split("\t") for line in _run([*git, "ls-remote", address, ref]).splitlines())
-    if before := next((tip for tip, name in tips if name == ref), ""):
-        fetching = ["fetch", "--quiet", "--no-tags", "--no-write-fetch-head", "--no-auto-maintenance", address, ref]
-        _run([*git, *fetching], **kept_aside)
-        if " blob " not in _run([*git, "ls-tree", before, MARK], **kept_aside):
+    # The clone's settings say who pushes; none of its hooks or of what else may go with a push has a part.
+    settings = [f"include.path={site.parent / _run([*git, 'rev-parse', '--git-path', 'config'])}", *ALONE]
+    git = ["git", "--git-dir", str(aside), *(part for setting in settings for part in ("-c", setting))]
+    if before := _tip(git, address, ref):
+        _run([*git, "fetch", "--quiet", "--depth", "1", "--no-tags", "--no-auto-maintenance", address, ref])
+        names = _run([*git, "ls-tree", "--name-only", before]).splitlines()
+        if MARK not in names:
             raise UsageError(f"the branch {branch} of {remote} holds something else; it was left alone")
+        if DOMAIN in names and not (copy / DOMAIN).exists():
+            (copy / DOMAIN).write_text(_run([*git, "show", f"{before}:{DOMAIN}"]) + "\n", encoding="utf-8")
     importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
     author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
     _run([*importing, str(copy)], GIT_DIR=str(aside), **author)
-    commit = _run(["git", "-C", str(aside), "rev-parse", ref])
-    _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}"], **kept_aside)
+    commit = _run([*git, "rev-parse", ref])
+    _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}"])
+    if _tip(git, address, ref) != commit:
+        raise ReportError(f"not published: {remote} does not have it on its branch {branch}")
     return f"{remote}, branch {branch}"
+
+
+def _tip(git: Sequence[str], address: str, ref: str) -> str:
+    """Ask a remote for the commit that a branch is at; empty where it has none."""
+    tips = (line.split("\t") for line in _run([*git, "ls-remote", address, ref]).splitlines())
+    return next((tip for tip, name in tips if name == ref), "")
 
 
 def _run(command: Sequence[str], **settings: str) -> str:
     name = "ghp-import" if "ghp_import" in command else command[0]
     quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
-    env = {**os.environ, **quiet, **settings}
+    env = {name: text for name, text in os.environ.items() if name not in OF_HOOKS} | quiet | settings
     try:
         ended = subprocess.run(
             command, input="", capture_output=True, text=True, errors="replace", env=env, check=False

@@ -52,9 +52,8 @@ def _keep(project: Project, records: Records, source: str) -> None:
     path = project.results / FOLDER / f"{machine}-{day}-{sha256(content).hexdigest()[:8]}.tgz"
     with atomic_file(path) as temporary:
         temporary.write_bytes(content)
-    print(
-        f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {path.relative_to(project.root)}"
-    )
+    name = path.relative_to(project.root)
+    print(f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {name}")
     if left_out:
         print(f"left out: {reasons_text(left_out)}")
     print(next(line for line in replicas_text(project) if path.stem in line))

@@ -228,3 +228,30 @@ def test_what_a_killed_publish_leaves_goes_with_the_next(toy, tmp_path, monkeypa
     monkeypatch.undo()
     publish(toy.project.site, f"dir:{tmp_path}/www")
     assert check_site(tmp_path / "www") == [] and not any((toy.project.root / publishing.ASIDE).iterdir())
+
+
+def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(toy, remote, tmp_path, monkeypatch):
+    root = toy.project.root
+    git(root, "tag", "-a", "mine", "-m", "mine")
+    hook = root / ".git/hooks/pre-push"
+    hook.write_text(f"#!/bin/sh\ngit fetch origin\ntouch {tmp_path}/ran\n")
+    hook.chmod(0o755)
+    for setting in ("push.recurseSubmodules only", "push.followTags true"):
+        git(root, "config", *setting.split())
+    monkeypatch.setenv("GIT_DIR", ".git")  # as from a hook
+    publish(toy.project.site, "")
+    monkeypatch.delenv("GIT_DIR")
+    assert git(remote, "for-each-ref", "--format=%(refname)") == "refs/heads/gh-pages"
+    assert not (tmp_path / "ran").exists()
+    for words in ("fetch --quiet", "log --all", "fsck --strict"):
+        git(root, *words.split())
+    git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), "work")
+    (tmp_path / "work/CNAME").write_text("report.example\n")
+    for words in ("add CNAME", "commit --quiet -m CNAME", "push --quiet"):
+        git(tmp_path / "work", *words.split())
+    publish(toy.project.site, "")
+    assert git(remote, "show", "gh-pages:CNAME") == "report.example"
+    (remote / "hooks/post-update").write_text("#!/bin/sh\ngit update-ref -d refs/heads/gh-pages\n")
+    (remote / "hooks/post-update").chmod(0o755)
+    with pytest.raises(ReportError, match="not published: origin does not have it"):
+        publish(toy.project.site, "")
