@@ -105,7 +105,7 @@ def is_far(record: Record, measured: Sequence[Record | None]) -> bool:
     """Tell whether most numbers of a column are far outside what two other measurements or more say."""
     sides = [dict(_numbers(other)) for other in measured if other and other is not record]
     is_outside: dict[str, list[bool]] = {}
-    for key, cell in _numbers(record):
+    for key, cell in dict(_numbers(record)).items():  # of rows of one case the last
         numbers = [side[key] for side in sides if key in side]
         if len(numbers) > 1 and not _is_cost(key):
             low, high = min(numbers), max(numbers)
