@@ -99,7 +99,8 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout
     commits = git(checkout, "rev-list", "--reverse", "HEAD").split()
     first, last = (release_of(f"{checkout}@{reference}") for reference in (commits[0], "main"))
     points = points_between(first, last)
-    assert points == [first.asked, *(f"{checkout}@{commit}" for commit in commits[1:3]), last.asked]
+    folder = first.asked.rpartition("@")[0]
+    assert points == [first.asked, *(f"{folder}@{commit}" for commit in commits[1:3]), last.asked]
     assert release_of(points[1]).source == f"g{commits[1][:7]}"
     assert points_between(first, release_of("1.4.0")) == [first.asked, "1.4.0"]
 
