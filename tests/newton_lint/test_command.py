@@ -232,6 +232,6 @@ def test_json_and_rules_are_as_documented(scene, capsys):
     assert creep["load_deep_mm_s"] == pytest.approx(1e3 * response_s * (0.05 / 0.95) * 0.5 * 2.0 * 3.0, rel=1e-4)
     assert creep["load_shallow_mm_s"] == pytest.approx(1e3 * response_s * (0.1 / 0.9) * 0.5 * 2.0 * 3.0, rel=1e-4)
     sources = [path.read_text(encoding="utf-8") for path in (ROOT / "packages/newton-lint/newton_lint").rglob("*.py")]
-    named = re.compile(r'(?:Wording|Finding|_scene_finding)\((?:scene, )?"([a-z-]+)"')
+    named = re.compile(r'(?:Wording|Finding|_scene_finding)\(\s*(?:scene, )?"([a-z-]+)"')
     rules = {rule for source in sources for rule in named.findall(source)}
     assert len(rules) > 20 and all(f"| `{rule}` |" in documented for rule in rules), rules
