@@ -54,6 +54,7 @@ def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, clo
     ],
 )
 def test_bad_input_gets_one_line_and_status_2(arguments, message, command, monkeypatch, capfd):
+    monkeypatch.delenv("MAKELEVEL", raising=False)  # make test may run this
     monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
     assert main() == 2
     said = capfd.readouterr()
