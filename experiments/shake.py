@@ -19,6 +19,7 @@ from experiments.facts.case import AS_SHIPPED, Case, CaseError
 from experiments.simulation.host import compile_first
 from experiments.simulation.measurement import summarize
 from experiments.simulation.simulation import Simulation
+from experiments.simulation.stepper_c import batches, device_of
 
 SLIP_LIMIT_MM = 20.0
 """Half the cube's edge: with more slip the pads no longer cover the cube's centre."""
@@ -60,10 +61,13 @@ def create_parser():
 
 def case_of(args: argparse.Namespace) -> Case:
     """Return the case that the command line describes; CaseError when a value makes no sense."""
-    if args.num_frames < 1 or args.world_count < 1 or (args.backend == "mujoco" and args.world_count != 1):
-        raise CaseError("--num-frames and --world-count must be at least 1; with --backend mujoco there is one world")
+    if args.num_frames < 1 or args.world_count < 1:
+        raise CaseError("--num-frames and --world-count must be at least 1")
     parameters = {name: getattr(args, name) for name in (*OPTIONS, "backend")}
-    return replace(AS_SHIPPED, name="shake", frame_count=args.num_frames, **parameters)
+    case = replace(AS_SHIPPED, name="shake", frame_count=args.num_frames, **parameters)
+    if len(batches([case] * args.world_count)) > 1:
+        raise CaseError(f"--world-count must be 1 with --backend {args.backend}, which has one world")
+    return case
 
 
 class Example:
@@ -72,7 +76,7 @@ class Example:
     def __init__(self, viewer, case: Case, world_count: int):
         self.viewer = viewer
         self.case = case
-        device = wp.get_device("cpu") if self.case.backend == "mujoco" else wp.get_device()
+        device = wp.get_device(device_of(case, None))
         if device.is_cuda:
             compile_first(device)
         self.simulation = Simulation([case] * world_count, device)

@@ -5,7 +5,7 @@ from importlib import metadata
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
-from newton_lint.newton_models.compat import warp_has_noslip
+from experiments.simulation.stepper_c import has_noslip
 
 CASES = (
     replace(AS_SHIPPED, name="iterations-15"),
@@ -26,7 +26,7 @@ NOSLIP = tuple(replace(case, name=f"{case.name}-noslip", noslip_iterations=10) f
 
 def measure(conditions: Conditions) -> Measurement:
     """Measure a row for each case; without numbers where MuJoCo Warp has no noslip."""
-    there = [case for case in NOSLIP if case.backend == "mujoco" or warp_has_noslip()]
+    there = [case for case in NOSLIP if has_noslip(case)]
     rows = [*conditions.measure(CASES, "solver").rows, *conditions.measure([*PLAIN, *there], "noslip").rows]
     reason = f"mujoco-warp {metadata.version('mujoco-warp')} has no noslip"
     for case in NOSLIP:

@@ -31,6 +31,8 @@ METHODS = {
 }
 """Contacts, engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
 each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
+NATIVE = ("c", "c-rk4", "reference")
+"""Methods in MuJoCo's own loop."""
 KNOBS = {
     "full": {
         "as-shipped": {
@@ -69,7 +71,7 @@ class Setting:
     @property
     def is_native(self) -> bool:
         """Tell whether it runs in MuJoCo's own loop."""
-        return self.case.backend == "mujoco"
+        return self.method in NATIVE
 
 
 def settings(profile: str, *, cpu_too: bool) -> list[Setting]:

@@ -1,8 +1,9 @@
 """Newton's own solvers beside MuJoCo Warp: a box on a table, and the shake itself, in each that the release offers."""
 
 import gc
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import warp as wp
@@ -11,8 +12,8 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
 from experiments.newton_solvers import box
-from experiments.newton_solvers.robot import SolverSimulation
-from experiments.newton_solvers.steel import VARIANTS, SteelSimulation
+from experiments.newton_solvers.steel import VARIANTS, SteelStepper
+from experiments.newton_solvers.stepper import FORCES, SolverStepper
 from experiments.simulation import frame_benchmark
 from experiments.simulation.frame_benchmark import BLOCK_FRAME_COUNT, LARGE_BATCH, TIMES, untimed
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
@@ -41,7 +42,6 @@ START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from a cube in the hand into the shake."""
 SLOW_MS = 100.0
 """A solver of which a frame takes longer is not timed with more worlds: it would take minutes to get into the shake."""
-FORCES = ("friction_share", "normal_force_n")
 GRASP = ("creep_mm_per_cycle", *FORCES, "penetration_mm", "hand_amplitude_mm")
 
 
@@ -68,8 +68,16 @@ def build(variant: box.Variant, cases: Sequence[Case], device: wp.Device, *, is_
     if variant == MUJOCO:
         return Simulation(cases, device)
     if variant.solver == "SolverSteel":
-        return SteelSimulation(variant, cases, device, is_counting=is_counting)
-    return SolverSimulation(variant, cases, device)
+        return SolverSimulation(partial(SteelStepper, variant, is_counting=is_counting), cases, device)
+    return SolverSimulation(partial(SolverStepper, variant), cases, device)
+
+
+class SolverSimulation(Simulation):
+    """A simulation that another stepper runs."""
+
+    def __init__(self, stepper_of: Callable[..., SolverStepper], cases: Sequence[Case], device: wp.Device):
+        self.stepper_of = stepper_of
+        super().__init__(cases, device)
 
 
 def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[str, object]]:
@@ -82,14 +90,7 @@ def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[st
         empty = {"variant": variant.name, **absent(("slip_mm", *GRASP), box.reason_of(error))}
         return [{"case": f"{variant.name}-{shake}", "shake": shake, **empty} for shake in SHAKES]
     rows = [row_of(variant.name, *each) for each in zip(SHAKES, cases, traces, strict=True)]
-    untold: dict[str, object] = {}
-    if isinstance(simulation, SteelSimulation):
-        peak = simulation.solver.constraint_row_watermarks()["articulation_raw_high_water"]
-        untold = {"peak_constraint_count": peak}  # of all its worlds: those that had room, and those that asked for it
-    elif isinstance(simulation, SolverSimulation):
-        untold = absent(["peak_constraint_count"], "this solver does not count its rows")
-    if isinstance(simulation, SolverSimulation) and simulation.observed is None:
-        untold |= absent(FORCES, "this solver, or release, does not say the forces of contacts")
+    untold = {} if variant == MUJOCO else simulation.stepper.untold()
     return [row | untold for row in rows]
 
 

@@ -6,7 +6,8 @@ import warp as wp
 
 from experiments.facts.case import Case
 from experiments.newton_solvers.box import STEEL, Variant
-from experiments.newton_solvers.robot import SolverRecorder, SolverSimulation
+from experiments.newton_solvers.stepper import SolverRecorder, SolverStepper
+from experiments.simulation.scene import Scene
 
 ROWS = {"articulation_constraint_max": 256}
 """In place of 32: rows that do not fit are dropped."""
@@ -22,15 +23,20 @@ VARIANTS = (
 """One thing changed at a time; the last has as many rows as the solver comes with."""
 
 
-class SteelSimulation(SolverSimulation):
-    """A simulation with Steel."""
+class SteelStepper(SolverStepper):
+    """Steps the shake with Steel, which may count the rows that it is asked for."""
 
-    def __init__(self, variant: Variant, cases: Sequence[Case], device: wp.Device, *, is_counting: bool = False):
+    def __init__(self, variant: Variant, scene: Scene, cases: Sequence[Case], *, is_counting: bool = False):
         self.is_counting = is_counting
-        super().__init__(variant, cases, device)
+        super().__init__(variant, scene, cases)
 
-    def _build_recorder(self) -> SolverRecorder:
-        return SteelRecorder(self)
+    def row_peak(self) -> dict[str, object]:
+        """Return it of all its worlds: those that had room, and those that asked for it."""
+        return {"peak_constraint_count": self.solver.constraint_row_watermarks()["articulation_raw_high_water"]}
+
+    def _build_recorder(self, frame_count: int) -> SolverRecorder:
+        self.observed = self._observe()
+        return SteelRecorder(self, frame_count)
 
     def _options(self) -> dict[str, object]:
         return {

@@ -135,6 +135,4 @@ def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
         "forecast_creep_mm_s": 1e3 * response.load_m_s_n * weight_n / contacts.count,
         "normal_force_n": contacts.normal_n,
         "loaded_contact_count": contacts.count,
-        "pad_inverse_mass": pad,
-        "capsule_inverse_mass": capsule,
     }

@@ -14,7 +14,6 @@ C engine, with the term put back so that the cube stays; b, h and R's factor are
 """
 
 from dataclasses import dataclass, replace
-from types import SimpleNamespace
 
 import mujoco
 import numpy as np
@@ -22,6 +21,7 @@ import warp as wp
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
+from experiments.simulation.contact_bias_c import watch_steps
 from experiments.simulation.limits import reference_stiffness, solref, step_s
 from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation
@@ -74,8 +74,7 @@ class Watched:
         case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
         simulation = Simulation([case], wp.get_device("cpu"))
         self._look_at(simulation)
-        step = simulation.solver._mujoco.mj_step
-        simulation.solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: self._step(step, engine, data))
+        watch_steps(simulation.solver, self._step)
         self.frames = np.zeros((case.frame_count, 4, 3))
         for sums in self.frames:
             self.sums = sums

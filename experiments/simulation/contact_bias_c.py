@@ -1,5 +1,6 @@
 """The left-out term of ``contact_bias`` in MuJoCo's C engine and double precision."""
 
+from collections.abc import Callable
 from types import SimpleNamespace
 
 import mujoco
@@ -23,6 +24,12 @@ def install(solver: SolverMuJoCo, *, centred: bool = False, normal: bool = False
             mujoco.set_mjcb_control(None)
 
     solver._mujoco = SimpleNamespace(mj_step=step)  # what Newton calls to step the engine
+
+
+def watch_steps(solver: SolverMuJoCo, around: Callable[..., None]) -> None:
+    """Have ``around`` make a solver's steps: it is given what made them so far, and the engine's model and data."""
+    step = solver._mujoco.mj_step
+    solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: around(step, engine, data))
 
 
 def subtract_bias(engine: mujoco.MjModel, data: mujoco.MjData, *, centred: bool = False, normal: bool = False) -> None:

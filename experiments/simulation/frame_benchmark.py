@@ -2,6 +2,7 @@
 
 import gc
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import replace
 from functools import cache
 from types import SimpleNamespace
@@ -100,7 +101,8 @@ class Clone(Simulation):
         vars(self).update(vars(of))
         self.stream, self.stream_beside = (wp.Stream(self.device) if self.device.is_cuda else None for _ in range(2))
         with wp.ScopedDevice(self.device):
-            self.contacts = self.pipeline and self.pipeline.contacts()
+            self.stepper = copy(of.stepper)
+            self.stepper.contacts = of.stepper.pipeline and of.stepper.pipeline.contacts()
             self._build_state()
         wp.synchronize_device(self.device)
         self._start_uncaptured()

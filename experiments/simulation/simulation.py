@@ -6,32 +6,29 @@ from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
 
-import mujoco
 import newton
 import numpy as np
 import warp as wp
-from newton.solvers import SolverMuJoCo
+from newton.solvers import SolverBase
 from tqdm import tqdm
 
-from experiments.facts.case import RUN_TIME_FIELDS, Case, CaseError, batch_key, build_key
+from experiments.facts.case import RUN_TIME_FIELDS, Case, CaseError, build_key
 from experiments.facts.trace import Trace
-from experiments.simulation import compensated_positions, contact_bias, contact_bias_c
-from experiments.simulation.recorder import Recorder
 from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
+from experiments.simulation.stepper import Stepper
+from experiments.simulation.stepper_c import MuJoCoStepper, batches, device_of, update_data_interval
 from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
-from newton_lint.newton_models.compat import make_solver, warp_has_noslip
 
-CONTACT_MAX = 64
-CONSTRAINT_MAX = 96
-"""Buffers per world when a case asks for none. The measured peaks are 49 contacts and 50 constraint rows as shipped;
-every record keeps the peaks of its runs, and a run that needs more is marked, not cut."""
 PROGRESS_FRAMES = 30
 """Frames between two updates of the progress bar, which wait for the devices."""
 
 
 class Simulation:
     """A batch of cases with the same ``batch_key``, one world each, ready to run frame by frame."""
+
+    stepper_of: Callable[..., Stepper] = MuJoCoStepper
+    """What steps it, made of the scene and the cases."""
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         newton.use_coord_layout_targets = True
@@ -44,7 +41,7 @@ class Simulation:
         with wp.ScopedDevice(device):
             self.scene = build_scene(cases, device)
             self.model = self.scene.model
-            self.pipeline, self.contacts = self._build_collision()
+            self.stepper = self.stepper_of(self.scene, cases)
             self._build_state()
             if case.ik_beside:
                 self.task.plan(self.body_q)
@@ -53,11 +50,12 @@ class Simulation:
         self._start_uncaptured()
 
     def _build_state(self) -> None:
-        """Build all that frames change but the contacts."""
+        """Build all that frames change but the contacts, which the stepper has."""
         self.task = Task(self.scene, self.cases)
         self._start_at_approach_pose()
-        self.solver = self._build_solver()
-        self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, self.case.frame_count)
+        self.stepper.build(self.state, self.case.frame_count)
+        self.solver, self.contacts, self.recorder = self.stepper.solver, self.stepper.contacts, self.stepper.recorder
+        self._set_flags(self.solver)
 
     def _start_uncaptured(self) -> None:
         self.parts = [self.queue_targets, self.queue_physics]
@@ -74,7 +72,7 @@ class Simulation:
             raise CaseError(f"{case.name} takes a simulation of its own: it differs in more than {RUN_TIME_FIELDS}")
         self.case = case
         self.task.ik_iterations = case.ik_iterations
-        self.solver.update_data_interval = _update_data_interval(case)
+        self.solver.update_data_interval = update_data_interval(case)
         self._set_flags(self.solver)
         self._start_uncaptured()
 
@@ -95,68 +93,9 @@ class Simulation:
         starts = np.array([wp.transform(*pose) * tcp.pose for pose in poses])
         self.task.phase_start.assign(starts[world.reshape(-1)])
 
-    def _build_collision(self):
-        if self.case.contacts == "mujoco" or self.case.backend == "mujoco":
-            return None, None
-        pipeline = newton.CollisionPipeline(
-            self.model,
-            broad_phase=self.case.broad_phase,
-            reduce_contacts=True,
-            rigid_contact_max=self.world_count * (self.case.contact_max or CONTACT_MAX),
-        )
-        return pipeline, pipeline.contacts()
-
-    def _build_solver(self) -> SolverMuJoCo:
-        case = self.case
-        if case.noslip_iterations and case.backend == "warp" and not warp_has_noslip():
-            raise CaseError("noslip_iterations must be 0 here: MuJoCo Warp of this release has no noslip")
-        solver = make_solver(
-            self.model,
-            friction_timeconst_s=case.friction_timeconst_override_s,
-            solver=case.solver,
-            integrator=case.integrator,
-            iterations=case.iterations,
-            ls_iterations=case.ls_iterations,
-            tolerance=case.tolerance,
-            ls_tolerance=case.ls_tolerance,
-            cone=case.cone,
-            impratio=case.impratio,
-            nconmax=case.contact_max or CONTACT_MAX,
-            njmax=case.constraint_max or CONSTRAINT_MAX,
-            use_mujoco_contacts=self.pipeline is None,
-            use_mujoco_cpu=case.backend == "mujoco",
-            update_data_interval=_update_data_interval(case),
-        )
-        self._set_flags(solver)
-        if case.noslip_iterations:
-            for option in _options(solver):
-                option.noslip_iterations = case.noslip_iterations
-        self._install_remedies(solver)
-        if not solver.update_data_interval:
-            solver.reset(self.state)  # the engine starts all worlds as the first
-        return solver
-
-    def _install_remedies(self, solver: SolverMuJoCo) -> None:
-        """Give each world of a solver what its case asks for; nothing is installed that no case asks for."""
-        if any(case.compensated for case in self.cases):
-            if solver.use_mujoco_cpu:
-                raise CaseError("compensated must be off with backend mujoco, which sums positions in double precision")
-            compensated_positions.install(solver, worlds=[case.compensated for case in self.cases])
-        kinds = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]
-        for kind in sorted(set(kinds) - {False}):
-            options = dict(zip(("centred", "normal"), kind, strict=True))
-            if solver.use_mujoco_cpu:
-                contact_bias_c.install(solver, **options)
-            else:
-                contact_bias.install(solver, worlds=[each == kind for each in kinds], **options)
-
-    def _set_flags(self, solver: SolverMuJoCo) -> None:
-        bits = mujoco.mjtDisableBit
-        stages = {"refsafe": bits.mjDSBL_REFSAFE, "sensors": bits.mjDSBL_SENSOR, "limits": bits.mjDSBL_LIMIT}
-        for option in _options(solver):
-            for name, bit in stages.items():
-                kept = option.disableflags & ~int(bit)
-                option.disableflags = kept | (0 if getattr(self.case, name) else int(bit))
+    def _set_flags(self, solver: SolverBase) -> None:
+        self.stepper.case = self.case
+        self.stepper.set_flags(solver)
 
     def queue_targets(self) -> None:
         """Queue the joint targets of this frame."""
@@ -170,14 +109,9 @@ class Simulation:
 
     def queue_physics(self) -> None:
         """Queue collisions, substeps and recording of one frame."""
-        case = self.case
         self.recorder.begin_frame()
-        for substep in range(case.substeps):
-            if self.pipeline is not None and substep % (case.substeps // case.collide_count) == 0:
-                self.pipeline.collide(self.state, self.contacts)
-            # Without a control the engine keeps the targets that it has.
-            control = self.control if substep == 0 or case.state_sync else None
-            self.solver.step(self.state, self.state, control, self.contacts, self.substep_dt)
+        for substep in range(self.case.substeps):
+            self.stepper.step(substep, self.control, self.substep_dt)
             self.recorder.watch_substep()
         self.recorder.end_frame(self.body_q, self.task.phase)
 
@@ -203,19 +137,10 @@ class Simulation:
         """
         with wp.ScopedDevice(self.device), wp.ScopedStream(self.stream):
             self.frame()
-            if self.case.graph and not self.solver.use_mujoco_cpu and not self.captured:
+            if self.case.graph and self.stepper.is_queued and not self.captured:
                 self.parts = [captured(part) for part in self.parts]
                 self.part_beside = self.part_beside and captured(self.part_beside)
                 self.captured = True
-
-
-def _options(solver: SolverMuJoCo) -> tuple:
-    return (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt)
-
-
-def _update_data_interval(case: Case) -> int:
-    """Return how often the state is written: at every step where MuJoCo's C engine is to start as Newton does."""
-    return 1 if case.state_sync or case.backend == "mujoco" else 0
 
 
 def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequence[int] = ()) -> list[list[Trace]]:
@@ -273,7 +198,7 @@ def simulate(
     has_away = wp.get_device(device).is_cuda and not contact_frames
     every = batches(cases)
     # The CPU's runs have processes of their own, beside the GPU and one another.
-    away = [members for members in every if has_away and _device_of(cases[members[0]], device) == "cpu"]
+    away = [members for members in every if has_away and device_of(cases[members[0]], device) == "cpu"]
     here = [members for members in every if members not in away]
     near, far = ([[cases[index] for index in members] for members in part] for part in (here, away))
     with processes(len(away)) if away else nullcontext() as pool:
@@ -288,24 +213,11 @@ def simulate(
     return [traces[index] for index in range(len(cases))]
 
 
-def batches(cases: Sequence[Case]) -> list[list[int]]:
-    """Return the indices of the cases that run as worlds of one simulation; cases of MuJoCo's C engine have one
-    each."""
-    found: dict[object, list[int]] = {}
-    for index, case in enumerate(cases):
-        found.setdefault(index if case.backend == "mujoco" else batch_key(case), []).append(index)
-    return list(found.values())
-
-
-def _device_of(case: Case, device: str | None) -> str | None:
-    return "cpu" if case.backend == "mujoco" else case.device or device
-
-
 def run_groups(
     groups: Sequence[Sequence[Case]], device: str | None, title: str = "", contact_frames: Sequence[int] = ()
 ) -> list[list[Trace]]:
     """Run groups of cases, those of a group with the same ``batch_key``, side by side."""
-    simulations = [Simulation(group, wp.get_device(_device_of(group[0], device))) for group in groups]
+    simulations = [Simulation(group, wp.get_device(device_of(group[0], device))) for group in groups]
     return run(simulations, title, contact_frames)
 
 

@@ -201,7 +201,7 @@ def long_run(profile: str) -> Probe:
     """Return one world for ten minutes. A CPU is as fast at that as a GPU, and has it beside all the others."""
     room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
     changes = PADS["stiff"] | room | {"frame_count": LONG_FRAME_COUNT[profile], "device": "cpu"}
-    return probe("long", "stiff", changes, run_on="cpu")
+    return probe("long", "stiff", changes)
 
 
 def buffers(frame_count: int) -> list[Probe]:

@@ -23,6 +23,7 @@ from experiments.facts import metrics
 from experiments.facts.case import FIXED
 from experiments.facts.fix_files import fix_files
 from experiments.simulation.simulation import Simulation, run, simulate
+from experiments.simulation.stepper_c import MuJoCoStepper
 from measured_report.files.root import ROOT
 
 OPTIONS = "--viewer null --test --quiet --backend mujoco --json summary.json".split()
@@ -131,8 +132,8 @@ def test_the_lines_of_mjcf_say_of_pads_what_the_other_block_does(site):
         assert pad.priority[0] == 1 and pad.solref == pytest.approx([0.002, 1.0])
 
 
-class Pasted(Simulation):
-    """The scene with the solver that a block makes, beside the scene's own options."""
+class Pasted(MuJoCoStepper):
+    """A stepper with the solver that a block makes, beside the scene's own options."""
 
     block = ""
 
@@ -151,7 +152,9 @@ def test_the_block_of_the_cure_does_what_was_measured(site, monkeypatch):
     monkeypatch.setattr(Pasted, "block", block_with(site / "cure.html", "compensated_positions"))
     case = replace(FIXED, cube_in_hand=True, frame_count=130)
     cured = replace(case, impratio=400.0, compensated=True, contact_bias=True, bias_centred=True)
-    [[pasted]] = run([Pasted([case], wp.get_device("cpu"))])
+    monkeypatch.setattr(Simulation, "stepper_of", Pasted)
+    [[pasted]] = run([Simulation([case], wp.get_device("cpu"))])
+    monkeypatch.undo()
     [own] = simulate([cured], device="cpu")
     moved = [1e3 * metrics.displacement(trace).vector_m[-1] for trace in (pasted, own)]
     assert moved[0] == pytest.approx(moved[1], abs=1e-4)

@@ -9,8 +9,8 @@ from newton import solvers
 
 from experiments.facts.trace import FRAME_COLUMNS
 from experiments.newton_solvers import box
-from experiments.newton_solvers.robot import colours_of, record_contacts
 from experiments.newton_solvers.steel import watch_overflow
+from experiments.newton_solvers.stepper import colours_of, record_contacts
 
 
 def array(values, dtype=int):

@@ -19,7 +19,7 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Trace
 from experiments.leave_out.audit import Seen, _contact_items
 from experiments.newton_solvers import box
-from experiments.newton_solvers.robot import weight_of_the_arm
+from experiments.newton_solvers.stepper import weight_of_the_arm
 from experiments.scenes import pick, slope
 from experiments.simulation.mjcf_engines import Contacts
 from experiments.simulation.task import SHAKE

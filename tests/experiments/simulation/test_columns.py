@@ -12,7 +12,7 @@ from experiments import error_runtime, speed, upgrade
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Failure, Trace
-from experiments.simulation import frame_benchmark, measurement, recorder, timing
+from experiments.simulation import frame_benchmark, measurement, recorder, stepper_c, stepper_warp, timing
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.mjcf_engines import Contacts
 from experiments.simulation.paired_timing import PairedTimes
@@ -136,7 +136,7 @@ def rows_of(cone: str, geoms: tuple[int, int]) -> ContactRows:
     else:  # μ (a − b) is the force and (a − b) / (2 μ) the velocity
         force, velocity = [7.0, 2.4, 0.8, 0.8, 2.0], [7.0, 0.11, -0.09, -0.04, 0.06]
     rows = [np.array(each) for each in (force, np.arange(5.0), velocity, -np.array(velocity))]
-    return recorder._rows_of_world(field, np.array([-1, 1]), rows, 3, ["ground", "cube"], cone == "elliptic")
+    return stepper_c._rows_of_world(field, np.array([-1, 1]), rows, 3, ["ground", "cube"], cone == "elliptic")
 
 
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
@@ -147,7 +147,7 @@ def test_rows_are_taken_apart_and_summed_up(cone):
     slide_m_s = 0.6 * 0.2 + 0.8 * 0.1
     assert found.slide_m_s[1] == pytest.approx(slide_m_s)
     assert rows_of(cone, (1, 0)).slide_m_s[1] == pytest.approx(-slide_m_s)
-    summed = dict(zip(FRAME_COLUMNS, recorder.summarize_contacts(found), strict=True))
+    summed = dict(zip(FRAME_COLUMNS, stepper_c.summarize_contacts(found), strict=True))
     expected = {"contact_count": 2, "loaded_count": 1, "normal_force_n": 6.0, "tangential_force_n": 1.0}
     assert summed == pytest.approx(expected | {"cone_use": 1.0 / 3.0, "penetration_m": 1e-3, "slide_m_s": slide_m_s})
     # The rows aim at −b v with b = 1 here; the faster of the two tells it.
@@ -171,11 +171,11 @@ def test_the_device_adds_up_what_the_host_does(cone, geoms):
         force, velocity = [9.0, 2.4, 0.8, 0.8, 2.0, 0.0, 0.0, 0.0], [9.0, 0.11, -0.09, -0.04, 0.06, 0.0, 0.0, 0.0]
     axes = np.array([[(0.0, 0.0, 1.0), (0.6, 0.8, 0.0), (-0.8, 0.6, 0.0)]] * 3)
     inputs = [array([0, 0], int), array([3], int), array([-9.0, -1e-3, -5e-4]), array([1, 1, 1], int)]
-    inputs += [array([3, 3, 3], int), array(np.full((3, 5), 0.5), recorder.vec5), array(axes, wp.mat33)]
+    inputs += [array([3, 3, 3], int), array(np.full((3, 5), 0.5), stepper_warp.vec5), array(axes, wp.mat33)]
     inputs += [array([geoms] * 3, wp.vec2i), 1, array([[-1], [1], [1]], int)]
     inputs += [array([[0.0] * 8, force]), array([[0.0] * 8, velocity]), 8, cone == "elliptic"]
-    wp.launch(recorder.record_contacts, dim=3, inputs=inputs, outputs=[contacts], device="cpu")
-    summed = recorder.summarize_contacts(expected)
+    wp.launch(stepper_warp.record_contacts, dim=3, inputs=inputs, outputs=[contacts], device="cpu")
+    summed = stepper_c.summarize_contacts(expected)
     assert contacts.numpy()[0, 1] == pytest.approx(summed * (1.5, 2, 2, 2, 1, 1, 2), rel=1e-5)
     cursor, phases = array([0, 0], int), wp.zeros((1, 2), dtype=int, device="cpu")
     bodies, poses = (wp.zeros(shape, dtype=wp.transform, device="cpu") for shape in ((2, 1), (1, 2, 1)))
@@ -186,6 +186,6 @@ def test_the_device_adds_up_what_the_host_does(cone, geoms):
 
 def test_an_engine_that_warned_has_failed_for_what_it_warned_of():
     data = mujoco.MjData(mujoco.MjModel.from_xml_string("<mujoco/>"))
-    assert recorder.failure_of(data, 3) is None
+    assert stepper_c.failure_of(data, 3) is None
     data.warning[mujoco.mjtWarning.mjWARN_CNSTRFULL].number = 1
-    assert recorder.failure_of(data, 3) == Failure("overflow", 3, "the constraint buffer overflowed")
+    assert stepper_c.failure_of(data, 3) == Failure("overflow", 3, "the constraint buffer overflowed")

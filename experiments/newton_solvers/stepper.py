@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import newton
 import numpy as np
 import warp as wp
-from newton import Contacts, Model, solvers
+from newton import CollisionPipeline, Contacts, Model, solvers
 from newton.solvers import SolverBase
 
 from experiments.facts.case import Case
@@ -22,51 +22,68 @@ from experiments.simulation.recorder import (
     PENETRATION,
     TANGENTIAL,
     Recorder,
-    end_frame,
     watch_substep,
 )
-from experiments.simulation.scene import FIXED_BODIES
-from experiments.simulation.simulation import CONTACT_MAX, Simulation
+from experiments.simulation.scene import FIXED_BODIES, Scene
+from experiments.simulation.stepper import CONTACT_MAX, Stepper
+from measured_report.measuring.measurement import absent
+
+FORCES = ("friction_share", "normal_force_n")
 
 
-class SolverSimulation(Simulation):
-    """A simulation with one of Newton's solvers: of its cases it reads what is not MuJoCo's alone."""
+class SolverStepper(Stepper):
+    """Steps the shake with one of Newton's solvers: of its cases it reads what is not MuJoCo's alone."""
 
-    def __init__(self, variant: Variant, cases: Sequence[Case], device: wp.Device):
+    is_queued = True
+
+    def __init__(self, variant: Variant, scene: Scene, cases: Sequence[Case]):
         self.variant = variant
-        super().__init__(cases, device)
+        super().__init__(scene, cases)
 
-    def _build_collision(self) -> tuple[newton.CollisionPipeline, Contacts]:
+    def build(self, state: newton.State, frame_count: int) -> None:
+        super().build(state, frame_count)
+        other = self.model.state()
+        wp.copy(other.body_q, state.body_q)
+        state.body_f = other.body_f = weight_of_the_arm(self)
+        self.states = state, other
+
+    def step(self, substep: int, control: newton.Control, step_s: float) -> None:
+        """Queue a substep; an even number of them ends where it began."""
+        last, between = self.case.substeps - 1, self.variant.steps_between_contacts or self.case.substeps
+        here, there = self.states[:: 1 - 2 * (substep % 2)]
+        if substep % between == 0:
+            self.pipeline.collide(here, self.contacts)
+        told = {"observables": self.observed} if self.observed and substep == last else {}
+        self.solver.step(here, there, control, self.contacts, step_s, **told)
+
+    def untold(self) -> dict[str, object]:
+        """Return the columns that a recorder does not tell of this solver, or release."""
+        untold = self.row_peak()
+        if self.observed is None:
+            untold |= absent(FORCES, "this solver, or release, does not say the forces of contacts")
+        return untold
+
+    def row_peak(self) -> dict[str, object]:
+        return absent(["peak_constraint_count"], "this solver does not count its rows")
+
+    def _build_collision(self) -> tuple[CollisionPipeline, Contacts]:
         most = self.world_count * (self.case.contact_max or CONTACT_MAX)
-        pipeline = newton.CollisionPipeline(
+        pipeline = CollisionPipeline(
             self.model, broad_phase=self.case.broad_phase, rigid_contact_max=most, **self.variant.pipeline
         )
         return pipeline, pipeline.contacts()
 
-    def _build_state(self) -> None:
-        super()._build_state()
-        self.observed = self._observe()
-        self.recorder = self._build_recorder()
-        other = self.model.state()
-        wp.copy(other.body_q, self.state.body_q)
-        self.state.body_f = other.body_f = weight_of_the_arm(self)
-        self.states = self.state, other
-
-    def _build_recorder(self) -> "SolverRecorder":
-        return SolverRecorder(self)
-
     def _build_solver(self) -> SolverBase:
         wp.copy(self.model.body_q, self.state.body_q)  # where bodies come from, for a solver that keeps it
         self.model.body_color_groups = colours_of(self.model)
-        solver = getattr(solvers, self.variant.solver)(self.model, **self._options())
-        # What a simulation and its recorder ask of MuJoCo's solver: geoms are the shapes of a world.
-        solver.use_mujoco_cpu = False
-        shapes = np.arange(self.model.shape_count // self.world_count)[None]
-        solver.mjc_geom_to_newton_shape = wp.array(shapes, dtype=int, device="cpu")
-        return solver
+        return getattr(solvers, self.variant.solver)(self.model, **self._options())
 
     def _options(self) -> dict[str, object]:
         return {**OPTIONS.get(self.variant.solver, {}), **self.variant.options}
+
+    def _build_recorder(self, frame_count: int) -> "SolverRecorder":
+        self.observed = self._observe()
+        return SolverRecorder(self, frame_count)
 
     def _observe(self) -> "SolverBase.Observables | None":
         """Ask for the forces of contacts, where solver and release tell them."""
@@ -74,27 +91,14 @@ class SolverSimulation(Simulation):
             return None
         return self.solver.observables(["contact_f"], contacts=self.contacts)
 
-    def queue_physics(self) -> None:
-        """Queue collisions, substeps and recording of one frame; an even number of substeps ends where it began."""
-        last, between = self.case.substeps - 1, self.variant.steps_between_contacts or self.case.substeps
-        self.recorder.begin_frame()
-        for substep in range(self.case.substeps):
-            here, there = self.states[:: 1 - 2 * (substep % 2)]
-            if substep % between == 0:
-                self.pipeline.collide(here, self.contacts)
-            told = {"observables": self.observed} if self.observed and substep == last else {}
-            self.solver.step(here, there, self.control, self.contacts, self.substep_dt, **told)
-            self.recorder.watch_substep()
-        self.recorder.end_frame(self.body_q, self.task.phase)
 
-
-def weight_of_the_arm(simulation: Simulation) -> wp.array:
+def weight_of_the_arm(stepper: Stepper) -> wp.array:
     """Return forces that carry the weight of each moving link of the arms [N, N m], shape [bodies]."""
-    model, cube = simulation.model, simulation.scene.links["cube"].body
+    model, cube = stepper.model, stepper.scene.links["cube"].body
     names = [label.rsplit("/", 1)[-1] for label in model.body_label]
-    carried = np.array([name not in FIXED_BODIES for name in names]).reshape(simulation.world_count, -1)
+    carried = np.array([name not in FIXED_BODIES for name in names]).reshape(stepper.world_count, -1)
     carried[:, cube] = False
-    gravity = np.array([case.gravity_m_s2 for case in simulation.cases])[:, None]
+    gravity = np.array([case.gravity_m_s2 for case in stepper.cases])[:, None]
     forces = np.zeros((model.body_count, 6))
     forces[:, 2] = (carried * gravity).reshape(-1) * model.body_mass.numpy()
     return wp.array(forces, dtype=wp.spatial_vector, device=model.device)
@@ -168,15 +172,14 @@ def record_contacts(
 class SolverRecorder(Recorder):
     """Records of contacts what is recorded of MuJoCo's, but for how fast they slide."""
 
-    def __init__(self, simulation: SolverSimulation):
-        of = simulation
-        super().__init__(of.scene, of.solver, of.contacts, of.world_count, of.case.frame_count)
-        self.simulation = simulation
-        self.no_rows = wp.zeros(of.world_count, dtype=int, device=of.device)
+    def __init__(self, stepper: SolverStepper, frame_count: int):
+        super().__init__(stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
+        self.stepper = stepper
+        self.no_rows = wp.zeros(stepper.world_count, dtype=int, device=stepper.model.device)
 
     def watch_substep(self) -> None:
         """Watch Newton's buffer of contacts, which may have lost some as soon as it is full."""
-        found = self.simulation.contacts
+        found = self.contacts_in
         wp.launch(
             watch_substep,
             dim=self.cursor.shape,
@@ -184,9 +187,9 @@ class SolverRecorder(Recorder):
             outputs=[self.peak_constraint, self.peak_iteration, self.contact_overflow, self.constraint_overflow],
         )
 
-    def end_frame(self, body_q: wp.array, phase: wp.array) -> None:
-        model: Model = self.simulation.model
-        found, observed = self.simulation.contacts, self.simulation.observed
+    def record_contacts(self) -> None:
+        model: Model = self.stepper.model
+        found, observed = self.contacts_in, self.stepper.observed
         forces = observed.contact_f if observed else wp.empty(0, dtype=wp.spatial_vector, device=model.device)
         wp.launch(
             record_contacts,
@@ -194,12 +197,6 @@ class SolverRecorder(Recorder):
             inputs=[self.cursor, found.rigid_contact_count, found.rigid_contact_shape0, found.rigid_contact_shape1]
             + [found.rigid_contact_point0, found.rigid_contact_point1]
             + [found.rigid_contact_margin0, found.rigid_contact_margin1, found.rigid_contact_normal, forces]
-            + [model.shape_world, model.shape_body, self.simulation.state.body_q, model.shape_material_mu],
+            + [model.shape_world, model.shape_body, self.stepper.state.body_q, model.shape_material_mu],
             outputs=[self.contacts],
-        )
-        wp.launch(
-            end_frame,
-            dim=self.cursor.shape,
-            inputs=[body_q, self.tracked, self.offset, phase],
-            outputs=[self.cursor, self.poses, self.phases, self.contacts],
         )
