@@ -51,7 +51,7 @@ def measure_slopes(case: Case) -> Slopes:
     """Measure the slopes in one run of a case through MuJoCo's C engine."""
     run = Watched(case)
     if run.failure:
-        return Slopes(*[np.nan] * 5, failure=run.failure)
+        return Slopes(*[np.nan] * 5, failure=run.failure)  # type: ignore[misc]  # five are no sixth
     frames = run.frames.copy()
     frames[: run.shaking[0] + 1] = 0.0  # the displacement counts from the end of the first
     poses = run.trace.poses[run.shaking[0]].astype(float)

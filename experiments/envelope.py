@@ -19,7 +19,7 @@ COLUMNS = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m"
 
 
 def shaken(case: Case, name: str, amplitude_m: float, frequency_hz: float) -> Case:
-    shake = {"shake_amplitude_m": amplitude_m, "shake_frequency_hz": frequency_hz}
+    shake: dict = {"shake_amplitude_m": amplitude_m, "shake_frequency_hz": frequency_hz}
     return replace(case, name=name, frame_count=FRAME_COUNT, **shake)
 
 

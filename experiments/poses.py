@@ -74,7 +74,7 @@ def left_grasp(trace: Trace) -> dict[str, object]:
     return {"left_grasp_s": float(far[0] * trace.frame_dt)}
 
 
-def drawing_columns(case: Case, frame_step: int) -> dict[str, object]:
+def drawing_columns(case: Case, frame_step: int) -> dict[str, float]:
     """Return what a picture needs beside the poses: where the robot stands, the cube's size, and which frames are
     kept."""
     base = dict(zip(("base_x_m", "base_y_m", "base_z_m"), ROBOT_POSITION, strict=True))

@@ -99,16 +99,17 @@ MOTIONS = [
 def measure(conditions: Conditions) -> list[dict]:
     """Measure a row for each motion, variant and engine: where the body is at the end, or how it walks on the table."""
     runs = [(motion, *each) for motion in MOTIONS for each in motion.runs]
-    return [row_of(*each, conditions) for each in tqdm(runs, desc="cure, bodies", unit="run", delay=3.0)]
+    bar = tqdm(runs, desc="cure, bodies", unit="run", delay=3.0)
+    return [row_of(motion, variant, engine, conditions) for motion, variant, engine in bar]
 
 
 def row_of(motion: Motion, variant: str, engine: str, conditions: Conditions) -> dict[str, object]:
-    row = {"case": f"{motion.name}-{motion.body}-{variant}-{engine}", "motion": motion.name, "body": motion.body}
+    row: dict = {"case": f"{motion.name}-{motion.body}-{variant}-{engine}", "motion": motion.name, "body": motion.body}
     row |= {"variant": variant, "backend": engine, "contact_bias": variant != "plain"}
     exact = partial(contact_place.install, centred=motion.place == "table", normal=True)
     term = {"plain": None, "term": contact_bias_c.subtract_bias, "exact": exact}[variant]
     try:
-        path, _ = run(engine, motion.mjcf, SECONDS[motion.place][conditions.profile], conditions.device, term)
+        path, _ = run(engine, motion.mjcf, SECONDS[motion.place][conditions.profile], conditions.device, term)  # type: ignore[arg-type]  # a dict joins functions into objects
         return row | columns_of(motion, path)
     except RunFailed as failed:
         return row | absent(COLUMNS[motion.place], str(failed))

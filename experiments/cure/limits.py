@@ -11,7 +11,7 @@ from experiments.stability import families
 from experiments.stability.families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, SHAKE_FRAME_COUNT, Probe
 
 ON_STIFF_PADS = {"firm": FIRM, "firm-euler": FIRM | {"integrator": "euler"}}
-VARIANTS = {"plain": {}, "term": TERMS["term"], "best": BEST, **ON_STIFF_PADS}
+VARIANTS = {"plain": {}, "term": TERMS["term"], "best": BEST, **ON_STIFF_PADS}  # type: dict[str, dict]
 """Settings by what is done about the slip."""
 GRID_SUBSTEPS = {"full": (4, 16), "quick": (4,)}
 

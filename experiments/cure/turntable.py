@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from itertools import product
 from types import SimpleNamespace
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -64,7 +65,7 @@ class Variant:
 
     contact_bias: bool = False
     bias_centred: bool = False
-    options: Mapping[str, object] = field(default_factory=dict)
+    options: Mapping[str, Any] = field(default_factory=dict)
     """Options of MJCF that are not as in the scene."""
     timeconst_s: float = 0.02
 
@@ -98,13 +99,13 @@ VARIANTS = {
     "term-centred": Variant(contact_bias=True, bias_centred=True),
     "term-centred-impratio": Variant(contact_bias=True, bias_centred=True, options=HIGH_IMPRATIO),
 }
-TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}
+TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}  # type: dict[str, Callable]
 
 
 def measure(conditions: Conditions) -> list[dict]:
     """Measure a row for each run: how fast the box's distance from the axis grows, measured and predicted."""
     runs = list(product(TERM, VARIANTS))
-    return [row_of(*run, conditions) for run in tqdm(runs, desc="turntable", unit="run", delay=3.0)]
+    return [row_of(engine, name, conditions) for engine, name in tqdm(runs, desc="turntable", unit="run", delay=3.0)]
 
 
 def row_of(engine: str, name: str, conditions: Conditions) -> dict[str, object]:

@@ -27,7 +27,7 @@ SECONDS = {"full": {"turntable": 4.0, "pinch": 2.0}, "quick": {"turntable": 1.5,
 STEPS_S = (0.002, 0.001)
 STICTION_M_S = 1e-3
 """Drake's own."""
-TEST_SHAKE = {"shake_amplitude_m": 0.02, "shake_frequency_hz": 2.0}
+TEST_SHAKE = {"shake_amplitude_m": 0.02, "shake_frequency_hz": 2.0}  # type: dict
 TEST_FRAMES = SETUP_FRAME_COUNT + 121
 """The last one is 2 s after the first of the shake."""
 TEST_PADS_KD = (100.0, 5.0)
@@ -98,7 +98,7 @@ def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, ob
     runs = [(name, step_s) for name in model.scenes for step_s in model.steps_s]
     asked = [{"scene": scenes[name], "step_s": step_s, "options": model.options} for name, step_s in runs]
     for (name, step_s), result in zip(runs, run_apart(model.engine, asked), strict=True):
-        row = {"case": f"{model.name}-{name}-{1e3 * step_s:g}ms", "model": model.name, "scene": name}
+        row: dict = {"case": f"{model.name}-{name}-{1e3 * step_s:g}ms", "model": model.name, "scene": name}
         row |= {"step_ms": 1e3 * step_s, "engine": model.engine.name, "release": model.engine.release}
         column, number = ("growth_per_s", growth_per_s) if name == "turntable" else ("creep_mm_s", creep_mm_s)
         try:
@@ -134,7 +134,7 @@ def creep_mm_s(result: dict) -> float:
     return -1e3 * float(np.polyfit(time_s, path[:, 2], 1)[0])
 
 
-def shake_rows(conditions: Conditions) -> Sequence[dict[str, object]]:
+def shake_rows(conditions: Conditions) -> Sequence[Mapping[str, object]]:
     """Do the shake by the rule of FET028."""
     shipped = replace(AS_SHIPPED, frame_count=TEST_FRAMES, **TEST_SHAKE)
     cases = [replace(shipped, name=f"fet028-pad-kd-{kd:g}", pad_kd=kd) for kd in TEST_PADS_KD]

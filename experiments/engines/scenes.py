@@ -1,5 +1,7 @@
 """The scenes as data, which every engine can read: a body on balls, the supports that it touches, and MJCF."""
 
+from typing import Any
+
 from experiments.cure.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_RAD_S
 from experiments.scenes import capsule
 from experiments.simulation.mjcf_engines import GRAVITY_M_S2
@@ -13,14 +15,14 @@ PRESS_N = 12.0
 CAPSULE = capsule.Pinch("within-pads", half_length_m=0.02)
 
 
-def turntable(seconds: float) -> dict[str, object]:
+def turntable(seconds: float) -> dict[str, Any]:
     """Describe the box on four feet on the turning table, in rest on it."""
     inertia = [MASS_KG / 3.0 * (HALF_EDGE_M**2 + 0.04**2)] * 2 + [MASS_KG / 3.0 * 2.0 * HALF_EDGE_M**2]
     body = {"mass_kg": MASS_KG, "inertia_kg_m2": inertia, "feet": FEET, "foot_m": FOOT_M, "place": [RADIUS_M, 0.0, 0.1]}
     body |= {"velocity": [0.0, TURN_RAD_S * RADIUS_M, 0.0], "spin": [0.0, 0.0, TURN_RAD_S]}
-    table = {"joint": "hinge", "axis": [0.0, 0.0, 1.0], "half_size": [0.5, 0.5, 0.05], "place": [0.0, 0.0, 0.0]}
+    table: dict = {"joint": "hinge", "axis": [0.0, 0.0, 1.0], "half_size": [0.5, 0.5, 0.05], "place": [0.0, 0.0, 0.0]}
     table |= {"mass_kg": TABLE_INERTIA, "inertia_kg_m2": TABLE_INERTIA, "speed": TURN_RAD_S, "force_n": 0.0}
-    start = [TURN_RAD_S, *body["velocity"], *body["spin"]]
+    start = [TURN_RAD_S, *body["velocity"], *body["spin"]]  # type: ignore[misc]  # both are lists
     return _scene(seconds, 1.0, body, [table]) | {"mjcf": MJCF, "qvel": start, "ctrl": []}
 
 

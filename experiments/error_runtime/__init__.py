@@ -4,6 +4,7 @@ import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -109,7 +110,7 @@ def backend_on(device: wp.Device) -> str:
 
 def run_shakes(shakes: Mapping[Setting, Simulation]) -> dict[Setting, Trace]:
     """Run all frames of all settings, those of one device side by side."""
-    traces = {}
+    traces: dict[Setting, Trace] = {}
     for device in dict.fromkeys(shake.device.alias for shake in shakes.values()):
         mine = {point: shake for point, shake in shakes.items() if shake.device.alias == device}
         results = run(list(mine.values()), title=f"error_runtime on {device}")
@@ -117,7 +118,7 @@ def run_shakes(shakes: Mapping[Setting, Simulation]) -> dict[Setting, Trace]:
     return traces
 
 
-def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, object]:
+def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, Any]:
     """Describe a setting, and say whether its run counts."""
     case, reason = point.case, invalid_reason(point.case, trace)
     return {

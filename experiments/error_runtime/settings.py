@@ -28,7 +28,7 @@ METHODS = {
     "mujoco-rk4": {"contacts": "mujoco", "integrator": "rk4"},
     "cpu": {"device": "cpu"},
     "c-rk4": {"backend": "mujoco", "integrator": "rk4"},
-}
+}  # type: dict[str, dict]
 """Contacts, engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
 each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
 NATIVE = ("c", "c-rk4", "reference")
@@ -46,9 +46,9 @@ KNOBS = {
         "stiff": {"iterations": (5, 200), "solver": ("cg",), "cone": ("pyramidal",), "impratio": (1.0,)},
     },
     "quick": {"as-shipped": {"iterations": (1, 200), "cone": ("pyramidal",), "impratio": (1.0,)}, "stiff": {}},
-}
+}  # type: dict[str, dict[str, dict]]
 """Parameters varied one at a time, in the method and with the substeps as shipped."""
-CONVERGED = {"integrator": "rk4", "iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}
+CONVERGED = {"integrator": "rk4", "iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}  # type: dict
 MODEL_FIELDS = ("cone", "impratio")
 """Knobs that make it another model, which converges to another solution."""
 CYCLE_COUNT = 3

@@ -24,7 +24,7 @@ NEEDS_GPU = False
 """Read by ``measured_report.measuring.machine``: the engine in C runs on the CPU and repeats to the last bit."""
 TEXT_LENGTH = 4000
 FAR_SHAKE_M = 0.1
-WHOLE_CURE = {"contact_bias": True, "bias_centred": True, "integrator": "euler", "impratio": 1e3}
+WHOLE_CURE = {"contact_bias": True, "bias_centred": True, "integrator": "euler", "impratio": 1e3}  # type: dict
 AS_SHIPPED, STIFF = replace(LEAN, name="as-shipped"), replace(FIXED, name="stiff-pads")
 SHOWN = [
     AS_SHIPPED,

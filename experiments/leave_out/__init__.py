@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -26,7 +27,7 @@ WITHOUT = {
     "broad-phase": {"broad_phase": "explicit"},
     "sensors": {"sensors": False},
     "limits": {"limits": False},
-}
+}  # type: dict[str, dict]
 """Parameters by the name of what they leave out."""
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
@@ -108,7 +109,7 @@ def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> 
     }
 
 
-def mean_slip(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
+def mean_slip(summaries: Sequence[dict[str, Any]]) -> dict[str, object]:
     """Return the slip as its mean over the runs of a case."""
     failure = next((row["failure"] for row in summaries if row["failure"]), None)
     missing = next((row["slip_mm_reason"] for row in summaries if row["slip_mm"] is None), None)

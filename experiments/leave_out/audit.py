@@ -11,7 +11,7 @@ import argparse
 import importlib
 import sys
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol
 
 import newton
 import numpy as np
@@ -108,7 +108,7 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
         if is_look:
             seen.state_changes.append(_state_change(scene))
         if before is not None:
-            moving = _moving_iterations(task, before, scene.case.ik_iterations)
+            moving = _moving_iterations(task, before, task.ik_iterations)
             seen.ik_iterations_moving = max(seen.ik_iterations_moving, moving)
     iterations = "IK iterations per frame, against the last that changed a bit"
     changes = seen.state_changes if scene.solver.update_data_interval else []
@@ -116,7 +116,7 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
         *_shape_items(scene.model, seen),
         *_contact_items(scene, seen),
         *_feature_items(scene.solver.mj_model, seen),
-        *([Item(iterations, scene.case.ik_iterations, seen.ik_iterations_moving)] if task else []),
+        *([Item(iterations, task.ik_iterations, seen.ik_iterations_moving)] if task else []),
         Item(
             "looks at a write of Newton's state into the engine, against those where it changed a bit",
             len(changes),
@@ -180,7 +180,7 @@ def _contact_items(scene: AuditedScene, seen: Seen) -> list[Item]:
     ]
 
 
-def _feature_items(engine: object, seen: Seen) -> list[Item]:
+def _feature_items(engine: Any, seen: Seen) -> list[Item]:
     limited, moving = int(np.count_nonzero(engine.jnt_limited)), np.count_nonzero(engine.body_dofnum)
     lengths, values = map(seen.changed_count, OUTPUTS)
     return [

@@ -4,8 +4,10 @@ import argparse
 import importlib.util
 import sys
 import time
+from collections.abc import Mapping
 from datetime import datetime, timezone
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -89,7 +91,7 @@ def make_clips(project: Project, device: wp.Device) -> None:
     print(f"{len(rows)} files in {record.measured['seconds']:.0f} s → {path}")
 
 
-def row_of(poses: Record, run: str) -> dict:
+def row_of(poses: Record, run: str) -> Mapping[str, Any]:
     return next(row for row in poses.rows if row["case"] == run)
 
 

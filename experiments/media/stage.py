@@ -200,10 +200,8 @@ def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
     """Return the pixels that differ from one beside them in any world; shape [height, width]."""
     edge = np.zeros(brightness.shape, dtype=bool)
     for axis in (1, 2):
-        ahead = [slice(None)] * 3
-        behind = [slice(None)] * 3
-        ahead[axis], behind[axis] = slice(1, None), slice(None, -1)
-        ahead, behind = tuple(ahead), tuple(behind)
+        before = (slice(None),) * axis
+        ahead, behind = (*before, slice(1, None)), (*before, slice(None, -1))
         step = (np.abs(brightness[ahead] - brightness[behind]) > CONTRAST) | (shape[ahead] != shape[behind])
         edge[ahead] |= step
         edge[behind] |= step

@@ -90,8 +90,9 @@ def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[st
         empty = {"variant": variant.name, **absent(("slip_mm", *GRASP), box.reason_of(error))}
         return [{"case": f"{variant.name}-{shake}", "shake": shake, **empty} for shake in SHAKES]
     rows = [row_of(variant.name, *each) for each in zip(SHAKES, cases, traces, strict=True)]
-    untold = {} if variant == MUJOCO else simulation.stepper.untold()
-    return [row | untold for row in rows]
+    stepper = simulation.stepper
+    missing = stepper.missing_columns() if isinstance(stepper, SolverStepper) else {}
+    return [row | missing for row in rows]
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:
@@ -122,11 +123,7 @@ def measure_times(
     for count in counts:
         reference = Blocks(variants[0], count, device)
         for variant in variants:
-            row: dict[str, object] = {
-                "case": f"{variant.name}-worlds-{count}",
-                "variant": variant.name,
-                "worlds": count,
-            }
+            row: dict = {"case": f"{variant.name}-worlds-{count}", "variant": variant.name, "worlds": count}
             if variant.name in too_slow:
                 rows.append(row | untimed(TIMES, too_slow[variant.name]))
                 continue
@@ -142,7 +139,7 @@ def measure_times(
     return rows
 
 
-def time_columns(reference: "Blocks", other: "Blocks | None") -> dict[str, object]:
+def time_columns(reference: "Blocks", other: "Blocks | None") -> dict:
     """Time another solver, or none, in turn with the reference."""
     blocks = [reference, other] if other else [reference]
     times = time_in_turn(blocks)[-1]

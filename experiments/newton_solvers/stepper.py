@@ -56,7 +56,7 @@ class SolverStepper(Stepper):
         told = {"observables": self.observed} if self.observed and substep == last else {}
         self.solver.step(here, there, control, self.contacts, step_s, **told)
 
-    def untold(self) -> dict[str, object]:
+    def missing_columns(self) -> dict[str, object]:
         """Return the columns that a recorder does not tell of this solver, or release."""
         untold = self.row_peak()
         if self.observed is None:

@@ -55,7 +55,7 @@ def measure_motion(case: Case) -> Motion:
     """Add up what moves the cube of a case, in a run through MuJoCo's C engine."""
     run = Watched(case)
     if run.failure:
-        return Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, run.failure)
+        return Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, run.failure)  # type: ignore[call-arg]  # three of an array
     bias, damping, load, velocity = run.frames[run.shaking[1:]].sum(axis=0)
     moved = metrics.displacement(run.trace).vector_m[-1]
     rounding = moved - (velocity - 0.5 * step_s(case) * bias)

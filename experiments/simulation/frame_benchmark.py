@@ -181,7 +181,7 @@ def build_frames(case: Case, world_count: int, warm: WarmState, device: wp.Devic
     return Frames(Simulation([case] * world_count, device or warm.device), case, warm)
 
 
-def time_columns(found: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio") -> dict[str, object]:
+def time_columns(found: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio") -> dict[str, Any]:
     """Return times as ``spread`` has them, and the ratio with its resolution; its spread is from round to round."""
     low, high = (float(value) for value in np.percentile(found.ratios, (5, 95)))
     row = spread(name, found.times) | {ratio: found.ratio, f"{ratio}_p5": low, f"{ratio}_p95": high}

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, fields, replace
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -45,7 +46,7 @@ class Conditions(conditions.Conditions):
         return Measurement([summarize(case, trace) for case, trace in zip(cases, traces, strict=True)])
 
 
-def summarize(case: Case, trace: Trace) -> dict[str, object]:
+def summarize(case: Case, trace: Trace) -> dict[str, Any]:
     """Return one row: the case's name, what differs from the scene as shipped, and the metrics of its trace.
 
     A number that does not exist is None, with a reason under ``<name>_reason``.
@@ -120,7 +121,7 @@ def grasp_columns(rows: ContactRows) -> dict[str, object]:
     return counts | absent(names, "no contact carries force")
 
 
-def numbers_of(holder: object) -> Iterator[tuple[str, float]]:
+def numbers_of(holder: Any) -> Iterator[tuple[str, float]]:
     """Name and value of each field of a dataclass that is a number; of one for each world, the first world's."""
     for name in sorted(field.name for field in fields(holder)):
         value = getattr(holder, name)

@@ -186,7 +186,7 @@ class ThroughNewton(InWarp):
         self.solver.step(back, there, self.control, None, self.time_step)
 
 
-ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
+ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}  # type: dict[str, type]
 """Engines by the names that cases say."""
 
 

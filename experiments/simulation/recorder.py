@@ -68,12 +68,13 @@ def end_frame(
 class Recorder:
     """Device buffers for a batch of ``world_count`` worlds and ``frame_count`` frames.
 
-    What a solver shows of its contacts is recorded by the subclass that lies beside its stepper: ``watch_substep`` and
-    ``record_contacts``.
+    What a solver shows of its contacts is recorded by the subclass that lies beside its stepper.
 
     Args:
         contacts: Newton's contact buffer, or None when MuJoCo generates the contacts.
     """
+
+    cube_geom: int
 
     def __init__(
         self, scene: Scene, solver: SolverMuJoCo, contacts: Contacts | None, world_count: int, frame_count: int
@@ -94,6 +95,15 @@ class Recorder:
         self.constraint_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
         self.contact_rows: list[list[ContactRows]] = []
         self.failure_in_c: Failure | None = None
+
+    def watch_substep(self) -> None:
+        """Watch how far the buffers are used."""
+
+    def record_contacts(self) -> None:
+        """Add what the contacts carry to the statistics of the frame."""
+
+    def keep_contact_rows(self, frame: int) -> None:
+        """Copy every live contact of every world to the host; between frames only."""
 
     def begin_frame(self) -> None:
         wp.launch(begin_frame, dim=self.cursor.shape, inputs=[self.cursor], outputs=[self.contacts])

@@ -1,6 +1,6 @@
 """The shake through MuJoCo's own loop in C and float64, without Newton: the reference, and what one core can do."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -18,7 +18,7 @@ from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
 from newton_lint.newton_models.compat import kf_is_read
 
-ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}
+ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}  # type: dict
 """What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""
 SETUP_FRAME_LIMIT = 600
 BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
@@ -36,7 +36,7 @@ class Start:
     """Joint position targets of each frame, shape [frames, 9]."""
 
 
-def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
+def pilot_at_shake(cases: Iterable[Case], device: wp.Device) -> Simulation:
     """Return a world for each case, run to where the shake begins in all of them.
 
     Raises:

@@ -28,8 +28,9 @@ class Stepper:
     differs in RUN_TIME_FIELDS.
     """
 
-    is_queued: bool
-    """Whether a step is launches on the device alone, which a graph can hold."""
+    @property
+    def is_queued(self) -> bool:
+        """Tell whether a step is launches on the device alone, which a graph can hold."""
 
     def __init__(self, scene: Scene, cases: Sequence[Case]):
         self.scene, self.model, self.world_count = scene, scene.model, len(cases)

@@ -95,7 +95,7 @@ class MuJoCoStepper(WarpStepper):
             if solver.use_mujoco_cpu:
                 raise CaseError("compensated must be off with backend mujoco, which sums positions in double precision")
             compensated_positions.install(solver, worlds=[case.compensated for case in self.cases])
-        kinds = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]
+        kinds: list = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]
         for kind in sorted(set(kinds) - {False}):
             options = dict(zip(("centred", "normal"), kind, strict=True))
             if solver.use_mujoco_cpu:
@@ -193,7 +193,7 @@ def _rows_of_world(field, address, efc, frame: int, names: list[str], elliptic: 
     """Take apart the constraint rows of one world's contacts."""
     all_force, all_residual, all_velocity, all_reference = efc
     axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
-    force, residual, velocity, reference = np.zeros((len(address), 3)), *np.full((3, len(address), 3), np.nan)
+    force, residual, velocity, reference = np.zeros((len(address), 3)), *np.full((3, len(address), 3), np.nan)  # type: np.ndarray, np.ndarray, np.ndarray, np.ndarray  # type: ignore[misc]  # NumPy is not read
     for i, row in enumerate(address):
         if row < 0:
             continue

@@ -163,10 +163,10 @@ def is_elliptic(solver: SolverMuJoCo) -> bool:
 def _geom_names(scene: Scene, solver: SolverMuJoCo) -> list[str]:
     shapes = solver.mjc_geom_to_newton_shape.numpy()[0]
     shape_body, labels = scene.model.shape_body.numpy(), scene.model.body_label
-    names, seen = [], {}
+    names, counts = [], {}  # type: list[str], dict[str, int]
     for shape in shapes:
         body = shape_body[shape] if shape >= 0 else -1
         name = labels[body].rsplit("/", 1)[-1] if body >= 0 else "ground"
-        seen[name] = seen.get(name, 0) + 1
-        names.append(f"{name} {seen[name]}" if "finger" in name else name)
+        counts[name] = counts.get(name, 0) + 1
+        names.append(f"{name} {counts[name]}" if "finger" in name else name)
     return names

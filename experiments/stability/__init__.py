@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -106,7 +107,7 @@ def creep_floor_mm_s(groups: Sequence[Sequence[float]]) -> float:
     return max(max(group) - min(group) for group in groups)
 
 
-def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
+def observe(case: Case, trace: Trace, floor: float) -> dict[str, Any]:
     """Return what is measured in one run. Motion in the grasp has numbers only where the cube stays in it."""
     kind = classify(case, trace, floor)
     finite = is_finite(trace)
@@ -140,7 +141,7 @@ def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
     return absent(functions, reason)
 
 
-def worst(run: Probe, observed: Sequence[Mapping[str, object]]) -> dict[str, object]:
+def worst(run: Probe, observed: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """Return one row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
     ranked = sorted(observed, key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)))
     row = {"case": run.case.name, "family": run.family, **run.parameters, **ranked[0]}

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -45,7 +46,7 @@ OVERLAPS_M = {"full": (1e-4, 3e-4, 1e-3, 3e-3, 5e-3), "quick": (5e-3,)}
 GRAVITIES = {"full": (0.0, 9.81, 98.1, -9.81), "quick": (-9.81,)}
 SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
 """Material of a cube that leaves the ground, where that of the cube as shipped is damped too well for it."""
-BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {"constraint_max": 12})
+BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {"constraint_max": 12})  # type: tuple[dict, ...]
 """None, then less than the grasp needs."""
 OVERFLOW_FRAME_COUNT = 4
 """An overflow shows in the first frame."""
@@ -59,11 +60,11 @@ class Probe:
 
     family: str
     case: Case
-    parameters: Mapping[str, object]
+    parameters: dict[str, object]
     """What the family varies, as columns of the row."""
 
 
-def probe(family: str, name: str, changes: Mapping[str, object], **parameters) -> Probe:
+def probe(family: str, name: str, changes: Mapping[str, Any], **parameters) -> Probe:
     case = replace(BASE, name=f"{family}-{name}", **changes)
     columns = {"pad_ke": case.pad_ke, "pad_kd": case.pad_kd, "substeps": case.substeps}
     return Probe(family, case, columns | parameters)
