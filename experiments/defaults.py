@@ -26,8 +26,8 @@ def measure(conditions: Conditions) -> Measurement:
 def own_case() -> Case:
     """Return the scene as shipped, with the contact parameters and the gap that this release has by default."""
     builder = newton.ModelBuilder()
-    own = builder.ShapeConfig()
-    pads = {"pad_ke": own.ke, "pad_kd": own.kd, "pad_kf": own.kf, "pad_mu": own.mu}
+    config = builder.ShapeConfig()
+    pads = {"pad_ke": config.ke, "pad_kd": config.kd, "pad_kf": config.kf, "pad_mu": config.mu}
     return replace(AS_SHIPPED, name="own-defaults", device="cpu", cube_gap_m=builder.rigid_gap, **pads)
 
 

@@ -34,12 +34,12 @@ def try_script(row: dict[str, object], device: str, frame_count: int) -> dict[st
         run = subprocess.run(
             [sys.executable, str(script), *options], cwd=folder, capture_output=True, text=True, check=False
         )
-        said = json.loads(summary.read_text(encoding="utf-8")) if summary.exists() else {}
-    words = run.stderr.strip().splitlines()[-1:]
+        results = json.loads(summary.read_text(encoding="utf-8")) if summary.exists() else {}
+    message = run.stderr.strip().splitlines()[-1:]
     for name in NUMBERS:
-        value = said.get(name)
+        value = results.get(name)
         row[name] = value if value is not None and math.isfinite(value) else None
         if row[name] is None:
-            row[f"{name}_reason"] = words[0] if run.returncode and words else "the script does not say it"
-    test = {"exit_status": run.returncode, "test_message": words[0] if run.returncode and words else None}
-    return row | {"dropped": said.get("dropped"), **test, "frame_count": frame_count}
+            row[f"{name}_reason"] = message[0] if run.returncode and message else "the script does not say it"
+    test = {"exit_status": run.returncode, "test_message": message[0] if run.returncode and message else None}
+    return row | {"dropped": results.get("dropped"), **test, "frame_count": frame_count}

@@ -21,9 +21,9 @@ def measure(conditions: Conditions) -> Measurement:
     batch = [shipped] * BATCH_COUNT[conditions.profile] + [stiff] * BATCH_COUNT[conditions.profile]
     alone = [shipped] * ALONE_COUNT[conditions.profile]
     simulations = [Simulation(batch, device), *(Simulation([case], device) for case in alone)]
-    first, *others = run(simulations, title="noise")
+    first, *repeats = run(simulations, title="noise")
     rows = []
-    for members, traces, kind in ((batch, first, "batch"), (alone, [world for [world] in others], "alone")):
+    for members, traces, kind in ((batch, first, "batch"), (alone, [world for [world] in repeats], "alone")):
         for index, (case, trace) in enumerate(zip(members, traces, strict=True)):
             rows.append(summarize(case, trace) | {"of": case.name, "kind": kind, "case": f"{case.name}-{kind}-{index}"})
     return Measurement(rows)

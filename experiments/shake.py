@@ -50,9 +50,9 @@ def create_parser():
     newton.examples.add_world_count_arg(parser)
     parser.error = refuse
     parser.set_defaults(num_frames=AS_SHIPPED.frame_count)
-    for name, (option, words) in OPTIONS.items():
+    for name, (option, text) in OPTIONS.items():
         default = getattr(AS_SHIPPED, name)
-        parser.add_argument(option, dest=name, type=type(default), default=default, help=words)
+        parser.add_argument(option, dest=name, type=type(default), default=default, help=text)
     backends = {"choices": ("warp", "mujoco"), "default": "warp", "help": "MuJoCo Warp or MuJoCo's C engine"}
     parser.add_argument("--backend", **backends)
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the measured summary there")

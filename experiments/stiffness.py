@@ -13,14 +13,14 @@ SWEEP = {"full": np.logspace(2, 8, 40), "quick": np.logspace(2, 8, 7)}
 
 
 def cases(profile: str) -> list[Case]:
-    found = [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}", pad_ke=ke, pad_kd=kd) for ke, kd in CRITICAL]
-    found += [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}-kd-100", pad_ke=ke) for ke, _ in CRITICAL[1:]]
-    found += [replace(AS_SHIPPED, name=f"solimp-dmax-{dmax}", pad_dmax=dmax) for dmax in (0.99, 0.9999)]
+    variants = [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}", pad_ke=ke, pad_kd=kd) for ke, kd in CRITICAL]
+    variants += [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}-kd-100", pad_ke=ke) for ke, _ in CRITICAL[1:]]
+    variants += [replace(AS_SHIPPED, name=f"solimp-dmax-{dmax}", pad_dmax=dmax) for dmax in (0.99, 0.9999)]
     for ke in (float(value) for value in SWEEP[profile]):
         # Damping ratio 1 means kd = 2 sqrt(ke): dampratio = kd / (2 sqrt(ke)).
-        found.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}", pad_ke=ke, pad_kd=2.0 * ke**0.5))
-        found.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}-kd-100", pad_ke=ke))
-    return found
+        variants.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}", pad_ke=ke, pad_kd=2.0 * ke**0.5))
+        variants.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}-kd-100", pad_ke=ke))
+    return variants
 
 
 def name(ke: float) -> str:

@@ -68,9 +68,9 @@ def on_plane(
     """Throw a body along x, from ``height_m`` above the plane, rolling or not, with a spin about z [rad/s]."""
     scene = f"""<geom type="plane" size="5 5 1" friction="{FRICTION}"/>
       <body><freejoint/><geom {GEOMS[body]} mass="0.2" friction="{FRICTION}"/></body>"""
-    place = numbers([0.0, 0.0, RADIUS_M + height_m, 1.0, 0.0, 0.0, 0.0])
+    positions = numbers([0.0, 0.0, RADIUS_M + height_m, 1.0, 0.0, 0.0, 0.0])
     velocity = numbers([SPEED_M_S, 0.0, 0.0, 0.0, SPEED_M_S / RADIUS_M if roll else 0.0, spin])
-    return Motion(name, body, "plane", SCENE.format(10.0, CUBE, FOOT, scene, place, velocity), runs)
+    return Motion(name, body, "plane", SCENE.format(10.0, CUBE, FOOT, scene, positions, velocity), runs)
 
 
 def on_table(name: str, feet: str) -> Motion:
@@ -81,10 +81,10 @@ def on_table(name: str, feet: str) -> Motion:
       <body><freejoint/>
         <geom type="box" size="0.05 0.05 0.04" mass="0.2" contype="0" conaffinity="0"/>{stand}
       </body>"""
-    place = numbers([0.0, PLACE_M, 0.0, 0.1, 1.0, 0.0, 0.0, 0.0])
+    positions = numbers([0.0, PLACE_M, 0.0, 0.1, 1.0, 0.0, 0.0, 0.0])
     turn = TURN_RAD_S if name == "carried" else 0.0
     velocity = numbers([TURN_RAD_S, 0.0, turn * PLACE_M, 0.0, 0.0, 0.0, turn])
-    return Motion(name, feet, "table", SCENE.format(100.0, CUBE, FOOT, scene, place, velocity), EXACT)
+    return Motion(name, feet, "table", SCENE.format(100.0, CUBE, FOOT, scene, positions, velocity), EXACT)
 
 
 MOTIONS = [

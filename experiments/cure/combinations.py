@@ -32,7 +32,7 @@ SETTINGS = {
 def cases(kind: str, quick: bool) -> list[Case]:
     """List every combination with a kind of contacts; when ``quick`` Newton's, pads and impratio as shipped, no 10 cm
     and no RK4."""
-    found = []
+    combinations = []
     for (integrator, impratio), pads, amplitude, term, positions in product(
         SETTINGS[kind], PADS, AMPLITUDES_M, TERMS, POSITIONS
     ):
@@ -51,14 +51,14 @@ def cases(kind: str, quick: bool) -> list[Case]:
             **TERMS[term],
             **POSITIONS[positions],
         )
-        found.append(case)
+        combinations.append(case)
     if kind == "newton" and kf_is_read():  # worlds of the batches of the others
         stem = f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped"
         for shake, amplitude_m in AMPLITUDES_M.items():
             if not (quick and shake == "10cm"):
                 name = f"{stem}-{shake}-kf-off"
-                found.append(replace(AS_SHIPPED, name=name, shake_amplitude_m=amplitude_m, pad_kf=-1.0))
-    return found
+                combinations.append(replace(AS_SHIPPED, name=name, shake_amplitude_m=amplitude_m, pad_kf=-1.0))
+    return combinations
 
 
 def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
@@ -88,12 +88,12 @@ def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
     row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
     parts = predicted_mm(case, motion)
     vectors = {**parts, "predicted": sum(parts.values())}
-    row |= known({name: value for each, part in vectors.items() for name, value in along(each, part)}, motion.failure)
+    row |= cells({name: value for term, mm in vectors.items() for name, value in along(term, mm)}, motion.failure)
     reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
     slip = np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
-    row |= known(dict(along("slip", slip)), reason)
+    row |= cells(dict(along("slip", slip)), reason)
     remainder = float(np.linalg.norm((slip - vectors["predicted"])[list(ALONG.values())]))
-    return row | known({"remainder_mm": remainder}, reason or motion.failure)
+    return row | cells({"remainder_mm": remainder}, reason or motion.failure)
 
 
 def along(name: str, vector: np.ndarray) -> list[tuple[str, float]]:
@@ -101,6 +101,6 @@ def along(name: str, vector: np.ndarray) -> list[tuple[str, float]]:
     return [(f"{name}_{axis}_mm", float(vector[at])) for axis, at in ALONG.items()]
 
 
-def known(columns: dict[str, object], reason: str | None) -> dict[str, object]:
+def cells(columns: dict[str, object], reason: str | None) -> dict[str, object]:
     """Return the columns, or each without a value where there is a reason for it."""
     return absent(columns, reason) if reason else columns

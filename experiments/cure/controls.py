@@ -41,15 +41,15 @@ STARTS = {
 
 def walls(motion: str) -> str:
     """Write the scene: walls on a joint, and between them a cube on feet, without gravity."""
-    place = PLACE_M if motion == "turning" else 0.0
+    offset_m = PLACE_M if motion == "turning" else 0.0
     feet = "".join(f'<geom type="sphere" size="0.01" pos="{x} {y} {z}" mass="0"/>' for x, y, z in FEET_M)
     sides = "".join(
-        f'<geom type="box" size="0.1 0.01 0.1" pos="{place} {side * (HALF_M + 0.02 - PRESSED_M)} 0" mass="0.1"/>'
+        f'<geom type="box" size="0.1 0.01 0.1" pos="{offset_m} {side * (HALF_M + 0.02 - PRESSED_M)} 0" mass="0.1"/>'
         for side in (-1, 1)
     )
     return f"""<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitfast" gravity="0 0 0"/><worldbody>
       <body>{JOINTS[motion]}{sides}</body>
-      <body pos="{place} 0 0"><freejoint/>
+      <body pos="{offset_m} 0 0"><freejoint/>
         <geom type="box" size="{HALF_M} {HALF_M} {HALF_M}" mass="{MASS_KG}" contype="0" conaffinity="0"/>{feet}
       </body>
     </worldbody><keyframe><key {STARTS[motion]}/></keyframe></mujoco>"""

@@ -74,8 +74,8 @@ class Variant:
         """Write the scene, which begins with the box at rest on the turning table."""
         options = " ".join(f'{name}="{WORDS.get(value, value)}"' for name, value in self.options.items())
         start = numbers([TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S])
-        own = f'<option {options}/><default><geom solref="{self.timeconst_s} 1"/></default>'
-        return MJCF.replace("<worldbody>", f'{own}<keyframe><key qvel="{start}"/></keyframe><worldbody>')
+        settings = f'<option {options}/><default><geom solref="{self.timeconst_s} 1"/></default>'
+        return MJCF.replace("<worldbody>", f'{settings}<keyframe><key qvel="{start}"/></keyframe><worldbody>')
 
 
 WORDS = {"rk4": "RK4", "euler": "Euler"}

@@ -78,7 +78,7 @@ def measure(conditions: Conditions) -> Plan:
     """Make a row for each model, scene and step, for each shake, of a robot too, and for what others published."""
     parts = model_rows, shake_rows, published.rows
     names = "models", "shakes", "published"
-    batches = [Batch(name, part, (conditions,)) for name, part in zip(names, parts, strict=True)]
+    batches = [Batch(name, function, (conditions,)) for name, function in zip(names, parts, strict=True)]
     robots = [(each.name, each.engine, each.options, each.armature) for each in models_of(conditions) if each.armature]
     found = yield [*batches, Batch("robots", robot.rows, (conditions, robots))]
     return Measurement(list(chain.from_iterable(found)))
@@ -96,8 +96,8 @@ def models_of(conditions: Conditions) -> list[Model]:
 def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:
     scenes = {"turntable": turntable(seconds["turntable"]), "pinch": pinch(seconds["pinch"])}
     runs = [(name, step_s) for name in model.scenes for step_s in model.steps_s]
-    asked = [{"scene": scenes[name], "step_s": step_s, "options": model.options} for name, step_s in runs]
-    for (name, step_s), result in zip(runs, run_apart(model.engine, asked), strict=True):
+    questions = [{"scene": scenes[name], "step_s": step_s, "options": model.options} for name, step_s in runs]
+    for (name, step_s), result in zip(runs, run_apart(model.engine, questions), strict=True):
         row: dict = {"case": f"{model.name}-{name}-{1e3 * step_s:g}ms", "model": model.name, "scene": name}
         row |= {"step_ms": 1e3 * step_s, "engine": model.engine.name, "release": model.engine.release}
         column, number = ("growth_per_s", growth_per_s) if name == "turntable" else ("creep_mm_s", creep_mm_s)

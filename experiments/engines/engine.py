@@ -34,8 +34,8 @@ def run_apart(engine: Engine, asked: Sequence[dict]) -> list[dict]:
         question, answer = Path(folder) / "asked.json", Path(folder) / "answer.json"
         question.write_text(json.dumps(asked), encoding="utf-8")
         call = [python, ROOT / APART, ROOT / engine.script, question, answer]
-        done = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
-        if done.returncode:
-            last = done.stderr.strip().splitlines()[-1:] or [f"it ended with status {done.returncode}"]
+        process = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
+        if process.returncode:
+            last = process.stderr.strip().splitlines()[-1:] or [f"it ended with status {process.returncode}"]
             return [{"reason": last[0][:120]}] * len(asked)
         return json.loads(answer.read_text(encoding="utf-8"))

@@ -71,15 +71,15 @@ def rows(conditions: Conditions) -> list[dict[str, object]]:
 def in_c(mjcf: str, state: Sequence[float], controls: np.ndarray) -> Shown:
     """Give MuJoCo's C engine the controls of each step, from these joints and the others as the file has them."""
     model = mujoco.MjModel.from_xml_string(mjcf)
-    data, shown = mujoco.MjData(model), []
+    data, readings = mujoco.MjData(model), []
     data.qpos[: len(state)] = state
     for control in controls:
         data.ctrl[:] = control
         mujoco.mj_step(model, data)
         refuse_warned(data)
         felt = data.sensordata.reshape(-1, 4)  # whether there is a contact, and its force
-        shown.append((float(data.body("object").xpos[2]), float(felt[felt[:, 0] > 0.0, 1].sum())))
-    return shown, data.qpos.tolist()
+        readings.append((float(data.body("object").xpos[2]), float(felt[felt[:, 0] > 0.0, 1].sum())))
+    return readings, data.qpos.tolist()
 
 
 def in_motrixsim(mjcf: str, state: Sequence[float], controls: np.ndarray) -> Shown:
@@ -106,8 +106,8 @@ def hold(run: Callable[[str, Sequence[float], np.ndarray], Shown], integrator: s
     controls = np.array([pick.command(time_s) for time_s in np.arange(0.0, HOLD_S, STEP_S)])
     lifted, state = run(grasp(1.0), START, controls)
     critical = CUBE_N / float(np.mean(lifted[-round(FORCE_S / STEP_S) :], axis=0)[1])
-    held, _ = run(grasp(FACTOR * critical), state, np.repeat(controls[-1:], len(controls), axis=0))
-    return {"fall_mm": 1e3 * (lifted[-1][0] - min(held)[0]), "critical_friction": critical}
+    holding, _ = run(grasp(FACTOR * critical), state, np.repeat(controls[-1:], len(controls), axis=0))
+    return {"fall_mm": 1e3 * (lifted[-1][0] - min(holding)[0]), "critical_friction": critical}
 
 
 def shake(kind: str, conditions: Conditions) -> dict[str, object]:

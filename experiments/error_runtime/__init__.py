@@ -43,7 +43,7 @@ ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_C
 
 def measure(conditions: Conditions) -> Plan:
     by_pads = yield [Batch(f"points-{pads}", measure_points, (conditions, pads)) for pads in PADS]
-    rows = [row for found in by_pads for row in found]
+    rows = [row for point_rows in by_pads for row in point_rows]
     valid = [row["case"] for row in rows if row["valid"] and row["method"] != "reference"]
     valid.sort(key=lambda name: name != REFERENCE)
     times, worlds = yield [
@@ -60,7 +60,7 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
     finest = REFERENCE_SUBSTEPS[conditions.profile]
     references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
 
-    pilot = pilot_at_shake(PADS.values(), device)
+    pilot = pilot_at_shake(PADS.values(), device)  # type: ignore[arg-type]  # they are gone through once
     shakes = {point: in_warp(point, pilot, device) for point in points if not point.is_native}
     start = starts_by_pads(pilot, FRAME_COUNT)[pads]
     natives = {point: NativeShake(point.case, start) for point in (*references, *points) if point.is_native}
@@ -146,7 +146,7 @@ def errors(trace: Trace, reference: Trace) -> dict[str, object]:
 
 def distance_mm(trace: Trace, other: Trace) -> float:
     """Return how far apart two runs have the cube in the TCP frame, root mean square over the shake [mm]."""
-    paths = (metrics.relative_position(each.poses, metrics.CUBE, metrics.TCP) for each in (trace, other))
+    paths = (metrics.relative_position(motion.poses, metrics.CUBE, metrics.TCP) for motion in (trace, other))
     return metrics.distance_rms_mm(*paths)
 
 
@@ -160,7 +160,7 @@ def measure_times(conditions: Conditions, names: Sequence[str]) -> dict[str, dic
     device = wp.get_device(conditions.device)
     by_name = {point.case.name: point for point in settings(conditions.profile, cpu_too=conditions.is_cuda)}
     warm = warm_state(conditions.device)
-    starts = starts_by_pads(pilot_at_shake(PADS.values(), device), WARMUP_COUNT + HALF_CYCLE)
+    starts = starts_by_pads(pilot_at_shake(PADS.values(), device), WARMUP_COUNT + HALF_CYCLE)  # type: ignore[arg-type]  # as above
     blocks = {name: blocks_of(by_name[name], warm, starts) for name in names}
     found = time_in_turn(list(blocks.values()), cap_s=CAP_S)
     columns = {name: time_columns(blocks[name].reason, each) for name, each in zip(names, found, strict=True)}
@@ -208,7 +208,7 @@ def measure_worlds(conditions: Conditions) -> list[dict]:
     """Return a row for each number of worlds, and one for C on one core, in turn with which all are timed."""
     device = wp.get_device(conditions.device)
     warm = warm_state(conditions.device)
-    start = starts_by_pads(pilot_at_shake(PADS.values(), device), FRAME_COUNT)["stiff"]
+    start = starts_by_pads(pilot_at_shake(PADS.values(), device), FRAME_COUNT)["stiff"]  # type: ignore[arg-type]  # as above
     native = NativeFrames(ONE_CORE, start, invalid_reason(ONE_CORE, NativeShake(ONE_CORE, start).run()))
     counts = WORLD_COUNTS["quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"]
     worlds = [build_frames(replace(FIXED, name=f"worlds-{count}"), count, warm) for count in counts]

@@ -29,12 +29,12 @@ def media_path(project: Project, case: str, suffix: str) -> Path:
 
 def clips_identity(project: Project) -> Identity:
     """Return what the clips depend on: the code that makes them, the meshes, and the kept poses; not the packages."""
-    own = identity_at("experiments.media.clips", project.profile, project.root, packages={})
+    identity = identity_at("experiments.media.clips", project.profile, project.root, packages={})
     poses = [trace_path(project.record_path("poses"), run) for runs in RUNS.values() for run in runs]
     files = [*(project.root / MESHES).glob("*.*"), *poses]
-    found = {path.relative_to(project.root).as_posix(): sha256(path) for path in files if path.is_file()}
-    config = hashlib.sha256((own.config + files_digest(files, project.root)).encode()).hexdigest()
-    return replace(own, config=config, files={**own.files, **found})
+    digests = {path.relative_to(project.root).as_posix(): sha256(path) for path in files if path.is_file()}
+    config = hashlib.sha256((identity.config + files_digest(files, project.root)).encode()).hexdigest()
+    return replace(identity, config=config, files={**identity.files, **digests})
 
 
 def sha256(path: Path) -> str:
@@ -53,8 +53,8 @@ def clips_state(project: Project) -> State:
     try:
         wrong = [name for name, digest in files_of(record) if _digest(path, name) != digest]
     except (KeyError, TypeError, ValueError) as error:
-        said = " ".join(str(error).split())
-        return State(CLIPS, "damaged", notes=(f"{short_path(path)} names no files of its own: {said}",))
+        message = " ".join(str(error).split())
+        return State(CLIPS, "damaged", notes=(f"{short_path(path)} names no files of its own: {message}",))
     if wrong:
         return State(
             CLIPS, "damaged", notes=tuple(f"{short_path(path)}: {name} is not the file that was made" for name in wrong)

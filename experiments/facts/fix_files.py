@@ -24,7 +24,7 @@ def without_patch(text: str, patch: str) -> str:
     """Take a unified diff of one file back out of ``text``; ReportError where ``text`` is not what it leads to."""
     for hunk in HUNK.split(patch)[1:]:
         lines = hunk.splitlines(keepends=True)
-        before, after = ("".join(line[1:] for line in lines if line[0] in kept) for kept in (" -", " +"))
+        before, after = ("".join(line[1:] for line in lines if line[0] in marks) for marks in (" -", " +"))
         text = replaced(text, after, before)
     return text
 

@@ -44,12 +44,12 @@ def link_poses(joints: Sequence[Joint], positions: np.ndarray, base: np.ndarray)
         base: Position of the first link [m], shape [3].
     """
     frames = len(positions)
-    found = {joints[0].parent: np.broadcast_to(pose_matrix(base, np.zeros(3)), (frames, 4, 4))}
+    matrices = {joints[0].parent: np.broadcast_to(pose_matrix(base, np.zeros(3)), (frames, 4, 4))}
     moving = iter(positions.T.astype(np.float64))
     for joint in joints:
-        pose = found[joint.parent] @ joint.origin
-        found[joint.child] = pose if joint.kind == "fixed" else pose @ _motion(joint, next(moving))
-    return found
+        pose = matrices[joint.parent] @ joint.origin
+        matrices[joint.child] = pose if joint.kind == "fixed" else pose @ _motion(joint, next(moving))
+    return matrices
 
 
 def pose_matrix(position: np.ndarray, rpy: np.ndarray) -> np.ndarray:
@@ -98,5 +98,5 @@ def _cross_matrices(vectors: np.ndarray) -> np.ndarray:
 
 
 def _numbers(element: ElementTree.Element, name: str, attribute: str) -> np.ndarray:
-    found = element.find(name)
-    return np.zeros(3) if found is None else np.array(found.get(attribute).split(), dtype=float)
+    child = element.find(name)
+    return np.zeros(3) if child is None else np.array(child.get(attribute).split(), dtype=float)

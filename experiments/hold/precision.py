@@ -60,14 +60,14 @@ def _in_c(simulation: Simulation, seconds: int, after_step: Callable[[mujoco.MjD
     engine, data = simulation.solver.mj_model, copy.copy(simulation.solver.mj_data)
     cube = engine.geom_bodyid[simulation.recorder.cube_geom]
     tcp = next(body for body in range(engine.nbody) if engine.body(body).name.endswith("fr3_hand_tcp"))
-    held = []
+    places_m = []
     for second in range(seconds + 1):
         for _ in range(FRAME_RATE * simulation.case.substeps if second else 0):
             mujoco.mj_step(engine, data)
             after_step(data)
         mujoco.mj_kinematics(engine, data)
-        held.append(data.xmat[tcp].reshape(3, 3).T @ (data.xpos[cube] - data.xpos[tcp]))
-    return held
+        places_m.append(data.xmat[tcp].reshape(3, 3).T @ (data.xpos[cube] - data.xpos[tcp]))
+    return places_m
 
 
 def _round_positions(data: mujoco.MjData) -> None:

@@ -66,7 +66,7 @@ def scene_rows() -> list[dict[str, str]]:
     """Return the MJCF of the scene, in parts as long as a record's texts may be, one after the other."""
     text = scene_mjcf()
     parts = [text[start : start + TEXT_LENGTH] for start in range(0, len(text), TEXT_LENGTH)]
-    return [{"case": f"scene-{number}", "mjcf": part} for number, part in enumerate(parts, start=1)]
+    return [{"case": f"scene-{number}", "mjcf": chunk} for number, chunk in enumerate(parts, start=1)]
 
 
 def scene_mjcf() -> str:

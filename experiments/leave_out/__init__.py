@@ -71,8 +71,8 @@ def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[s
     timed = variants(conditions.quick, ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT)
     timed.sort(key=lambda case: case is not UNTRIMMED and has_large_buffers(case))  # small ones first
     untimed = absent(TIMED, "not timed here, where it would take long")
-    found = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
-    return found | time_cases(timed, world_count, wp.get_device(kind))
+    columns = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
+    return columns | time_cases(timed, world_count, wp.get_device(kind))
 
 
 def measure_audit(conditions: Conditions) -> list[dict[str, object]]:

@@ -20,7 +20,7 @@ from newton import ShapeFlags
 from newton.solvers import SolverMuJoCo
 from tqdm import tqdm
 
-from experiments.facts.case import UNTRIMMED
+from experiments.facts.case import UNTRIMMED, Case
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import Task
 from experiments.simulation.timing import buffer_bytes_per_world
@@ -39,6 +39,7 @@ class AuditedScene(Protocol):
     solver: SolverMuJoCo
     contacts: newton.Contacts | None
     state: newton.State
+    case: Case  # of a scene with a task
 
     def step(self) -> None: ...
 
@@ -108,7 +109,7 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
         if is_look:
             seen.state_changes.append(_state_change(scene))
         if before is not None:
-            moving = _moving_iterations(task, before, task.ik_iterations)
+            moving = _moving_iterations(task, before, scene.case.ik_iterations)
             seen.ik_iterations_moving = max(seen.ik_iterations_moving, moving)
     iterations = "IK iterations per frame, against the last that changed a bit"
     changes = seen.state_changes if scene.solver.update_data_interval else []
@@ -116,7 +117,7 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
         *_shape_items(scene.model, seen),
         *_contact_items(scene, seen),
         *_feature_items(scene.solver.mj_model, seen),
-        *([Item(iterations, task.ik_iterations, seen.ik_iterations_moving)] if task else []),
+        *([Item(iterations, scene.case.ik_iterations, seen.ik_iterations_moving)] if task else []),
         Item(
             "looks at a write of Newton's state into the engine, against those where it changed a bit",
             len(changes),
@@ -129,10 +130,10 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
 def _state_change(scene: AuditedScene) -> float:
     """Return the largest change of a coordinate when Newton's state is written into the engine."""
     data = scene.solver.mjw_data
-    kept = [(array, wp.clone(array)) for array in (data.qpos, data.qvel)]
+    copies = [(array, wp.clone(array)) for array in (data.qpos, data.qvel)]
     scene.solver._update_mjc_data(data, scene.model, scene.state)
-    change = max(float(np.abs(array.numpy() - copy.numpy()).max()) for array, copy in kept)
-    for array, copy in kept:
+    change = max(float(np.abs(array.numpy() - copy.numpy()).max()) for array, copy in copies)
+    for array, copy in copies:
         wp.copy(array, copy)
     return change
 
@@ -216,9 +217,9 @@ def shake_scene() -> AuditedScene:
 
 
 def main() -> int:
-    own = "experiments.leave_out.audit"
-    parser = argparse.ArgumentParser(prog=f"python -m {own}", description=__doc__.split("\n")[0])
-    parser.add_argument("scene", nargs="?", default=f"{own}:shake_scene", metavar="MODULE:FUNCTION")
+    program = "experiments.leave_out.audit"
+    parser = argparse.ArgumentParser(prog=f"python -m {program}", description=__doc__.split("\n")[0])
+    parser.add_argument("scene", nargs="?", default=f"{program}:shake_scene", metavar="MODULE:FUNCTION")
     parser.add_argument("--num-frames", type=int, default=FRAME_COUNT, help="length of the run")
     arguments = parser.parse_args()
     wp.config.log_level = wp.LOG_WARNING

@@ -78,10 +78,10 @@ class Clip:
     def readout(self) -> dict[str, np.ndarray]:
         """Return what stands in each frame of the clip: time since the shake began and the displacements; NaN where
         none is read out, before the shake and once the cube is out of the grasp."""
-        found = {"time_s": self.runs[0].time_s[self.frames]}
+        columns = {"time_s": self.runs[0].time_s[self.frames]}
         for name, run in zip(self.names, self.runs, strict=True):
-            found[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[self.frames]
-        return found
+            columns[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[self.frames]
+        return columns
 
     def camera(self, frame: int) -> Camera:
         """Return the view at a kept frame: wide, then riding with the hand, and wide again once a cube has fallen."""
@@ -163,8 +163,8 @@ def write_image(path: Path, picture: np.ndarray) -> None:
 
 def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
     """Say where everything is; the edges that mark the cube's start are there once the shake has begun."""
-    found = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
-    return found | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
+    matrices = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
+    return matrices | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
 
 
 class Sheet:
@@ -178,14 +178,14 @@ class Sheet:
 
     def write(self, left: float, top: float, text: str, size: float, colour: str, **style) -> Text:
         """Return text of ``size`` whose baseline begins at a place [pixels]."""
-        place = left / self.width, 1.0 - top / self.height
-        return self.figure.text(*place, text, fontsize=0.72 * size, color=colour, **style)
+        position = left / self.width, 1.0 - top / self.height
+        return self.figure.text(*position, text, fontsize=0.72 * size, color=colour, **style)
 
     def name_panel(self, number: int, name: str, colour: str) -> Text:
         """Write the name of a run above its panel, and return the place of its number, behind it."""
-        left = number * self.width / 2 + 26
-        self.write(left, HEAD - 26, name.replace("-", " "), 40, INK)
-        return self.write(left + 240, HEAD - 26, "", 58, colour, weight="bold")
+        start = number * self.width / 2 + 26
+        self.write(start, HEAD - 26, name.replace("-", " "), 40, INK)
+        return self.write(start + 240, HEAD - 26, "", 58, colour, weight="bold")
 
     def on(self, panels: np.ndarray) -> np.ndarray:
         """Return the whole picture, shape [height, width, 3], 8 bits.
@@ -230,8 +230,8 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
     sheet = Sheet(*STILL, HEAD)
     for number, (name, run, colour) in enumerate(zip(clip.names, clip.runs, COLOURS, strict=True)):
         sheet.name_panel(number, name, colour).set_text(reading(run.slip_mm[-1]))
-    words = f"The cube every second cycle, its displacement drawn ×{MAGNIFIED}"
-    sheet.write(26, STILL[1] - 32, words, 34, SOFT)
+    caption = f"The cube every second cycle, its displacement drawn ×{MAGNIFIED}"
+    sheet.write(26, STILL[1] - 32, caption, 34, SOFT)
     return sheet.on(display(picture))
 
 

@@ -53,14 +53,14 @@ def measure(conditions: Conditions) -> Plan:
     batches = [Batch(f"box-{variant.name}", box.rows_of, (conditions, variant)) for variant in box.variants()]
     batches += [Batch(f"shakes-{variant.name}", measure_shakes, (conditions, variant)) for variant in shaken]
     batches.append(Batch("worlds", measure_times, (conditions, timed, counts), exclusive=True))
-    found = yield batches
-    return Measurement([*box.excused_rows(), *(row for rows in found for row in rows)])
+    rows_by_batch = yield batches
+    return Measurement([*box.excused_rows(), *(row for rows in rows_by_batch for row in rows)])
 
 
 def shaken_variants() -> list[box.Variant]:
     """List MuJoCo Warp, the release's other solvers, and Steel with one thing changed at a time."""
-    others = [each for each in box.variants() if each.solver not in ("SolverMuJoCo", "SolverSteel")]
-    return [MUJOCO, *others, *(VARIANTS if "SolverSteel" in box.solver_classes() else ())]
+    newton_variants = [variant for variant in box.variants() if variant.solver not in ("SolverMuJoCo", "SolverSteel")]
+    return [MUJOCO, *newton_variants, *(VARIANTS if "SolverSteel" in box.solver_classes() else ())]
 
 
 def build(variant: box.Variant, cases: Sequence[Case], device: wp.Device, *, is_counting: bool = False) -> Simulation:

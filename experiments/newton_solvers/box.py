@@ -77,21 +77,21 @@ def solver_classes() -> list[str]:
     offered = {name: getattr(solvers, name) for name in solvers.__all__}
     base = solvers.SolverBase
     return [
-        name for name, each in offered.items() if isinstance(each, type) and issubclass(each, base) and each is not base
+        name for name, kind in offered.items() if isinstance(kind, type) and issubclass(kind, base) and kind is not base
     ]
 
 
 def name_of(solver: str) -> str:
-    words = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", solver.removeprefix("Solver"))
-    return words.lower().replace("mu-jo-co", "mujoco")
+    name = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", solver.removeprefix("Solver"))
+    return name.lower().replace("mu-jo-co", "mujoco")
 
 
 def excused_rows() -> list[dict[str, object]]:
     """Make a row for each solver that is not measured, with the reason."""
     excused = [name for name in solver_classes() if name in EXCUSED]
     return [
-        {"case": name_of(each), "of": each, "stays": None} | absent([number_of("turntable")], EXCUSED[each])
-        for each in excused
+        {"case": name_of(solver), "of": solver, "stays": None} | absent([number_of("turntable")], EXCUSED[solver])
+        for solver in excused
     ]
 
 
@@ -135,8 +135,8 @@ def build(scene_name: str, device: str) -> newton.Model:
     builder.add_shape_box(turned, hx=hx, hy=hy, hz=hz, cfg=config)
     carried = builder.add_link(mass=box["mass_kg"], inertia=wp.mat33(*np.diag(box["inertia_kg_m2"]).ravel()))
     builder.add_articulation([builder.add_joint_free(child=carried)])
-    for place in box["feet"]:
-        foot = wp.transform(place, wp.quat_identity())
+    for position in box["feet"]:
+        foot = wp.transform(position, wp.quat_identity())
         builder.add_shape_sphere(carried, xform=foot, radius=box["foot_m"], cfg=config)
     builder.color()  # VBD asks for it
     model = builder.finalize(device=device)
@@ -163,11 +163,11 @@ def run(variant: Variant, scene: str, step_s: float, seconds: float, device: str
 
         def sample() -> None:
             for number in range(round(SAMPLE_S / step_s)):
-                here, there = states[:: 1 - 2 * (number % 2)]
+                state_in, state_out = states[:: 1 - 2 * (number % 2)]
                 if number % (variant.steps_between_contacts or 1) == 0:
-                    pipeline.collide(here, contacts)
-                here.clear_forces()
-                stepper.step(here, there, control, contacts, step_s)
+                    pipeline.collide(state_in, contacts)
+                state_in.clear_forces()
+                stepper.step(state_in, state_out, control, contacts, step_s)
 
         path = [states[0].body_q.numpy()[1, :3].copy()]
         advance = sample  # the first time compiles, which must not happen inside a capture

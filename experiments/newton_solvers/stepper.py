@@ -42,19 +42,19 @@ class SolverStepper(Stepper):
 
     def build(self, state: newton.State, frame_count: int) -> None:
         super().build(state, frame_count)
-        other = self.model.state()
-        wp.copy(other.body_q, state.body_q)
-        state.body_f = other.body_f = weight_of_the_arm(self)
-        self.states = state, other
+        state_out = self.model.state()
+        wp.copy(state_out.body_q, state.body_q)
+        state.body_f = state_out.body_f = weight_of_the_arm(self)
+        self.states = state, state_out
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
         """Queue a substep; an even number of them ends where it began."""
         last, between = self.case.substeps - 1, self.variant.steps_between_contacts or self.case.substeps
-        here, there = self.states[:: 1 - 2 * (substep % 2)]
+        state_in, state_out = self.states[:: 1 - 2 * (substep % 2)]
         if substep % between == 0:
-            self.pipeline.collide(here, self.contacts)
-        told = {"observables": self.observed} if self.observed and substep == last else {}
-        self.solver.step(here, there, control, self.contacts, step_s, **told)
+            self.pipeline.collide(state_in, self.contacts)
+        options = {"observables": self.observed} if self.observed and substep == last else {}
+        self.solver.step(state_in, state_out, control, self.contacts, step_s, **options)
 
     def missing_columns(self) -> dict[str, object]:
         """Return the columns that a recorder does not tell of this solver, or release."""
@@ -189,14 +189,14 @@ class SolverRecorder(Recorder):
 
     def record_contacts(self) -> None:
         model: Model = self.stepper.model
-        found, observed = self.contacts_in, self.stepper.observed
+        pairs, observed = self.contacts_in, self.stepper.observed
         forces = observed.contact_f if observed else wp.empty(0, dtype=wp.spatial_vector, device=model.device)
         wp.launch(
             record_contacts,
-            dim=found.rigid_contact_max,
-            inputs=[self.cursor, found.rigid_contact_count, found.rigid_contact_shape0, found.rigid_contact_shape1]
-            + [found.rigid_contact_point0, found.rigid_contact_point1]
-            + [found.rigid_contact_margin0, found.rigid_contact_margin1, found.rigid_contact_normal, forces]
+            dim=pairs.rigid_contact_max,
+            inputs=[self.cursor, pairs.rigid_contact_count, pairs.rigid_contact_shape0, pairs.rigid_contact_shape1]
+            + [pairs.rigid_contact_point0, pairs.rigid_contact_point1]
+            + [pairs.rigid_contact_margin0, pairs.rigid_contact_margin1, pairs.rigid_contact_normal, forces]
             + [model.shape_world, model.shape_body, self.stepper.state.body_q, model.shape_material_mu],
             outputs=[self.contacts],
         )

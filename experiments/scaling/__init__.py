@@ -31,8 +31,8 @@ def measure(conditions: Conditions) -> Plan:
         yield [Batch("compile", measure_ways, (conditions, 1, 2))]
         for count, step_count in STEP_COUNTS.items():
             timed.append(Batch(f"ways-{count}", measure_ways, (conditions, count, step_count), exclusive=True))
-    found = yield timed
-    return Measurement([row for rows in found for row in rows])
+    rows_by_batch = yield timed
+    return Measurement([row for rows in rows_by_batch for row in rows])
 
 
 def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:

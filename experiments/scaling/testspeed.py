@@ -84,15 +84,15 @@ def testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, object]
         path = Path(folder, "scene.xml")
         path.write_text(mjcf)
         call = [sys.executable, "-m", "mujoco_warp.testspeed", str(path), *flags]
-        done = subprocess.run(call, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
-    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-    if done.returncode or not lines:
-        said = " ".join((done.stdout + done.stderr).split())[-300:]
-        raise RuntimeError(f"mujoco_warp.testspeed failed with status {done.returncode}: {said}")
-    found = json.loads(lines[-1])
+        process = subprocess.run(call, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+    lines = [line for line in process.stdout.splitlines() if line.startswith("{")]
+    if process.returncode or not lines:
+        message = " ".join((process.stdout + process.stderr).split())[-300:]
+        raise RuntimeError(f"mujoco_warp.testspeed failed with status {process.returncode}: {message}")
+    summary = json.loads(lines[-1])
     row = {"case": f"testspeed-{world_count}", "way": "testspeed", "step_count": step_count}
     names = {"world_substeps_per_s": "steps_per_second", "contact_count": "ncon_mean", "row_count": "nefc_mean"}
-    return row | {column: float(found[name]) for column, name in names.items()}
+    return row | {column: float(summary[name]) for column, name in names.items()}
 
 
 class Bare:

@@ -48,14 +48,14 @@ class Pinch:
     def mjcf(self) -> str:
         """Write the scene."""
         contact = f'friction="{numbers(FRICTION)}" condim="{self.condim}" solref="{self.timeconst_s} 1"'
-        place = RADIUS_M + GAP_M + PAD_HALF_SIZE_M[0]
+        offset_m = RADIUS_M + GAP_M + PAD_HALF_SIZE_M[0]
         pads = "".join(
             f"""
             <body name="pad_{side}" pos="{x} 0 0">
               <joint name="slide_{side}" type="slide" axis="1 0 0" damping="{DAMPING_N_S_M}"/>
               <geom type="box" size="{numbers(PAD_HALF_SIZE_M)}" mass="{PAD_MASS_KG}" {contact}/>
             </body>"""
-            for side, x in (("left", -place), ("right", place))
+            for side, x in (("left", -offset_m), ("right", offset_m))
         )
         return f"""
         <mujoco>

@@ -65,12 +65,12 @@ class Pick:
 
     def mjcf(self) -> str:
         """Write the scene."""
-        pads, own = self.solrefs
+        pads, touched = self.solrefs
         scene = (ROOT / SCENE).read_text(encoding="utf-8")
         # MuJoCo's own integrator is named, since Newton takes implicitfast where a file names none.
         option = f'timestep="{self.timestep_s}" integrator="Euler" cone="{self.cone}" impratio="{self.impratio}"'
         return scene.format(
-            object_geom=f'{OBJECTS[self.object]} solref="{numbers(own)}" solimp="{numbers(SOLIMP)}"',
+            object_geom=f'{OBJECTS[self.object]} solref="{numbers(touched)}" solimp="{numbers(SOLIMP)}"',
             option=option,
             pad_solref=numbers(pads),
         )
@@ -92,23 +92,23 @@ SETTINGS: dict[str, dict[str, Any]] = {
 
 def cases() -> list[Pick]:
     """List every setting with either step in C and through Newton."""
-    found = []
+    picks = []
     for kind, (step, step_s), name in product(OBJECTS, (("2ms", 0.002), ("10ms", 0.01)), SETTINGS):
         case = Pick(f"{kind}-{step}-{name}", object=kind, timestep_s=step_s, **SETTINGS[name])
-        found += [replace(case, name=f"{case.name}-{engine}", engine=engine) for engine in ("c", "newton")]
-    return found
+        picks += [replace(case, name=f"{case.name}-{engine}", engine=engine) for engine in ("c", "newton")]
+    return picks
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
     """Make a row for each case, and one for each setting with the grasp held still."""
-    found = [shaken(case, conditions) for case in tqdm(cases(), desc="pick", unit="case", delay=3.0)]
+    results = [shaken(case, conditions) for case in tqdm(cases(), desc="pick", unit="case", delay=3.0)]
     for kind, name in product(OBJECTS, SETTINGS):
         case = Pick(f"{kind}-{name}-held", object=kind, **SETTINGS[name])
         try:
-            found.append(described(case) | hold(case))
+            results.append(described(case) | hold(case))
         except RunFailed as failed:
-            found.append(described(case) | absent(HELD, str(failed)))
-    return found
+            results.append(described(case) | absent(HELD, str(failed)))
+    return results
 
 
 def described(case: Pick) -> dict[str, object]:
@@ -191,11 +191,11 @@ def hold(case: Pick) -> dict[str, float]:
         if pair * pair_s >= HOLD_S[0]:
             height.append(world.body("object").xpos[2] - world.geom("pad1").xpos[2])
     contacts, weight_n = engine.contacts(), float(-model.opt.gravity[2] * model.body_mass[-1])
-    pads, own = case.solrefs
+    pads, touched = case.solrefs
     solimp = 0.5 * np.add((*PAD_SOLIMP, 0.5, 2.0), SOLIMP)
-    finger, held = (model.body_invweight0[body, 0] for body in (-2, -1))
+    finger, grasped = (model.body_invweight0[body, 0] for body in (-2, -1))
     option = Option(case.timestep_s, cone=case.cone, impratio=case.impratio)
-    contact = Contact(0.5 * np.add(pads, own), solimp, 1.0, finger + held)
+    contact = Contact(0.5 * np.add(pads, touched), solimp, 1.0, finger + grasped)
     response = response_of(contact, option, impedance_at(solimp, contacts.depth_m))
     forecast_mm_s = 1e3 * response.load_m_s_n * weight_n / contacts.count
     margin_mm = 1e3 * float(height[0] + PAD_HEIGHT_M + TOUCHED_M[case.object])

@@ -52,16 +52,16 @@ CASES = (
 
 def rows(_: Conditions) -> list[dict[str, object]]:
     """Make a row for each run; they take a second, whatever the profile."""
-    found = []
+    results = []
     for case in CASES:
         row = {"case": case.name, "backend": "c", "cone": case.cone, "impratio": case.impratio}
         row["timeconst_s"] = case.timeconst_s
         names = ("creep_mm_s", "forecast_creep_mm_s")
         try:
-            found.append(row | dict(zip(names, creep_mm_s(case), strict=True)))
+            results.append(row | dict(zip(names, creep_mm_s(case), strict=True)))
         except RunFailed as failed:
-            found.append(row | absent(names, str(failed)))
-    return found
+            results.append(row | absent(names, str(failed)))
+    return results
 
 
 def creep_mm_s(case: Slope) -> tuple[float, float]:

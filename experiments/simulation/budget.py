@@ -112,8 +112,8 @@ class Watched:
         bias = -self.rate @ before  # a free body's centre has none
         used = (data.qvel - before) / h
         into_tcp = (data.xmat[self.hand].reshape(3, 3) @ self.axes).T
-        found = (bias, relative @ (used - data.qacc), self._load(data), relative @ data.qvel + h * bias)
-        for total, value in zip(self.sums, found, strict=True):
+        terms = (bias, relative @ (used - data.qacc), self._load(data), relative @ data.qvel + h * bias)
+        for total, value in zip(self.sums, terms, strict=True):
             total += h * (into_tcp @ value)
 
     def _load(self, data: mujoco.MjData) -> np.ndarray:
@@ -145,10 +145,10 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
         "creep": -softness(case, as_watched, motion.depth_m) * motion.load_m_s / b,
         "rounding": (not case.compensated) * motion.rounding_m,
     }
-    return {name: 1e3 * along * part for name, part in parts.items()}
+    return {name: 1e3 * along * vector for name, vector in parts.items()}
 
 
-def softness(case: Case, other: Case, depth_m: float) -> float:
+def softness(case: Case, reference: Case, depth_m: float) -> float:
     """Compare R of a case's friction rows with what it is in another case with an elliptic cone, which grips as firmly.
 
     R is in proportion to (1 - d) / (d impratio), and the impedance d to how deep the pads sink in: to the depth r at
@@ -159,13 +159,13 @@ def softness(case: Case, other: Case, depth_m: float) -> float:
     Args:
         depth_m: How deep the contacts of the other case are.
     """
-    solimp, of_other = solimp_of(case), impedance_at(solimp_of(other), depth_m)
-    pull_m = pad_stiffness(other) / pad_stiffness(case) * of_other * depth_m / yielding(of_other)
+    solimp, of_other = solimp_of(case), impedance_at(solimp_of(reference), depth_m)
+    pull_m = pad_stiffness(reference) / pad_stiffness(case) * of_other * depth_m / yielding(of_other)
     if case.cone == "pyramidal":
         pull_m *= case.pad_mu**2 * (1.0 + case.pad_mu**2) / (2.0 * case.impratio)
     rows = 1.0 + case.pad_mu**2 if case.cone == "pyramidal" else 1.0
-    found = yielding(impedance_at(solimp, balanced_depth_m(solimp, pull_m)))
-    return rows * other.impratio / case.impratio * found / yielding(of_other)
+    yielded = yielding(impedance_at(solimp, balanced_depth_m(solimp, pull_m)))
+    return rows * reference.impratio / case.impratio * yielded / yielding(of_other)
 
 
 def balanced_depth_m(solimp: tuple[float, ...], pull_m: float) -> float:

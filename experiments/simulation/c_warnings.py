@@ -22,8 +22,8 @@ class RunFailed(Exception):
 
 def failure_of(data: mujoco.MjData, frame: int) -> Failure | None:
     """Return what the engine has warned of by frame ``frame``."""
-    found = next((failure for kind, failure in FAILURES.items() if data.warning[kind].number), None)
-    return Failure(found[0], frame, found[1]) if found else None
+    reason = next((failure for kind, failure in FAILURES.items() if data.warning[kind].number), None)
+    return Failure(reason[0], frame, reason[1]) if reason else None
 
 
 def refuse_warned(data: mujoco.MjData) -> None:

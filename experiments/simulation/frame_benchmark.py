@@ -128,12 +128,12 @@ class Frames:
         self.warm.put(simulation, self.case, number)
         return elapsed_ms(simulation.device, lambda: run_frames(simulation, self.frame_count)) / self.frame_count
 
-    def columns(self, found: PairedTimes) -> dict[str, object]:
+    def columns(self, times: PairedTimes) -> dict[str, object]:
         """Return times, ratio and memory; None, with the reason, where the frames do not count."""
         if self.reason:
             return untimed(TIMED, self.reason)
         memory = buffer_bytes_per_world(self.simulation.solver, self.simulation.contacts)
-        return time_columns(found) | {"buffer_bytes_per_world": memory}
+        return time_columns(times) | {"buffer_bytes_per_world": memory}
 
 
 class EngineSteps:
@@ -181,16 +181,16 @@ def build_frames(case: Case, world_count: int, warm: WarmState, device: wp.Devic
     return Frames(Simulation([case] * world_count, device or warm.device), case, warm)
 
 
-def time_columns(found: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio") -> dict[str, Any]:
+def time_columns(times: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio") -> dict[str, Any]:
     """Return times as ``spread`` has them, and the ratio with its resolution; its spread is from round to round."""
-    low, high = (float(value) for value in np.percentile(found.ratios, (5, 95)))
-    row = spread(name, found.times) | {ratio: found.ratio, f"{ratio}_p5": low, f"{ratio}_p95": high}
-    return row | {"ratio_resolution": found.resolution}
+    low, high = (float(value) for value in np.percentile(times.ratios, (5, 95)))
+    row = spread(name, times.times) | {ratio: times.ratio, f"{ratio}_p5": low, f"{ratio}_p95": high}
+    return row | {"ratio_resolution": times.resolution}
 
 
-def world_rate(case: Case, world_count: int, found: PairedTimes) -> dict[str, float]:
+def world_rate(case: Case, world_count: int, times: PairedTimes) -> dict[str, float]:
     """Return how many substeps of all worlds together are done in a second."""
-    return {"world_substeps_per_s": world_count * case.substeps / (1e-3 * float(np.median(found.times)))}
+    return {"world_substeps_per_s": world_count * case.substeps / (1e-3 * float(np.median(times.times)))}
 
 
 def untimed(names: Sequence[str], reason: str) -> dict[str, object]:
@@ -260,17 +260,17 @@ class Comparison:
         reference = self.reference or built[0]
         together = [*([] if reference in built else [reference]), *built]
         results = time_in_turn(together, cap_s=cap_s * max(1, len(together) - 1))
-        for frames, found in zip(together, results, strict=True):
+        for frames, times in zip(together, results, strict=True):
             name, is_variant = frames.case.name, frames is not reference and frames.simulation is reference.simulation
             if frames in built:  # or it is the reference, which keeps its first times
-                self.rows.setdefault(name, frames.columns(found))
+                self.rows.setdefault(name, frames.columns(times))
                 if not is_variant:
-                    self.builds.setdefault(name, []).append(found)
+                    self.builds.setdefault(name, []).append(times)
 
     def columns(self) -> dict[str, dict]:
         """Return the columns by case, of all of its builds."""
         together = zip(self.builds, pool_builds(list(self.builds.values())), strict=True)
-        rows = self.rows | {name: self.rows[name] | time_columns(found) for name, found in together}
+        rows = self.rows | {name: self.rows[name] | time_columns(times) for name, times in together}
         if self.reference:
             return rows
         no_ratio = absent(RATIO, "what it is compared with has no time here")

@@ -46,8 +46,8 @@ def warp_device(kind: str | None) -> wp.Device:
 
 def card(kind: str) -> tuple[str | None, str | None]:
     """Return name and uuid of the GPU to measure on; see ``warp_device``."""
-    found = warp_device(kind)
-    return (found.name, found.uuid) if found.is_cuda else (None, None)
+    device = warp_device(kind)
+    return (device.name, device.uuid) if device.is_cuda else (None, None)
 
 
 def prepare(kind: str) -> None:
@@ -83,13 +83,13 @@ def _compile_beside(device: wp.Device) -> None:
     count = min(PROCESS_COUNT, os.cpu_count() or 1)
     with processes(count) as pool:
         for is_built in (False, True):
-            gather(start(pool, _compile, [(device.alias, is_built, place, count) for place in range(count)]), "kernels")
+            gather(start(pool, _compile, [(device.alias, is_built, index, count) for index in range(count)]), "kernels")
 
 
-def _compile(alias: str, is_built: bool, place: int, count: int) -> None:
+def _compile(alias: str, is_built: bool, index: int, count: int) -> None:
     device = wp.get_device(alias)
     build = partial(Simulation, [replace(AS_SHIPPED, frame_count=1)], device)
-    compile_share(device, build().frame if is_built else build, place, count)
+    compile_share(device, build().frame if is_built else build, index, count)
 
 
 def be_quiet() -> None:
@@ -108,15 +108,15 @@ def note_work(note: Callable[[str], None]) -> None:
         setattr(wp, name, partial(_noted, note, getattr(wp, name)))
 
 
-def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, *args, **options) -> object:
-    note(f"{kernel.key} {options['dim'] if 'dim' in options else args[0]}")
-    return launch(kernel, *args, **options)
+def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, dim: object, *args, **options) -> object:
+    note(f"{kernel.key} {dim}")
+    return launch(kernel, dim, *args, **options)
 
 
 def explained(error: Exception) -> str:
     """Return what an error of Warp means, in a line; it has printed what the compiler says."""
-    said = " ".join(str(error).split())
-    if DEVICE_LOST.search(said):
-        return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
-    found = NOT_COMPILED.search(said)
-    return f"its kernels can't be compiled by Warp {version('warp-lang')} ({said:.200})" if found else ""
+    message = " ".join(str(error).split())
+    if DEVICE_LOST.search(message):
+        return f"the device does not answer ({message:.200}); nvidia-smi says whether it is there"
+    match = NOT_COMPILED.search(message)
+    return f"its kernels can't be compiled by Warp {version('warp-lang')} ({message:.200})" if match else ""

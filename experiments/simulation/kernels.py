@@ -15,21 +15,21 @@ KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
 def launching(instead: Launch) -> Iterator[None]:
     """Call ``instead`` with each kernel, its size and its options, in place of launching it."""
     names = ("launch", "launch_tiled", "capture_while", "capture_if")
-    kept = {name: getattr(wp, name) for name in names}
+    functions = {name: getattr(wp, name) for name in names}
 
-    def looped(_: wp.array, while_body: Callable[..., object], graph: object = None, **given: object) -> None:
-        while_body(**given)
+    def looped(_: wp.array, while_body: Callable[..., object], graph: object = None, **args: object) -> None:
+        while_body(**args)
 
-    def chosen(_: wp.array, on_true: Any = None, on_false: Any = None, graph: object = None, **given: object) -> None:
+    def chosen(_: wp.array, on_true: Any = None, on_false: Any = None, graph: object = None, **args: object) -> None:
         for branch in filter(callable, (on_true, on_false)):
-            branch(**given)
+            branch(**args)
 
     for name, stand_in in zip(names, (instead, instead, looped, chosen), strict=True):
         setattr(wp, name, stand_in)
     try:
         yield
     finally:
-        for name, function in kept.items():
+        for name, function in functions.items():
             setattr(wp, name, function)
 
 
@@ -38,7 +38,7 @@ def is_bare() -> bool:
     return len(list(Path(wp.config.kernel_cache_dir).glob("wp_*"))) < KEPT_COUNT
 
 
-def compile_share(device: wp.Device, run: Callable[[], object], place: int, count: int) -> None:
+def compile_share(device: wp.Device, run: Callable[[], object], index: int, count: int) -> None:
     """Compile one of ``count`` shares of what ``run`` launches, which is run without launching anything.
 
     Most of compiling is Python that writes what is compiled, so that shares take processes and no threads.
@@ -50,5 +50,5 @@ def compile_share(device: wp.Device, run: Callable[[], object], place: int, coun
 
     with launching(note), suppress(Exception):  # it may read what no kernel has written
         run()
-    for module, block_dim in list(modules)[place::count]:
+    for module, block_dim in list(modules)[index::count]:
         module.load(device, block_dim=block_dim)

@@ -78,5 +78,5 @@ def exit_bound_m_s(case: Case) -> float:
     if not case.cube_in_hand:
         # Cube and ground have the same priority: the engine takes the mean of their solrefs.
         parts = [(case.cube_ke, case.cube_kd), (AS_SHIPPED.pad_ke, AS_SHIPPED.pad_kd)]
-    timeconst, dampratio = np.mean([solref(*part) for part in parts], axis=0)
+    timeconst, dampratio = np.mean([solref(*material) for material in parts], axis=0)
     return case.start_overlap_m * reference_stiffness(timeconst, dampratio, 2.0 * step_s(case)) ** 0.5

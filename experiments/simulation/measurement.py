@@ -113,9 +113,9 @@ def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
 
 def grasp_columns(rows: ContactRows) -> dict[str, object]:
     """Return ``metrics.grasp`` as columns of a row; each None, with a reason, when no contact carries force."""
-    found = metrics.grasp(rows)
-    if found is not None:
-        return asdict(found)
+    grasp = metrics.grasp(rows)
+    if grasp is not None:
+        return asdict(grasp)
     counts = {"row_count": len(rows.distance_m), "loaded_row_count": 0}
     names = (field.name for field in fields(metrics.Grasp) if field.name not in counts)
     return counts | absent(names, "no contact carries force")

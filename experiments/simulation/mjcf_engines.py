@@ -181,9 +181,9 @@ class ThroughNewton(InWarp):
         self.control.mujoco.ctrl.assign(np.asarray(control, dtype=np.float32).ravel())
 
     def _steps(self) -> None:
-        there, back = self.states
-        self.solver.step(there, back, self.control, None, self.time_step)
-        self.solver.step(back, there, self.control, None, self.time_step)
+        first, second = self.states
+        self.solver.step(first, second, self.control, None, self.time_step)
+        self.solver.step(second, first, self.control, None, self.time_step)
 
 
 ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}  # type: dict[str, type]
@@ -191,17 +191,17 @@ ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}  # type: dict[str,
 
 
 def contacts_in_c(model: mujoco.MjModel, data: mujoco.MjData) -> Contacts:
-    found = data.contact
-    rows = np.asarray(found.efc_address).reshape(-1)
-    return Contacts.of(model, rows, found.friction, found.solref, found.solimp, found.dist, data.efc_force, data.efc_D)
+    pairs = data.contact
+    rows = np.asarray(pairs.efc_address).reshape(-1)
+    return Contacts.of(model, rows, pairs.friction, pairs.solref, pairs.solimp, pairs.dist, data.efc_force, data.efc_D)
 
 
 def contacts_in_warp(model: mujoco.MjModel, data: mjw.Data) -> Contacts:
-    found = data.contact
+    pairs = data.contact
     count = int(data.nacon.numpy()[0])
-    mine = found.worldid.numpy()[:count] == 0
-    kept = (found.efc_address, found.friction, found.solref, found.solimp, found.dist)
-    rows, friction, solref, solimp, dist = (array.numpy()[:count][mine] for array in kept)
+    mine = pairs.worldid.numpy()[:count] == 0
+    arrays = (pairs.efc_address, pairs.friction, pairs.solref, pairs.solimp, pairs.dist)
+    rows, friction, solref, solimp, dist = (array.numpy()[:count][mine] for array in arrays)
     force, stiffness = data.efc.force.numpy()[0], data.efc.D.numpy()[0]
     return Contacts.of(model, rows[:, 0], friction, solref, solimp, dist, force, stiffness)
 

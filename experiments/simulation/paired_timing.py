@@ -76,16 +76,16 @@ def time_in_turn(
 
 
 def _compared(times: Sequence[float], reference: Sequence[float]) -> PairedTimes:
-    own = np.array(times)
-    ratios = own / np.array(reference[: len(times)])
+    times_ms = np.array(times)
+    ratios = times_ms / np.array(reference[: len(times)])
     batches = np.log(ratios).reshape(BATCH_COUNT, -1).mean(axis=1)
-    pass_count = len(own) // BATCH_COUNT
+    pass_count = len(times_ms) // BATCH_COUNT
     state_count = 1 if pass_count == 1 else max(1, BATCH_COUNT // pass_count)  # states that batches start from
     by_state = batches.reshape(-1, state_count)
     freedom = BATCH_COUNT - state_count
     deviation = math.sqrt(np.square(by_state - by_state.mean(axis=0)).sum() / freedom)
     half = T_99[freedom] * deviation / math.sqrt(BATCH_COUNT)
-    return PairedTimes(own, ratios, math.exp(batches.mean()), math.expm1(half))
+    return PairedTimes(times_ms, ratios, math.exp(batches.mean()), math.expm1(half))
 
 
 def pool_builds(cases: Sequence[Sequence[PairedTimes]]) -> list[PairedTimes]:
@@ -94,14 +94,14 @@ def pool_builds(cases: Sequence[Sequence[PairedTimes]]) -> list[PairedTimes]:
     The spread of builds is taken as the same for all cases. Where no case has two, each is as it was.
     """
     logarithms = [np.log([build.ratio for build in builds]) for builds in cases]
-    freedom = sum(len(each) - 1 for each in logarithms)
+    freedom = sum(len(logs) - 1 for logs in logarithms)
     if not freedom:
         return [builds[0] for builds in cases]
-    deviation = math.sqrt(sum(np.square(each - each.mean()).sum() for each in logarithms) / freedom)
-    t, reference, found = T_95[min(freedom, len(T_95)) - 1], logarithms[0], []
-    for builds, each in zip(cases, logarithms, strict=True):
-        half = t * deviation * math.sqrt(1 / len(each) + 1 / len(reference)) if each is not reference else 0.0
+    deviation = math.sqrt(sum(np.square(logs - logs.mean()).sum() for logs in logarithms) / freedom)
+    t, reference, pooled = T_95[min(freedom, len(T_95)) - 1], logarithms[0], []
+    for builds, logs in zip(cases, logarithms, strict=True):
+        half = t * deviation * math.sqrt(1 / len(logs) + 1 / len(reference)) if logs is not reference else 0.0
         times = np.concatenate([build.times for build in builds])
         ratios = np.concatenate([build.ratios for build in builds]) / math.exp(reference.mean())
-        found.append(PairedTimes(times, ratios, math.exp(each.mean() - reference.mean()), math.expm1(half)))
-    return found
+        pooled.append(PairedTimes(times, ratios, math.exp(logs.mean() - reference.mean()), math.expm1(half)))
+    return pooled

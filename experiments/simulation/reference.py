@@ -1,6 +1,6 @@
 """The shake through MuJoCo's own loop in C and float64, without Newton: the reference, and what one core can do."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -36,7 +36,7 @@ class Start:
     """Joint position targets of each frame, shape [frames, 9]."""
 
 
-def pilot_at_shake(cases: Iterable[Case], device: wp.Device) -> Simulation:
+def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
     """Return a world for each case, run to where the shake begins in all of them.
 
     Raises:
@@ -179,7 +179,7 @@ class DoubleShake(NativeShake):
         self.data.ctrl[:ROBOT_DOF_COUNT] = self.simulation.joint_target.numpy()[0, :ROBOT_DOF_COUNT]
         mujoco.mj_step(self.model, self.data, self.case.substeps)
         mujoco.mj_kinematics(self.model, self.data)
-        seen = self.simulation.body_q.numpy()[0]  # on the CPU a view
+        body_q = self.simulation.body_q.numpy()[0]  # on the CPU a view
         for body, newton_body in enumerate(self.newton_bodies):
             if newton_body >= 0:
-                seen[newton_body] = *self.data.xpos[body], *np.roll(self.data.xquat[body], -1)
+                body_q[newton_body] = *self.data.xpos[body], *np.roll(self.data.xquat[body], -1)

@@ -234,12 +234,12 @@ def _apply_world_parameters(scene: Scene, cases: list[Case]) -> None:
         values = _rows(array.numpy(), len(cases))[:, indices[0]]
         _write(array, indices, values * scale.reshape(-1, *[1] * (values.ndim - 1)))
 
-    place = np.array([cube_start(case) for case in cases])
+    starts = np.array([cube_start(case) for case in cases])
     poses = _rows(model.body_q.numpy(), len(cases))[:, body[0]].copy()
-    poses[:, :3] = place
+    poses[:, :3] = starts
     _write(model.body_q, body, poses)
     for axis in range(3):
-        _write(model.joint_q, (ROBOT_DOF_COUNT + axis,), place[:, axis])
+        _write(model.joint_q, (ROBOT_DOF_COUNT + axis,), starts[:, axis])
     touching = 0.5 * column("cube_edge_m") + PAD_FACE - column("start_overlap_m")
     opening = np.where(column("cube_in_hand"), touching, READY_POSE[-1])
     _write(model.joint_q, range(ARM_DOF_COUNT, ROBOT_DOF_COUNT), opening)

@@ -199,15 +199,15 @@ def simulate(
     every = batches(cases)
     # The CPU's runs have processes of their own, beside the GPU and one another.
     away = [members for members in every if has_away and device_of(cases[members[0]], device) == "cpu"]
-    here = [members for members in every if members not in away]
-    near, far = ([[cases[index] for index in members] for members in part] for part in (here, away))
+    nearby = [members for members in every if members not in away]
+    near, far = ([[cases[index] for index in members] for members in side] for side in (nearby, away))
     with processes(len(away)) if away else nullcontext() as pool:
         waiting = start(pool, run_groups, [([group], "cpu") for group in far])
         found = run_groups(near, device, title, contact_frames)
         found += [worlds for [worlds] in gather(waiting, f"{title}, on the CPU")]
     traces = {
         index: trace
-        for members, worlds in zip(here + away, found, strict=True)
+        for members, worlds in zip(nearby + away, found, strict=True)
         for index, trace in zip(members, worlds, strict=True)
     }
     return [traces[index] for index in range(len(cases))]

@@ -28,10 +28,10 @@ FIELDS = "dist friction frame solref solreffriction solimp dim geom".split()
 def batches(cases: Sequence[Case]) -> list[list[int]]:
     """Return the indices of the cases that run as worlds of one simulation; cases of MuJoCo's C engine have one
     each."""
-    found: dict[object, list[int]] = {}
+    groups: dict[object, list[int]] = {}
     for index, case in enumerate(cases):
-        found.setdefault(index if case.backend == "mujoco" else batch_key(case), []).append(index)
-    return list(found.values())
+        groups.setdefault(index if case.backend == "mujoco" else batch_key(case), []).append(index)
+    return list(groups.values())
 
 
 def device_of(case: Case, device: str | None) -> str | None:
@@ -95,7 +95,7 @@ class MuJoCoStepper(WarpStepper):
             if solver.use_mujoco_cpu:
                 raise CaseError("compensated must be off with backend mujoco, which sums positions in double precision")
             compensated_positions.install(solver, worlds=[case.compensated for case in self.cases])
-        kinds: list = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]
+        kinds = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]  # type: list
         for kind in sorted(set(kinds) - {False}):
             options = dict(zip(("centred", "normal"), kind, strict=True))
             if solver.use_mujoco_cpu:
@@ -181,12 +181,12 @@ def contact_rows(solver: SolverMuJoCo, world_count: int, frame: int, names: list
         host = {name: np.array(getattr(data.contact, name).numpy()[:count]) for name in FIELDS}
         address, world_id = data.contact.efc_address.numpy()[:count, 0], data.contact.worldid.numpy()[:count]
         efc = [rows.numpy() for rows in (data.efc.force, data.efc.pos, data.efc.vel, data.efc.aref)]
-    found = []
+    rows_by_world = []
     for world in range(world_count):
         mine = world_id == world
-        fields, rows = {name: values[mine] for name, values in host.items()}, [each[world] for each in efc]
-        found.append(_rows_of_world(fields, address[mine], rows, frame, names, is_elliptic(solver)))
-    return found
+        fields, rows = {name: values[mine] for name, values in host.items()}, [array[world] for array in efc]
+        rows_by_world.append(_rows_of_world(fields, address[mine], rows, frame, names, is_elliptic(solver)))
+    return rows_by_world
 
 
 def _rows_of_world(field, address, efc, frame: int, names: list[str], elliptic: bool) -> ContactRows:

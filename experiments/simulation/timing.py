@@ -53,11 +53,11 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
     pairs += [(getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name)) for name in ENGINE_ARRAYS]
     wp.synchronize()  # simulations run on streams of their own, these copies do not
     for to, of in pairs:
-        one = of.reshape((source.world_count, -1))[world]
+        state = of.reshape((source.world_count, -1))[world]
         # A step of 0 from one world to the next repeats this one, so the copy never leaves the device.
-        shape, strides = (target.world_count, *one.shape), (0, *one.strides)
-        every = wp.array(ptr=one.ptr, dtype=one.dtype, shape=shape, strides=strides, device=one.device)
-        wp.copy(to.reshape((target.world_count, -1)), every)
+        shape, strides = (target.world_count, *state.shape), (0, *state.strides)
+        repeated = wp.array(ptr=state.ptr, dtype=state.dtype, shape=shape, strides=strides, device=state.device)
+        wp.copy(to.reshape((target.world_count, -1)), repeated)
     for name, start in WATCHED_ARRAYS.items():
         getattr(target.recorder, name).fill_(start)
     newton.eval_fk(target.model, target.state.joint_q, target.state.joint_qd, target.state)

@@ -61,11 +61,11 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
         return three
     extended = type(three).__new__(type(three))  # a plain copy of Newton's lazy set of pairs would hold those of three
     vars(extended).update(vars(three))
-    for part, value in vars(three).items():
-        if isinstance(getattr(type(three), part, None), cached_property):
-            del vars(extended)[part]
-        elif not part.startswith(NOT_EXTENDED):
-            vars(extended)[part] = _extended(vars(two)[part], value, count, f"{name}.{part}")
+    for attribute, value in vars(three).items():
+        if isinstance(getattr(type(three), attribute, None), cached_property):
+            del vars(extended)[attribute]
+        elif not attribute.startswith(NOT_EXTENDED):
+            vars(extended)[attribute] = _extended(vars(two)[attribute], value, count, f"{name}.{attribute}")
     return extended
 
 
@@ -76,23 +76,23 @@ def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -
     """
     stride = len(three) - len(two)
     fewer, fewer_rest = _cut(two, WORLDS_BUILT - 1, stride)
-    worlds, rest = _cut(three, WORLDS_BUILT, stride)
+    worlds, tail = _cut(three, WORLDS_BUILT, stride)
     is_index = np.issubdtype(three.dtype, np.signedinteger)
     by_world, by_count, by_count_rest = (
-        (worlds[1] - worlds[0], worlds[0] - fewer[0], rest - fewer_rest) if is_index else (None, None, None)
+        (worlds[1] - worlds[0], worlds[0] - fewer[0], tail - fewer_rest) if is_index else (None, None, None)
     )
 
     def at(world_count: int) -> tuple[np.ndarray, np.ndarray]:
         """Return the rows of ``world_count`` worlds, and the rest."""
-        first, end, more = worlds[0], rest, world_count - WORLDS_BUILT
+        first, end, more = worlds[0], tail, world_count - WORLDS_BUILT
         if not is_index:
             return np.broadcast_to(first, (world_count, *first.shape)), end
         first, end = first + more * by_count, end + more * by_count_rest
         steps = np.arange(world_count, dtype=three.dtype).reshape(-1, *[1] * first.ndim)
         return (first + steps * by_world).astype(three.dtype), end.astype(three.dtype)
 
-    for found, expected in zip((worlds, rest, fewer, fewer_rest), (*at(len(worlds)), *at(len(fewer))), strict=True):
-        if found.tobytes() != expected.tobytes():
+    for actual, expected in zip((worlds, tail, fewer, fewer_rest), (*at(len(worlds)), *at(len(fewer))), strict=True):
+        if actual.tobytes() != expected.tobytes():
             raise UnequalWorlds(f"{name} does not repeat world by world: build these worlds one by one")
     many, end = at(count)
     return np.concatenate([many.reshape(-1, *three.shape[1:]), end])
@@ -100,10 +100,10 @@ def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -
 
 def _extended_list(two: list, three: list, count: int, name: str) -> list:
     stride = len(three) - len(two)
-    world, rest = three[:stride], three[WORLDS_BUILT * stride :]
-    if three != world * WORLDS_BUILT + rest:
+    world, tail = three[:stride], three[WORLDS_BUILT * stride :]
+    if three != world * WORLDS_BUILT + tail:
         raise UnequalWorlds(f"{name} does not repeat world by world: build these worlds one by one")
-    return world * count + rest
+    return world * count + tail
 
 
 def _cut(rows: np.ndarray, world_count: int, stride: int) -> tuple[np.ndarray, np.ndarray]:

@@ -58,7 +58,7 @@ def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], flo
             if run.family == FLOOR_FAMILY and run.case.substeps == REFERENCE_SUBSTEPS
         ]
     )
-    rows = [worst(run, [observe(*one, floor) for one in group]) for run, group in zip(runs, traces, strict=True)]
+    rows = [worst(run, [observe(*pair, floor) for pair in group]) for run, group in zip(runs, traces, strict=True)]
     return [row | {"creep_floor_mm_s": floor} for row in rows], floor
 
 
@@ -145,7 +145,7 @@ def worst(run: Probe, observed: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """Return one row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
     ranked = sorted(observed, key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)))
     row = {"case": run.case.name, "family": run.family, **run.parameters, **ranked[0]}
-    return row | {"repeat_count": len(observed), "classes": ", ".join(found["class"] for found in ranked)}
+    return row | {"repeat_count": len(observed), "classes": ", ".join(observation["class"] for observation in ranked)}
 
 
 def exit_speed_m_s(case: Case, trace: Trace) -> float:
@@ -162,8 +162,8 @@ def exit_speed_m_s(case: Case, trace: Trace) -> float:
 def grip_force_n(trace: Trace) -> float:
     """Return the sum of the normal forces of both pads [N] at the end of the hold, or in the first frame when the cube
     is then sliding out already."""
-    place = metrics.relative_position(trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP)
-    is_gone = np.linalg.norm(place[-1] - place[0]) > GONE_M
+    positions = metrics.relative_position(trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP)
+    is_gone = np.linalg.norm(positions[-1] - positions[0]) > GONE_M
     force = trace.column("normal_force_n")
     return float(force[0] if is_gone else np.median(force[HOLD_END]))
 
@@ -177,7 +177,7 @@ def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
     # The shake repeats every second cycle of its main axis.
     increments = cycle_increments(moved.time_s, 1e3 * moved.along_m, 0.5 * case.shake_frequency_hz)[1:] / 2.0
     tenth = max(1, len(increments) // 10)
-    first, last = (float(np.abs(part.mean())) for part in (increments[:tenth], increments[-tenth:]))
+    first, last = (float(np.abs(tenths.mean())) for tenths in (increments[:tenth], increments[-tenth:]))
     columns = numbers(
         "" if kind in STABLE else f"the run ended as {kind}",
         increment_first_mm_per_cycle=lambda: first,
@@ -189,9 +189,9 @@ def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
 def long_table(trace: Trace) -> dict[str, np.ndarray]:
     """Return the long run once a second."""
     moved = metrics.displacement(trace)
-    every = slice(None, None, FRAME_RATE)
-    vector = 1e3 * moved.vector_m[every]
+    stride = slice(None, None, FRAME_RATE)
+    vector = 1e3 * moved.vector_m[stride]
     names = ("x_mm", "y_mm", "z_mm")
-    return {"time_s": moved.time_s[every], "along_mm": 1e3 * moved.along_m[every]} | dict(
+    return {"time_s": moved.time_s[stride], "along_mm": 1e3 * moved.along_m[stride]} | dict(
         zip(names, vector.T, strict=True)
     )

@@ -111,13 +111,13 @@ def grid_cell(family: str, ke: float, substeps: int) -> Probe:
 
 def without_clamp(profile: str) -> list[Probe]:
     """Return damping ratio 1 and a timeconst of so many steps, once with the clamp off and once as a direct solref."""
-    found = []
+    cells = []
     for way, changes in (("off", {"refsafe": False}), ("direct", {"pad_direct": True})):
         for count in TIMECONST_STEPS[profile]:
             rate = 1.0 / (count * step_s(BASE))
             stiff = {"pad_ke": rate**2, "pad_kd": 2.0 * rate}
-            found.append(probe("clamp", f"{way}-{count:.3g}", changes | stiff, clamp=way, timeconst_steps=float(count)))
-    return found
+            cells.append(probe("clamp", f"{way}-{count:.3g}", changes | stiff, clamp=way, timeconst_steps=float(count)))
+    return cells
 
 
 def shakes(profile: str) -> list[Probe]:
