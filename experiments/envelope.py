@@ -12,8 +12,7 @@ from measured_report.measuring.batch import Batch, Plan
 FRAME_COUNT = 660
 MAP_SIZE = {"full": 32, "quick": 3}
 AMPLITUDES_M = (0.005, 0.12)
-FREQUENCIES_HZ = (0.25, 5.0)
-"""Range of the map, spaced evenly on a log scale."""
+FREQUENCIES_HZ = (0.25, 5.0)  # range of the map, spaced evenly on a log scale
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 COLUMNS = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m", "dropped", "failure")
 

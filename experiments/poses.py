@@ -15,16 +15,14 @@ from experiments.simulation.scene import ROBOT_POSITION
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
 
-FAR_SHAKE_M = 0.10
-"""An amplitude at which the cube falls as shipped."""
+FAR_SHAKE_M = 0.10  # an amplitude at which the cube falls as shipped
 SHAKEN = (
     AS_SHIPPED,
     STIFF_PADS,
     *(replace(case, name=f"{case.name}-10cm", shake_amplitude_m=FAR_SHAKE_M) for case in (AS_SHIPPED, STIFF_PADS)),
 )
 HELD = replace(HOLD, name="hold-60s", frame_count=SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1)
-HELD_FRAME_STEP = 6
-"""Frames between two that are kept of the held arm, which hardly moves."""
+HELD_FRAME_STEP = 6  # frames between two that are kept of the held arm, which hardly moves
 
 COORDINATES = (*JOINTS, *CUBE_PLACE, *CUBE_TURN)
 

@@ -9,8 +9,7 @@ from measured_report.measuring.batch import Batch, Plan
 
 BATCH_SIZE = {"cuda": 64, "cpu": 16}
 BATCH_FRAME_COUNT = {"cuda": 900, "cpu": 120}
-QUICK_FRAME_COUNT = 24
-"""Of a batch, in a quick run."""
+QUICK_FRAME_COUNT = 24  # of a batch, in a quick run
 
 
 def measure(conditions: Conditions) -> Plan:

@@ -21,9 +21,8 @@ from experiments.simulation.measurement import summarize
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.stepper_c import batches, device_of
 
-SLIP_LIMIT_MM = 20.0
-"""Half the cube's edge: with more slip the pads no longer cover the cube's centre."""
-OPTIONS = {
+SLIP_LIMIT_MM = 20.0  # half the cube's edge: with more slip the pads no longer cover the cube's centre
+OPTIONS = {  # options, and what they are, by the parameters of a case
     "shake_amplitude_m": ("--shake-amplitude", "[m]"),
     "shake_frequency_hz": ("--shake-frequency", "[Hz]"),
     "pad_ke": ("--pad-ke", "authored pad stiffness"),
@@ -32,7 +31,6 @@ OPTIONS = {
     "cube_gap_m": ("--cube-gap", "contact gap of the cube [m]"),
     "substeps": ("--substeps", "solver steps per frame"),
 }
-"""Options, and what they are, by the parameters of a case."""
 
 
 class TestFailed(ValueError):

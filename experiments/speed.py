@@ -10,14 +10,13 @@ from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.task import FRAME_RATE
 from measured_report.measuring.batch import Batch, Plan
 
-CASES = (
+CASES = (  # compared with the first of them
     AS_SHIPPED,
     replace(UNTRIMMED, name="as-shipped-untrimmed"),
     replace(STIFF_PADS, name="stiff-pads-only"),
     replace(AS_SHIPPED, name="all-gaps-zero", cube_gap_m=0.0, robot_gap_m=0.0, ground_gap_m=0.0),
     FIXED,
 )
-"""Compared with the first of them."""
 
 
 def measure(conditions: Conditions) -> Plan:

@@ -23,7 +23,7 @@ from newton_lint.newton_models import compat
 
 REFSAFE_TIMECONST_S = 2.0 / (FRAME_RATE * AS_SHIPPED.substeps)
 """What the engine makes of any smaller timeconst: two time steps."""
-RUNS = (
+RUNS = (  # Runs of every release. The last two take a timeconst of its own from the friction rows, or give them one.
     AS_SHIPPED,
     STIFF_PADS,
     HOLD,
@@ -32,12 +32,10 @@ RUNS = (
     replace(AS_SHIPPED, name="as-shipped-friction-timeconst-off", friction_timeconst_override_s=0.0),
     replace(AS_SHIPPED, name="as-shipped-friction-timeconst-on", friction_timeconst_override_s=REFSAFE_TIMECONST_S),
 )
-"""Runs of every release. The last two take a timeconst of its own from the friction rows, or give them one."""
-KF_RUNS = (
+KF_RUNS = (  # the same through what a user can set, where the release reads it
     *(replace(case, name=f"{case.name}-kf-off", pad_kf=-1.0) for case in (AS_SHIPPED, STIFF_PADS, HOLD)),
     *(replace(AS_SHIPPED, name=f"as-shipped-kf-{kf:g}", pad_kf=kf) for kf in (3.0, 10.0, 30.0, 100.0)),
 )
-"""The same through what a user can set, where the release reads it."""
 ENGINE_ARRAYS = (
     "actuator_biasprm actuator_gainprm body_gravcomp body_mass dof_armature dof_damping dof_frictionloss"
     " geom_condim geom_friction geom_gap geom_margin geom_priority geom_solimp geom_solmix geom_solref jnt_range"

@@ -21,8 +21,7 @@ HELD = (
     replace(MINUTE, name="kept", **POSITIONS["kept"]),
     replace(MINUTE, name="best", **BEST),
 )
-SIDES = {"best": replace(AS_SHIPPED, **BEST)}
-"""The one side of the map of section envelope: with the whole cure."""
+SIDES = {"best": replace(AS_SHIPPED, **BEST)}  # the one side of the map of section envelope: with the whole cure
 PARTS = {
     "limits": limits.measure,
     "turntable": turntable.measure,

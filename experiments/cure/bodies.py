@@ -27,8 +27,7 @@ HEIGHT_M = 0.1
 TABLE_M = 0.5
 SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 4.0, "quick": 3.0}}
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s",)}
-CAUGHT_S = 2.0
-"""Time by which a body that was put down at rest turns with the table; its growth is measured after it."""
+CAUGHT_S = 2.0  # time by which a body that was put down at rest turns with the table; its growth is measured after it
 CUBE = " ".join(
     f"{x} {y} {z}" for x in (-RADIUS_M, RADIUS_M) for y in (-RADIUS_M, RADIUS_M) for z in (-RADIUS_M, RADIUS_M)
 )
@@ -56,8 +55,7 @@ class Motion:
 
     name: str
     body: str
-    place: str
-    """``plane`` or ``table``."""
+    place: str  # ``plane`` or ``table``
     mjcf: str
     runs: tuple[tuple[str, str], ...]
 

@@ -18,8 +18,7 @@ from newton_lint.newton_models.compat import kf_is_read
 PADS = {"shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 AMPLITUDES_M = {"held": 0.0, "3cm": 0.03, "10cm": 0.1}
 CONTACTS = {"newton": {}, "mujoco": {"contacts": "mujoco"}, "pyramidal": {"cone": "pyramidal"}}  # type: dict[str, dict]
-ALONG = {"x": 0, "z": 2}
-"""Axes of the TCP frame along the pads, by their place."""
+ALONG = {"x": 0, "z": 2}  # axes of the TCP frame along the pads, by their place
 OTHERS = [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)]
 SETTINGS = {
     "newton": list(product(("implicitfast", "euler", "rk4"), (AS_SHIPPED.impratio, IMPRATIO))),

@@ -20,8 +20,7 @@ from experiments.simulation.measurement import Conditions, summarize
 from experiments.simulation.mjcf_engines import numbers
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 
-SHAKE_M, SHAKE_RAD_S = 0.03, 2.0 * np.pi
-"""The arm's own shake, a period of which is the time in which the cube settles."""
+SHAKE_M, SHAKE_RAD_S = 0.03, 2.0 * np.pi  # the arm's own shake, a period of which is the time in which the cube settles
 PLACE_M = SHAKE_M * SHAKE_RAD_S**2 / TURN_RAD_S**2
 """Distance from the axis at which what turns is accelerated by as much as the shake at its most."""
 SECONDS = {"full": 6.0, "quick": 3.0}
@@ -32,11 +31,10 @@ JOINTS = {
     "straight": f'<joint type="slide" axis="1 0 0" stiffness="{1e3 * SHAKE_RAD_S**2}" armature="1000"/>',
     "turning": '<joint axis="0 0 1" armature="1000"/>',
 }
-STARTS = {
+STARTS = {  # at an end of the shake, at rest, from where the spring of the walls does the rest; and turning
     "straight": f'qpos="{SHAKE_M} {SHAKE_M} 0 0 1 0 0 0"',
     "turning": f'qvel="{numbers([TURN_RAD_S, 0.0, TURN_RAD_S * PLACE_M, 0.0, 0.0, 0.0, TURN_RAD_S])}"',
 }
-"""At an end of the shake, at rest, from where the spring of the walls does the rest; and turning."""
 
 
 def walls(motion: str) -> str:

@@ -19,8 +19,7 @@ from experiments.simulation.measurement import Conditions
 VARIANTS = ("plain", "aside", "exact", "points")
 ASIDE_RAD_S = 1e-3
 STEPS_S = {"full": (0.0005, 0.001, 0.002, 0.005, 0.01), "quick": (0.005,)}
-WORLD_COUNT = {"full": 300, "quick": 32}
-"""Of each body, step and variant: 7 bodies at 5 steps are 10,500 worlds."""
+WORLD_COUNT = {"full": 300, "quick": 32}  # of each body, step and variant: 7 bodies at 5 steps are 10,500 worlds
 SECONDS = 1.0
 SAMPLE_S = 0.1
 DROPS_M, SPINS_RAD_S = (0.05, 0.5), (0.0, 200.0)

@@ -33,8 +33,7 @@ TURN_RAD_S = 2.0
 RADIUS_M = 0.2
 MASS_KG = 0.2
 SECONDS = {"full": 6.0, "quick": 3.0}
-SETTLE_S = 1.0
-"""Time in which the box sinks into its contacts; the growth is measured after it."""
+SETTLE_S = 1.0  # time in which the box sinks into its contacts; the growth is measured after it
 SAMPLE_S = 0.1
 STEP_S = 0.002
 GROWTHS = ("growth_per_s", "predicted_growth_per_s")
@@ -65,8 +64,7 @@ class Variant:
 
     contact_bias: bool = False
     bias_centred: bool = False
-    options: Mapping[str, Any] = field(default_factory=dict)
-    """Options of MJCF that are not as in the scene."""
+    options: Mapping[str, Any] = field(default_factory=dict)  # options of MJCF that are not as in the scene
     timeconst_s: float = 0.02
 
     @property
@@ -78,8 +76,7 @@ class Variant:
         return MJCF.replace("<worldbody>", f'{settings}<keyframe><key qvel="{start}"/></keyframe><worldbody>')
 
 
-WORDS = {"rk4": "RK4", "euler": "Euler"}
-"""Integrators as MJCF spells them."""
+WORDS = {"rk4": "RK4", "euler": "Euler"}  # integrators as MJCF spells them
 RK4 = {"integrator": "rk4"}
 PYRAMIDAL = {"cone": "pyramidal"}
 HIGH_IMPRATIO = {"impratio": 100.0}

@@ -21,17 +21,13 @@ from experiments.scenes import capsule
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
 from measured_report.measuring.batch import Batch, Plan
 
-NEEDS_GPU = False
-"""Read by ``measured_report.measuring.machine``: small scenes, and engines that run on a CPU."""
+NEEDS_GPU = False  # read by ``measured_report.measuring.machine``: small scenes, and engines that run on a CPU
 SECONDS = {"full": {"turntable": 4.0, "pinch": 2.0}, "quick": {"turntable": 1.5, "pinch": 1.5}}
 STEPS_S = (0.002, 0.001)
-STICTION_M_S = 1e-3
-"""Drake's own."""
+STICTION_M_S = 1e-3  # Drake's own
 TEST_SHAKE = {"shake_amplitude_m": 0.02, "shake_frequency_hz": 2.0}  # type: dict
-TEST_FRAMES = SETUP_FRAME_COUNT + 121
-"""The last one is 2 s after the first of the shake."""
-TEST_PADS_KD = (100.0, 5.0)
-"""As shipped, and softer ones."""
+TEST_FRAMES = SETUP_FRAME_COUNT + 121  # the last one is 2 s after the first of the shake
+TEST_PADS_KD = (100.0, 5.0)  # as shipped, and softer ones
 
 
 @dataclass(frozen=True)

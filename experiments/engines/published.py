@@ -41,8 +41,7 @@ WALL = f"""
   </worldbody>
 </mujoco>"""
 ORBIT_M, ORBIT_RAD_S = 0.01, 4.0 * np.pi
-ORBIT_S = (1.0, 2.5, 3.5)
-"""Ends of the holding before the orbit, of the orbit, and of the holding after it."""
+ORBIT_S = (1.0, 2.5, 3.5)  # ends of the holding before the orbit, of the orbit, and of the holding after it
 Shown = tuple[Sequence[tuple[float, float]], Sequence[float]]
 """The object's height [m] and the fingers' normal force [N] after each step, and the last joints."""
 

@@ -23,8 +23,7 @@ from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
 
 WEIGHTLESS = replace(AS_SHIPPED, backend="mujoco", gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu)
-SHAKES = {"3cm": 0.03, "10cm": 0.1, "held": 0.0}
-"""Amplitudes [m]."""
+SHAKES = {"3cm": 0.03, "10cm": 0.1, "held": 0.0}  # amplitudes [m]
 TOLD = ("normal_force_n", "tangential_force_n", "penetration_m")
 GRASP = ("creep_mm_per_cycle", "path_off_mm", "normal_force_n", "friction_share", "penetration_mm")
 UNCOUNTED = ("peak_contact_count", "peak_constraint_count", "wall_s")

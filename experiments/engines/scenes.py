@@ -6,12 +6,10 @@ from experiments.cure.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_R
 from experiments.scenes import capsule
 from experiments.simulation.mjcf_engines import GRAVITY_M_S2
 
-TABLE_INERTIA = 1000.0
-"""Of the table [kg m²], which keeps turning whatever the box does."""
+TABLE_INERTIA = 1000.0  # of the table [kg m²], which keeps turning whatever the box does
 HALF_EDGE_M, FOOT_M = 0.05, 0.01
 FEET = [(x, y, -0.04) for x in (0.04, -0.04) for y in (0.04, -0.04)]
-PRESS_N = 12.0
-"""What each pad presses with, as in the report that the pinched capsule is after."""
+PRESS_N = 12.0  # what each pad presses with, as in the report that the pinched capsule is after
 CAPSULE = capsule.Pinch("within-pads", half_length_m=0.02)
 
 

@@ -26,19 +26,14 @@ from measured_report.measuring.batch import Batch, Plan
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
 """Substeps of the reference; a second one with half as many tells how far it has converged."""
 WORLD_COUNTS = {"cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384), "cpu": (1, 4, 16, 64), "quick": (1, 4)}
-HALF_CYCLE = 30
-"""Frames in C that are timed together: as long as the force on the cube takes to have had all its sizes."""
-CAP_S = 64.0
-"""Seconds after which the settings are not looked at again."""
-WORLDS_CAP_S = 10.0
-"""Seconds for the numbers of worlds: C on a core that others share is never known to the resolution."""
-REFERENCE = "as-shipped/newton/substeps-16"
-"""Setting that the time of each is compared with."""
+HALF_CYCLE = 30  # frames in C that are timed together: as long as the force on the cube takes to have had all its sizes
+CAP_S = 64.0  # seconds after which the settings are not looked at again
+WORLDS_CAP_S = 10.0  # seconds for the numbers of worlds: C on a core that others share is never known to the resolution
+REFERENCE = "as-shipped/newton/substeps-16"  # setting that the time of each is compared with
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 RATIO = ("time_ratio", "time_ratio_p5", "time_ratio_p95", "ratio_resolution")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95", *RATIO)
-ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)
-"""Fixed scene in C on one core."""
+ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)  # fixed scene in C on one core
 
 
 def measure(conditions: Conditions) -> Plan:

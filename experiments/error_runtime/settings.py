@@ -7,7 +7,7 @@ from experiments.simulation.reference import ENGINES_AGREE
 
 PADS = {name: replace(case, **ENGINES_AGREE) for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))}
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
-LADDERS = {
+LADDERS = {  # Substeps of each method. What is run in Warp is run in C as well.
     "full": {
         "newton": SUBSTEPS,
         "mujoco": SUBSTEPS,
@@ -19,7 +19,6 @@ LADDERS = {
     },
     "quick": {"newton": (2, 4, 16), "mujoco": (4, 16), "newton-each-substep": (16,), "c-rk4": (1, 2, 4, 8)},
 }
-"""Substeps of each method. What is run in Warp is run in C as well."""
 METHODS = {
     "newton": {},
     "newton-each-substep": {},
@@ -31,8 +30,7 @@ METHODS = {
 }  # type: dict[str, dict]
 """Contacts, engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
 each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
-NATIVE = ("c", "c-rk4", "reference")
-"""Methods in MuJoCo's own loop."""
+NATIVE = ("c", "c-rk4", "reference")  # methods in MuJoCo's own loop
 KNOBS = {
     "full": {
         "as-shipped": {
@@ -49,10 +47,8 @@ KNOBS = {
 }  # type: dict[str, dict[str, dict]]
 """Parameters varied one at a time, in the method and with the substeps as shipped."""
 CONVERGED = {"integrator": "rk4", "iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}  # type: dict
-MODEL_FIELDS = ("cone", "impratio")
-"""Knobs that make it another model, which converges to another solution."""
-CYCLE_COUNT = 3
-"""Shake cycles: one to settle, and the two after which the whole motion repeats."""
+MODEL_FIELDS = ("cone", "impratio")  # knobs that make it another model, which converges to another solution
+CYCLE_COUNT = 3  # shake cycles: one to settle, and the two after which the whole motion repeats
 FRAME_COUNT = 60 * CYCLE_COUNT + 1
 
 
@@ -61,12 +57,9 @@ class Setting:
     """A point of the diagram."""
 
     case: Case
-    pads: str
-    """Key of PADS."""
-    method: str
-    """Key of METHODS, ``c`` or ``reference``."""
-    knob: str
-    """Parameter that is varied."""
+    pads: str  # key of PADS
+    method: str  # key of METHODS, ``c`` or ``reference``
+    knob: str  # parameter that is varied
 
     @property
     def is_native(self) -> bool:

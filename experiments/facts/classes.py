@@ -10,15 +10,13 @@ CLASSES = ("non-finite", "overflow", "exploded", "dropped", "creeping", "holding
 """In the order in which they are tested, the worst first."""
 STABLE = ("creeping", "holding")
 
-DRIVE_RATIO = 10.0
-"""A cube this many times as fast as the drive ever is has exploded."""
+DRIVE_RATIO = 10.0  # a cube this many times as fast as the drive ever is has exploded
 DRIVE_SHAPE = np.array([1.0, 1.3, 0.525])
 """Peak speed of each axis of the shake over A ω: x = sin ωt, y = 0.65 sin 2ωt and z = 0.35 sin 1.5ωt, all of them
 fastest at t = 0."""
 GROWTH_RATIO = 2.0
 """A cube whose energy against the hand grows by this factor from one cycle to the next has exploded …"""
-GROWTH_SPEED_RATIO = 0.1
-"""… unless it is slower than this part of the drive's peak."""
+GROWTH_SPEED_RATIO = 0.1  # … unless it is slower than this part of the drive's peak
 
 
 def classify(case: Case, trace: Trace, creep_floor_mm_s: float) -> str:

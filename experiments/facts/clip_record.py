@@ -17,8 +17,7 @@ BYTE_LIMIT = 64 << 20
 RUNS = {"3cm": ("as-shipped", "stiff-pads"), "10cm": ("as-shipped-10cm", "stiff-pads-10cm")}
 """The runs of section poses that each clip shows, left and right."""
 FIRST = "3cm"
-STILL = "long-exposure"
-"""The picture of the runs of FIRST."""
+STILL = "long-exposure"  # the picture of the runs of FIRST
 MESHES = "assets/visual"
 
 

@@ -23,21 +23,17 @@ MOVED = tuple(f"{axis}_mm" for axis in "xyz")
 class KeptRun:
     """The frames of a run that were kept. Poses are matrices, shape [frames, 4, 4], in the world [m]."""
 
-    time_s: np.ndarray
-    """Since the shake began, negative before, shape [frames]."""
-    joints: np.ndarray
-    """Positions of the joints [rad or m], shape [frames, 9]."""
+    time_s: np.ndarray  # since the shake began, negative before, shape [frames]
+    joints: np.ndarray  # positions of the joints [rad or m], shape [frames, 9]
     links: Mapping[str, np.ndarray]
     cube: np.ndarray
-    cube_in_hand: np.ndarray
-    """Pose of the cube in the TCP frame, shape [frames, 4, 4]."""
+    cube_in_hand: np.ndarray  # pose of the cube in the TCP frame, shape [frames, 4, 4]
     moved_mm: np.ndarray
     """Displacement in the TCP frame since the shake began, as it was kept, shape [frames, 3]; NaN before."""
     contact: Mapping[str, np.ndarray]
     """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, shape [frames] each."""
     cube_edge_m: float
-    left_grasp_s: float | None
-    """When in the shake the cube is out of the grasp; None when it never is."""
+    left_grasp_s: float | None  # when in the shake the cube is out of the grasp; None when it never is
 
     @property
     def slip_mm(self) -> np.ndarray:

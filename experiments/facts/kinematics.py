@@ -14,12 +14,9 @@ class Joint:
 
     parent: str
     child: str
-    kind: str
-    """``fixed``, ``revolute`` or ``prismatic``."""
-    origin: np.ndarray
-    """Pose in the parent link [m], shape [4, 4]."""
-    axis: np.ndarray
-    """Shape [3]."""
+    kind: str  # ``fixed``, ``revolute`` or ``prismatic``
+    origin: np.ndarray  # pose in the parent link [m], shape [4, 4]
+    axis: np.ndarray  # shape [3]
 
 
 def read_joints(path: Path) -> tuple[Joint, ...]:

@@ -6,13 +6,10 @@ import numpy as np
 
 from experiments.facts.trace import ContactRows, Trace
 
-SHAKE = 4
-"""Task phase in which everything is measured."""
+SHAKE = 4  # task phase in which everything is measured
 CUBE, TCP = 0, 1
-MAIN_AXIS = np.array([1.0, 0.0, 0.0])
-"""The shake's main axis in the world."""
-DROP_DISTANCE = 0.08
-"""Farther [m] than this from the TCP the cube has left the grasp."""
+MAIN_AXIS = np.array([1.0, 0.0, 0.0])  # the shake's main axis in the world
+DROP_DISTANCE = 0.08  # farther [m] than this from the TCP the cube has left the grasp
 SPAWN_HEIGHT = 0.02
 SPAWN_HEIGHT_TOLERANCE = 0.005
 """At its spawn height within this [m] the cube lies on the ground: a cube held after the lift is 0.2 m higher."""
@@ -39,12 +36,9 @@ def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
 class Displacement:
     """The cube in the TCP frame since the first frame of the shake."""
 
-    time_s: np.ndarray
-    """Time since the first frame of the shake, shape [frames]."""
-    vector_m: np.ndarray
-    """Displacement in the axes of the TCP frame, shape [frames, 3]."""
-    along_m: np.ndarray
-    """Component along the shake's main axis, shape [frames]."""
+    time_s: np.ndarray  # time since the first frame of the shake, shape [frames]
+    vector_m: np.ndarray  # displacement in the axes of the TCP frame, shape [frames, 3]
+    along_m: np.ndarray  # component along the shake's main axis, shape [frames]
 
 
 def displacement(trace: Trace, body: int = CUBE, frame: int = TCP) -> Displacement:
@@ -138,34 +132,25 @@ def total_drift_mm(moved: Displacement) -> float:
 class Grasp:
     """The contacts that carry force in one frame, as numbers."""
 
-    row_count: int
-    """All live contacts, loaded or not."""
+    row_count: int  # all live contacts, loaded or not
     loaded_row_count: int
-    normal_force_n: float
-    """Sum over the loaded contacts."""
+    normal_force_n: float  # sum over the loaded contacts
     tangential_force_n: float
-    cone_use: float
-    """Largest tangential force over friction times normal force; 1 is sliding."""
-    penetration_mm: float
-    """Mean over the loaded contacts."""
-    stiffness_n_m: float
-    """Normal force over penetration, of a loaded contact, mean."""
+    cone_use: float  # largest tangential force over friction times normal force; 1 is sliding
+    penetration_mm: float  # mean over the loaded contacts
+    stiffness_n_m: float  # normal force over penetration, of a loaded contact, mean
     timeconst_s: float
     dampratio: float
-    friction_timeconst_s: float
-    """Of solreffriction; 0 where the friction rows take the normal row's."""
+    friction_timeconst_s: float  # of solreffriction; 0 where the friction rows take the normal row's
     friction_dampratio: float
     friction: float
     dmin: float
     dmax: float
     dim: int
-    normal_residual_mm: float
-    """Largest position residual of a loaded contact's normal row."""
-    friction_residual_mm: float
-    """Largest position residual of a loaded contact's friction rows."""
+    normal_residual_mm: float  # largest position residual of a loaded contact's normal row
+    friction_residual_mm: float  # largest position residual of a loaded contact's friction rows
     normal_velocity_mm_s: float
-    friction_velocity_mm_s: float
-    """Largest velocities of those rows."""
+    friction_velocity_mm_s: float  # largest velocities of those rows
 
 
 def grasp(rows: ContactRows) -> Grasp | None:

@@ -23,26 +23,18 @@ class ContactRows:
     """The solver's live contacts of one world at the end of one frame."""
 
     frame: int
-    geom: np.ndarray
-    """Names of the two geoms, shape [n, 2]."""
-    distance_m: np.ndarray
-    """Negative where the geoms overlap, shape [n]."""
-    friction: np.ndarray
-    """Sliding friction, shape [n]."""
-    solref: np.ndarray
-    """timeconst [s] and dampratio, shape [n, 2]."""
+    geom: np.ndarray  # names of the two geoms, shape [n, 2]
+    distance_m: np.ndarray  # negative where the geoms overlap, shape [n]
+    friction: np.ndarray  # sliding friction, shape [n]
+    solref: np.ndarray  # timeconst [s] and dampratio, shape [n, 2]
     solreffriction: np.ndarray
     """timeconst [s] and dampratio of the friction rows, shape [n, 2]; 0, 0 where they take ``solref``."""
-    solimp: np.ndarray
-    """Shape [n, 5]."""
-    dim: np.ndarray
-    """Contact dimension, shape [n]."""
-    force_n: np.ndarray
-    """Normal and two tangential forces, shape [n, 3]; 0 where the contact is not in the solver."""
+    solimp: np.ndarray  # shape [n, 5]
+    dim: np.ndarray  # contact dimension, shape [n]
+    force_n: np.ndarray  # normal and two tangential forces, shape [n, 3]; 0 where the contact is not in the solver
     residual_m: np.ndarray
     """Position residual of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
-    velocity_m_s: np.ndarray
-    """Velocity of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
+    velocity_m_s: np.ndarray  # velocity of the normal and both friction rows, shape [n, 3]; NaN where there is no row
     reference_m_s2: np.ndarray
     """Acceleration that the rows aim at, shape [n, 3]; NaN where there is no row, and with a pyramidal cone."""
     slide_m_s: np.ndarray
@@ -53,8 +45,7 @@ class ContactRows:
 class Failure:
     """Why a world's numbers can't be used from some frame on."""
 
-    kind: str
-    """``non-finite`` or ``overflow``."""
+    kind: str  # ``non-finite`` or ``overflow``
     frame: int
     detail: str
 
@@ -66,28 +57,17 @@ class Failure:
 class Trace:
     """One world, frame by frame. Poses are position [m] and quaternion (x, y, z, w) in the world."""
 
-    frame_dt: float
-    """Duration of a frame [s]."""
-    phase: np.ndarray
-    """Task phase of each frame, shape [frames]."""
-    poses: np.ndarray
-    """Poses of ``scene.TRACKED_BODIES`` at the end of each frame, shape [frames, bodies, 7]."""
-    contacts: np.ndarray
-    """FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)]."""
-    failure: Failure | None = None
-    """The first thing that went wrong, if anything did."""
-    peak_contact_count: int = 0
-    """Most contacts of this world in any frame."""
-    peak_constraint_count: int = 0
-    """Most constraint rows of this world in any substep."""
-    peak_iteration_count: int = 0
-    """Most solver iterations of this world in any substep."""
-    contact_rows: tuple[ContactRows, ...] = field(default=())
-    """The frames of which all contacts were asked for."""
-    world_count: int = 1
-    """Worlds that were simulated together."""
-    wall_s: float = 0.0
-    """Wall time of the whole batch: all frames, without building, compiling and capturing."""
+    frame_dt: float  # duration of a frame [s]
+    phase: np.ndarray  # task phase of each frame, shape [frames]
+    poses: np.ndarray  # poses of ``scene.TRACKED_BODIES`` at the end of each frame, shape [frames, bodies, 7]
+    contacts: np.ndarray  # FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)]
+    failure: Failure | None = None  # the first thing that went wrong, if anything did
+    peak_contact_count: int = 0  # most contacts of this world in any frame
+    peak_constraint_count: int = 0  # most constraint rows of this world in any substep
+    peak_iteration_count: int = 0  # most solver iterations of this world in any substep
+    contact_rows: tuple[ContactRows, ...] = field(default=())  # the frames of which all contacts were asked for
+    world_count: int = 1  # worlds that were simulated together
+    wall_s: float = 0.0  # wall time of the whole batch: all frames, without building, compiling and capturing
 
     def column(self, name: str) -> np.ndarray:
         """Return one of FRAME_COLUMNS over time, shape [frames]."""

@@ -34,10 +34,8 @@ UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 WITH_MOST_WORLDS = ("ik-iterations", "ik-in-turn", "state-sync", "sensors", "limits", "buffers")
 """Left out alone with the most worlds, where to build a batch takes longer than to time it."""
-ON_CPU = ("buffers",)
-"""Left out alone on a CPU, where frames with large buffers take long."""
-RUN_COUNT = 8
-"""Worlds in which a case is run to the end on a GPU; on a CPU they would all be the same."""
+ON_CPU = ("buffers",)  # left out alone on a CPU, where frames with large buffers take long
+RUN_COUNT = 8  # worlds in which a case is run to the end on a GPU; on a CPU they would all be the same
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 
 

@@ -25,12 +25,9 @@ from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import Task
 from experiments.simulation.timing import buffer_bytes_per_world
 
-FRAME_COUNT = 300
-"""Frames of the run: for the shake scene the set-up and a cycle and a half of shake."""
-LOOK_FRAME_STEP = 10
-"""Frames between two looks at the inverse kinematics and at the writes of Newton's state."""
-PEAKS = ("nefc", "nl", "ne")
-"""Counts of rows in the engine's data: all, those of limits, those of equality constraints."""
+FRAME_COUNT = 300  # frames of the run: for the shake scene the set-up and a cycle and a half of shake
+LOOK_FRAME_STEP = 10  # frames between two looks at the inverse kinematics and at the writes of Newton's state
+PEAKS = ("nefc", "nl", "ne")  # counts of rows in the engine's data: all, those of limits, those of equality constraints
 OUTPUTS = ("ten_length", "sensordata")
 
 
@@ -49,12 +46,9 @@ class Item:
     """A thing that a scene pays for."""
 
     name: str
-    present: float
-    """Amount that there is."""
-    used: float
-    """Amount that the run used."""
-    note: str = ""
-    """Names those that are not used, where that helps."""
+    present: float  # amount that there is
+    used: float  # amount that the run used
+    note: str = ""  # names those that are not used, where that helps
 
 
 @dataclass

@@ -19,38 +19,28 @@ from experiments.media.stage import CUBE, START, Camera, Stage, display
 
 FRAME_RATE = 30
 WIDTH, HEIGHT = 1280, 720
-HEAD = 92
-"""Height of the line above all that has the names and the numbers [pixels]."""
+HEAD = 92  # height of the line above all that has the names and the numbers [pixels]
 PANEL_HEIGHT = 448
 """Of the picture of a run; both stand at the bottom, where the controls of a player cover nothing but ground."""
-GAP = 2
-"""Half the space between the two [pixels]."""
-LEAD_S = 2.5
-"""How long before the shake a clip begins."""
-APPROACH_S = 1.2
-"""How long the camera takes to come close; it has arrived when the shake begins."""
-FALL_S = 4.0
-"""How long a clip goes on once a cube is out of the grasp; the camera then goes back to see where it fell."""
-STAY_S = 1.0
-"""How long the last picture stays."""
+GAP = 2  # half the space between the two [pixels]
+LEAD_S = 2.5  # how long before the shake a clip begins
+APPROACH_S = 1.2  # how long the camera takes to come close; it has arrived when the shake begins
+FALL_S = 4.0  # how long a clip goes on once a cube is out of the grasp; the camera then goes back to see where it fell
+STAY_S = 1.0  # how long the last picture stays
 ENCODER = {"crf": "28", "preset": "veryslow", "threads": "2"}
 JPEG_QUALITY = 85
 
 INK, SOFT, GRID, STRIP = "#f2f4f6", "#aab4be", "#3d444c", "#14171a"
-COLOURS = ("#f59a5f", "#6db3f2")
-"""Of the two runs, in words and curves: those of the page's dark theme."""
-CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))
-"""Of their cubes."""
+COLOURS = ("#f59a5f", "#6db3f2")  # of the two runs, in words and curves: those of the page's dark theme
+CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))  # of their cubes
 
 WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.31), 27.0)
 """Eye, target and vertical field of view [°] of the view of the whole arm, in the world."""
 CLOSE = ((0.19, -0.30, 0.075), (0.0, 0.0, 0.001), 18.5)
 """The same of the view of the grasp, against the TCP: it rides with the hand."""
 
-STILL = (1200, 630)
-"""Size of the long exposure [pixels]: what pages that show links ask for."""
-STILL_VIEW = ((0.15, -0.35, 0.075), (0.010, 0.0, 0.004), 14.5)
-"""Its view, against the TCP."""
+STILL = (1200, 630)  # size of the long exposure [pixels]: what pages that show links ask for
+STILL_VIEW = ((0.15, -0.35, 0.075), (0.010, 0.0, 0.004), 14.5)  # its view, against the TCP
 MAGNIFIED = 5
 
 

@@ -18,29 +18,20 @@ ARM_LINKS = {f"fr3_link{number}": f"link{number}" for number in range(8)}
 LINKS = ARM_LINKS | {"fr3_hand": "hand", "fr3_leftfinger": "finger", "fr3_rightfinger": "finger"}
 """Which meshes each link of the robot description shows. Both fingers show the same ones: the description turns the
 right finger by π already."""
-CREASE_DEG = 35.0
-"""Faces that meet at a larger angle than this have an edge between them."""
-CUBE, START = "cube", "start"
-"""The cube, and the edges of a cube where it was when the shake began."""
-EDGE_M = 0.0005
-"""Width of those edges."""
+CREASE_DEG = 35.0  # faces that meet at a larger angle than this have an edge between them
+CUBE, START = "cube", "start"  # the cube, and the edges of a cube where it was when the shake began
+EDGE_M = 0.0005  # width of those edges
 GROUND_RGB = (0.40, 0.43, 0.46)
 GRID_RGB = (0.46, 0.49, 0.52)
 EDGE_RGB = (0.98, 0.98, 0.98)
 GRID_STEP_M, GRID_COUNT = 0.2, 20
-GRID_WIDTH_M, GRID_HEIGHT_M = 0.003, 1e-4
-"""Half the width and the height of the lines on the ground."""
-SUN = (-0.42, 0.50, -0.76)
-"""Where the light goes to."""
+GRID_WIDTH_M, GRID_HEIGHT_M = 0.003, 1e-4  # half the width and the height of the lines on the ground
+SUN = (-0.42, 0.50, -0.76)  # where the light goes to
 EXPOSURE = 0.92
-BACKDROP = (0.10, 0.115, 0.13)
-"""Linear colour of what is far away."""
-FADE_M = (1.6, 6.0)
-"""Where the ground begins and ends to fade into it."""
-SAMPLE_COUNT = 6
-"""Rays of a pixel that an edge goes through; all others have one."""
-CONTRAST = 0.05
-"""A step in brightness that is taken for an edge."""
+BACKDROP = (0.10, 0.115, 0.13)  # linear colour of what is far away
+FADE_M = (1.6, 6.0)  # where the ground begins and ends to fade into it
+SAMPLE_COUNT = 6  # rays of a pixel that an edge goes through; all others have one
+CONTRAST = 0.05  # a step in brightness that is taken for an edge
 NOTHING = 0xFFFFFFFF
 
 
@@ -48,12 +39,9 @@ NOTHING = 0xFFFFFFFF
 class Camera:
     """Where a picture is taken from."""
 
-    eye: np.ndarray
-    """Position [m], shape [3]."""
-    target: np.ndarray
-    """What is in the middle [m], shape [3]."""
-    height_deg: float
-    """Vertical field of view."""
+    eye: np.ndarray  # position [m], shape [3]
+    target: np.ndarray  # what is in the middle [m], shape [3]
+    height_deg: float  # vertical field of view
 
     @property
     def pose(self) -> np.ndarray:
@@ -219,12 +207,9 @@ class Part:
     """A mesh of one colour, in the frame of its link. No two triangles share a corner."""
 
     link: str
-    corners: np.ndarray
-    """Positions [m], three for each triangle, shape [corners, 3]."""
-    normals: np.ndarray
-    """Shape [corners, 3]."""
-    rgb: tuple[float, float, float]
-    """As displayed (sRGB), from 0 to 1."""
+    corners: np.ndarray  # positions [m], three for each triangle, shape [corners, 3]
+    normals: np.ndarray  # shape [corners, 3]
+    rgb: tuple[float, float, float]  # as displayed (sRGB), from 0 to 1
 
 
 def robot_parts() -> Iterator[Part]:

@@ -33,8 +33,7 @@ SHAKES = {
     "held": replace(WEIGHTLESS, shake_amplitude_m=0.0),
     "weight": replace(WEIGHTLESS, gravity_m_s2=AS_SHIPPED.gravity_m_s2),
 }
-MUJOCO = box.Variant("warp", "SolverMuJoCo")
-"""As ``simulation`` has it, which the others are compared with."""
+MUJOCO = box.Variant("warp", "SolverMuJoCo")  # as ``simulation`` has it, which the others are compared with
 QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
 TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}

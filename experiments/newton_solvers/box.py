@@ -21,15 +21,11 @@ from experiments.simulation.simulation import captured
 from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
-SECONDS = {"full": 4.0, "quick": 2.0}
-"""On the turning table."""
-STANDING = ("slope", "still")
-"""Scenes in which the table does not turn."""
+SECONDS = {"full": 4.0, "quick": 2.0}  # on the turning table
+STANDING = ("slope", "still")  # scenes in which the table does not turn
 STANDING_S = 2.0
-SLOPE = 0.35
-"""Tangent of the slope [rad/rad]; friction carries up to 1."""
-FRAME_STEPS = 8
-"""Steps of a frame, where contacts are found once a frame."""
+SLOPE = 0.35  # tangent of the slope [rad/rad]; friction carries up to 1
+FRAME_STEPS = 8  # steps of a frame, where contacts are found once a frame
 OPTIONS: Mapping[str, Mapping[str, Any]] = {
     "SolverMuJoCo": {"cone": "elliptic", "integrator": "implicitfast"},
     "SolverXPBD": {"angular_damping": 0.0},
@@ -39,11 +35,10 @@ OPTIONS: Mapping[str, Mapping[str, Any]] = {
 }
 """Options by class; the rest, and all of a class that is not here, is as the solver comes. Steel drops constraint rows
 that do not fit."""
-EXCUSED = {
+EXCUSED = {  # solvers that are not measured, and why; a record names them as well
     "SolverImplicitMPM": "it moves grains, and no rigid body",
     "SolverStyle3D": "it moves cloth, and no rigid body",
 }
-"""Solvers that are not measured, and why; a record names them as well."""
 
 
 @dataclass(frozen=True)
@@ -54,15 +49,13 @@ class Variant:
     solver: str = "SolverSteel"
     options: Mapping[str, Any] = field(default_factory=dict)
     pipeline: Mapping[str, Any] = field(default_factory=dict)
-    steps_between_contacts: int | None = None
-    """As the scene has it where left out."""
+    steps_between_contacts: int | None = None  # as the scene has it where left out
 
 
-STEEL = (
+STEEL = (  # Steel with one thing changed at a time, here and in the shake
     Variant("steel-points", options={"friction_anchor_beta": 0.0}),
     Variant("steel-matched", options={"contact_warmstart": True}, pipeline={"contact_matching": "latest"}),
 )
-"""Steel with one thing changed at a time, here and in the shake."""
 
 
 def variants() -> list[Variant]:

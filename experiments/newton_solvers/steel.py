@@ -9,18 +9,15 @@ from experiments.newton_solvers.box import STEEL, Variant
 from experiments.newton_solvers.stepper import SolverRecorder, SolverStepper
 from experiments.simulation.scene import Scene
 
-ROWS = {"articulation_constraint_max": 256}
-"""In place of 32: rows that do not fit are dropped."""
-LIMIT_GAP = 1e-3
-"""Distance [rad, m] from a joint's limit at which it gets a row."""
-VARIANTS = (
+ROWS = {"articulation_constraint_max": 256}  # in place of 32: rows that do not fit are dropped
+LIMIT_GAP = 1e-3  # distance [rad, m] from a joint's limit at which it gets a row
+VARIANTS = (  # one thing changed at a time; the last has as many rows as the solver comes with
     Variant("steel"),
     *STEEL,
     Variant("steel-substeps", steps_between_contacts=1),
     Variant("steel-iterations", options={"iterations": 96}),
     Variant("steel-32-rows", options={"articulation_constraint_max": 32}),
 )
-"""One thing changed at a time; the last has as many rows as the solver comes with."""
 
 
 class SteelStepper(SolverStepper):

@@ -21,8 +21,7 @@ from measured_report.measuring.batch import Batch, Plan
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
-ABSENT = (*TIMES, *STEPS, "world_substeps_per_s")
-"""Columns without a number where the frames do not count."""
+ABSENT = (*TIMES, *STEPS, "world_substeps_per_s")  # columns without a number where the frames do not count
 
 
 def measure(conditions: Conditions) -> Plan:

@@ -24,10 +24,8 @@ from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.timing import elapsed_ms
 
-STEP_COUNTS = {1: 1000, 4096: 300, 16384: 200}
-"""Steps that the benchmark runs, by the number of worlds."""
-CAP_S = 12.0
-"""Seconds that all ways to run with one number of worlds take at most, about."""
+STEP_COUNTS = {1: 1000, 4096: 300, 16384: 200}  # steps that the benchmark runs, by the number of worlds
+CAP_S = 12.0  # seconds that all ways to run with one number of worlds take at most, about
 TIMEOUT_S = 300.0
 
 

@@ -4,8 +4,7 @@ from experiments.scenes import capsule, pick, slope
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.measurement import Conditions, Measurement
 
-NEEDS_GPU = False
-"""Read by ``measured_report.measuring.machine``: small scenes, which a CPU measures in minutes."""
+NEEDS_GPU = False  # read by ``measured_report.measuring.machine``: small scenes, which a CPU measures in minutes
 SCENES = {"slope": slope, "capsule": capsule, "pick": pick}
 
 

@@ -20,10 +20,8 @@ MASS_KG = 0.045
 RADIUS_M = 0.004
 PAD_HALF_SIZE_M = (0.008, 0.03, 0.02)
 PAD_MASS_KG = 0.2
-GAP_M = 0.0005
-"""Gap between capsule and pad at the start."""
-SQUEEZE_M = 0.002
-"""How far past touching the actuators pull each pad."""
+GAP_M = 0.0005  # gap between capsule and pad at the start
+SQUEEZE_M = 0.002  # how far past touching the actuators pull each pad
 GAIN_N_M = 20e3
 DAMPING_N_S_M = 100.0
 FRICTION = (0.7, 0.005, 0.0001)

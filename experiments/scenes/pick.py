@@ -19,33 +19,24 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.law import Contact, Option, impedance_at, response_of
 
-SCENE = "assets/panda.xml"
-"""The robot, a floor and one free object; it says whose robot it is."""
-OPEN_M = 0.04
-"""How far each finger opens."""
+SCENE = "assets/panda.xml"  # the robot, a floor and one free object; it says whose robot it is
+OPEN_M = 0.04  # how far each finger opens
 READY = (0.0, 0.0, 0.0, -1.5708, 0.0, 1.5708, -0.7853)
 AT_OBJECT = (-1.0104, 1.5623, 1.3601, -1.6840, -1.5863, 1.7810, 1.4598)
-LIFTED = (-1.0426, 1.4028, 1.5634, -1.7114, -1.4055, 1.6015, 1.4510)
-"""Poses of the arm [rad]."""
+LIFTED = (-1.0426, 1.4028, 1.5634, -1.7114, -1.4055, 1.6015, 1.4510)  # poses of the arm [rad]
 PHASES_S = (1.0, 2.0, 3.0, 4.0)
 """Ends of the motion over the object, of the one down to it, of closing and of lifting [s]."""
-PAD_HEIGHT_M = 0.00825
-"""Half the length of a pad along the finger."""
-PAD_SOLREF, PAD_SOLIMP = (0.01, 1.0), (0.99, 0.995, 0.01)
-"""As published; the solimp is the scene's."""
+PAD_HEIGHT_M = 0.00825  # half the length of a pad along the finger
+PAD_SOLREF, PAD_SOLIMP = (0.01, 1.0), (0.99, 0.995, 0.01)  # as published; the solimp is the scene's
 OBJECTS = {"cube": 'type="box" size="0.02 0.02 0.02"', "ball": 'type="sphere" size="0.02"'}
 TOUCHED_M = {"cube": 0.02, "ball": 0.0}
 """How far above its centre the pads touch an object at most: a ball in one point."""
-OBJECT_SOLREF = (0.02, 1.0)
-"""MuJoCo's own."""
-SPREAD_RAD = 0.025
-"""Standard deviation of the targets of a shake."""
+OBJECT_SOLREF = (0.02, 1.0)  # MuJoCo's own
+SPREAD_RAD = 0.025  # standard deviation of the targets of a shake
 END_S = {"full": 20.0, "quick": 6.0}
 SEED_COUNT = {"full": 8, "quick": 2}
-LOST_M = 0.04
-"""An object below this height after the lifting is dropped."""
-HOLD_S = (4.5, 5.5)
-"""Times between which the creep of a grasp that is held still is measured."""
+LOST_M = 0.04  # an object below this height after the lifting is dropped
+HOLD_S = (4.5, 5.5)  # times between which the creep of a grasp that is held still is measured
 COUNTS, DROPS = ("lifted_count", "held_count"), ("first_drop_s", "median_drop_s", "last_drop_s")
 HELD = ("creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s", "normal_force_n", "margin_mm", "forecast_drop_s")
 
@@ -60,8 +51,7 @@ class Pick:
     timestep_s: float = 0.002
     cone: str = "pyramidal"
     impratio: float = 1.0
-    timeconst_s: float | None = None
-    """Time constant of pads and object; None: as published."""
+    timeconst_s: float | None = None  # time constant of pads and object; None: as published
 
     def mjcf(self) -> str:
         """Write the scene."""

@@ -35,20 +35,13 @@ BISECTION_COUNT = 50
 class Motion:
     """Sums over the shake of a run through C, in the axes of the TCP frame, shape [3] each."""
 
-    bias_m_s: np.ndarray
-    """∫ g dt."""
-    damping_m_s: np.ndarray
-    """∫ e dt with implicitfast."""
-    load_m_s: np.ndarray
-    """∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts."""
-    depth_m: float
-    """Mean depth of these in the end."""
-    rounding_m: np.ndarray
-    """Way of the cube less that by its velocity, in single-precision positions."""
-    inverse_mass_1_kg: float
-    """Sum of the engine's inverse weights of a finger and the cube [1/kg]."""
-    failure: str | None = None
-    """Reason why the sums say nothing, when they don't."""
+    bias_m_s: np.ndarray  # ∫ g dt
+    damping_m_s: np.ndarray  # ∫ e dt with implicitfast
+    load_m_s: np.ndarray  # ∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts
+    depth_m: float  # mean depth of these in the end
+    rounding_m: np.ndarray  # way of the cube less that by its velocity, in single-precision positions
+    inverse_mass_1_kg: float  # sum of the engine's inverse weights of a finger and the cube [1/kg]
+    failure: str | None = None  # reason why the sums say nothing, when they don't
 
 
 def measure_motion(case: Case) -> Motion:

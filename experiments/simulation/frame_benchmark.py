@@ -35,16 +35,13 @@ STATE_FRAME_STEP = 7
 """Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""
 BLOCK_FRAME_COUNT = 4
 """Frames of a block of few worlds; one of many, whose frames take long, has fewer, and one on a CPU has one."""
-LARGE_BATCH = 8192
-"""From so many worlds on a block is one frame."""
+LARGE_BATCH = 8192  # from so many worlds on a block is one frame
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
 """Builds of each simulation that takes no more than SHARE_AGAIN: see ``paired_timing``."""
-SHARE_AGAIN = 1 / 32
-"""Share of a device's memory up to which a simulation is built again."""
+SHARE_AGAIN = 1 / 32  # share of a device's memory up to which a simulation is built again
 SHARE_BUILT = 1 / 8
 """The same of all that is built beside the first case: once it takes more, it is timed before more is built."""
-PADS = AS_SHIPPED, STIFF_PADS
-"""Cases with the pads that frames are timed with."""
+PADS = AS_SHIPPED, STIFF_PADS  # cases with the pads that frames are timed with
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
 """Time of a frame over that of the case that it is compared with, and half of the interval of this ratio."""
 TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95", *RATIO)
@@ -226,10 +223,8 @@ class Comparison:
     def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
         self.first, self.world_count, self.device = cases[0], world_count, device
         self.warm = warm_state(device.alias)
-        self.reference: Frames | None = None
-        """First build of the first case, once it is timed."""
-        self.rows: dict[str, dict] = {}
-        """Columns by case of its first build, or why it has none."""
+        self.reference: Frames | None = None  # first build of the first case, once it is timed
+        self.rows: dict[str, dict] = {}  # columns by case of its first build, or why it has none
         self.builds: dict[str, list[PairedTimes]] = {}
         """Builds of the first case, and of those that have other simulations than it."""
 

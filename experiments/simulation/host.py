@@ -24,8 +24,7 @@ from measured_report.records.identity import package_versions
 PROCESS_COUNT = 16  # chosen: more wait for the largest module
 DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
-OLDEST = (1, 4, 0)
-"""The oldest release that can run the scene."""
+OLDEST = (1, 4, 0)  # the oldest release that can run the scene
 __all__ = ["Conditions", "be_quiet", "card", "explained", "note_work", "prepare"]
 
 

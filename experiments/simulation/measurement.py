@@ -15,12 +15,9 @@ from experiments.simulation.simulation import simulate
 from measured_report.measuring import measurement as conditions
 from measured_report.measuring.measurement import Measurement, absent
 
-QUICK_FRAME_COUNT = 420
-"""Frames of a quick run: the set-up and about 3.5 s of shake."""
-CONTACT_FRAME_STEP = 15
-"""Frames between the three looks at the live contacts: a quarter of a 1 Hz cycle."""
-SETUP_FRAME_COUNT = 212
-"""Frames before the shake when no phase has to wait for the TCP."""
+QUICK_FRAME_COUNT = 420  # frames of a quick run: the set-up and about 3.5 s of shake
+CONTACT_FRAME_STEP = 15  # frames between the three looks at the live contacts: a quarter of a 1 Hz cycle
+SETUP_FRAME_COUNT = 212  # frames before the shake when no phase has to wait for the TCP
 
 
 class Conditions(conditions.Conditions):

@@ -19,12 +19,10 @@ from experiments.simulation import contact_bias_c
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
 from newton_lint.newton_models.compat import make_solver
 
-STEPS = 2
-"""Steps that ``advance`` runs."""
+STEPS = 2  # steps that ``advance`` runs
 CONTACT_MAX = 48
 CONSTRAINT_MAX = 256
-SOLIMP = (0.9, 0.95, 0.001, 0.5, 2.0)
-"""MuJoCo's own."""
+SOLIMP = (0.9, 0.95, 0.001, 0.5, 2.0)  # MuJoCo's own
 GRAVITY_M_S2 = 9.81
 
 
@@ -38,14 +36,10 @@ class Contacts:
     """Contacts of a world that carry force, together."""
 
     count: int
-    normal_n: float
-    """Sum of the normal forces [N]."""
-    softness_1_kg: float
-    """R of their friction rows as one row: 1 / Σ 1/R [1/kg]; 0 where nothing is touched."""
-    damping_per_s: float
-    """b of the rows [1/s], the least where they are not alike; 0 where nothing is touched."""
-    depth_m: float
-    """How deep they are on average [m]."""
+    normal_n: float  # sum of the normal forces [N]
+    softness_1_kg: float  # R of their friction rows as one row: 1 / Σ 1/R [1/kg]; 0 where nothing is touched
+    damping_per_s: float  # b of the rows [1/s], the least where they are not alike; 0 where nothing is touched
+    depth_m: float  # how deep they are on average [m]
 
     @classmethod
     def of(cls, model: mujoco.MjModel, rows, friction, solref, solimp, dist, force, stiffness) -> "Contacts":

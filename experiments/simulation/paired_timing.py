@@ -20,31 +20,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-RESOLUTION = 0.01
-"""Half of the interval of a ratio that is narrow enough, as a share of the ratio."""
+RESOLUTION = 0.01  # half of the interval of a ratio that is narrow enough, as a share of the ratio
 BATCH_COUNT = 8
-LOOK_COUNT = 5
-"""Looks after 8, 16, 32, 64 and 128 rounds, each with 1 % of error."""
-T_99 = {4: 4.6041, 6: 3.7074, 7: 3.4995}
-"""Student's t, two-sided 99 %, by degrees of freedom."""
+LOOK_COUNT = 5  # looks after 8, 16, 32, 64 and 128 rounds, each with 1 % of error
+T_99 = {4: 4.6041, 6: 3.7074, 7: 3.4995}  # Student's t, two-sided 99 %, by degrees of freedom
 T_95 = (12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281)
 """Student's t, two-sided 95 %, from one degree of freedom on; more than these have the last."""
-CAP_S = 6.0
-"""Seconds after which no comparison goes on to another look."""
+CAP_S = 6.0  # seconds after which no comparison goes on to another look
 
 
 @dataclass(frozen=True)
 class PairedTimes:
     """Times of a case and of the reference in the same rounds."""
 
-    times: np.ndarray
-    """Time of a frame in each round [ms]."""
-    ratios: np.ndarray
-    """Ratio to the reference's time in the same round; 1 everywhere for the reference."""
-    ratio: float
-    """Geometric mean of the ratios."""
-    resolution: float
-    """Half of the 95 % interval of ``ratio``, as a share of it."""
+    times: np.ndarray  # time of a frame in each round [ms]
+    ratios: np.ndarray  # ratio to the reference's time in the same round; 1 everywhere for the reference
+    ratio: float  # geometric mean of the ratios
+    resolution: float  # half of the 95 % interval of ``ratio``, as a share of it
 
 
 def time_in_turn(

@@ -21,8 +21,7 @@ from newton_lint.newton_models.compat import kf_is_read
 ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}  # type: dict
 """What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""
 SETUP_FRAME_LIMIT = 600
-BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
-"""Bodies that a trace of the native loop keeps."""
+BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]  # bodies that a trace of the native loop keeps
 
 
 @dataclass(frozen=True)
@@ -32,8 +31,7 @@ class Start:
     qpos: np.ndarray
     qvel: np.ndarray
     qacc_warmstart: np.ndarray
-    targets: np.ndarray
-    """Joint position targets of each frame, shape [frames, 9]."""
+    targets: np.ndarray  # joint position targets of each frame, shape [frames, 9]
 
 
 def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:

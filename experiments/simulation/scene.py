@@ -30,17 +30,14 @@ CUBE_EDGE = 0.04
 CUBE_POSITION = (0.0, -0.44, 0.02)
 CUBE_IN_HAND = (0.0, -0.44, 0.22)
 """Where a cube starts that is in the hand: as high above its place on the ground as the task lifts it."""
-PAD_FACE = 2e-5
-"""How far [m] the faces of the pads stand beyond the origins of the fingers."""
-SOLREF_MODE_RAW = 1
-"""Newton's mark of a shape whose solref is given as it is, and not by ke and kd."""
+PAD_FACE = 2e-5  # how far [m] the faces of the pads stand beyond the origins of the fingers
+SOLREF_MODE_RAW = 1  # Newton's mark of a shape whose solref is given as it is, and not by ke and kd
 GROUND_MU = 0.8
 
 TRACKED_BODIES = ("cube", "fr3_hand_tcp", "fr3_hand", "fr3_leftfinger", "fr3_rightfinger", "fr3_link7")
 """Bodies whose poses a trace keeps, in this order; found by the last part of their label."""
 FINGERS = ("fr3_leftfinger", "fr3_rightfinger")
-FIXED_BODIES = ("base", "fr3_link0")
-"""Bodies that do not move, so need no gravity compensation."""
+FIXED_BODIES = ("base", "fr3_link0")  # bodies that do not move, so need no gravity compensation
 
 
 def body_index(builder_or_model, name: str) -> int:
@@ -55,26 +52,19 @@ def body_index(builder_or_model, name: str) -> int:
 class Link:
     """Where a link of the description is: on a body, which is its own unless fixed joints are left out."""
 
-    body: int
-    """Index of the body, within one world."""
-    pose: wp.transform
-    """Pose of the link in the body's frame."""
+    body: int  # index of the body, within one world
+    pose: wp.transform  # pose of the link in the body's frame
 
 
 @dataclass(frozen=True)
 class Scene:
     """A finalized batch and where to find things in it. Indices are within one world."""
 
-    model: newton.Model
-    """All worlds and the ground."""
-    robot: newton.Model
-    """The arm alone, once: what inverse kinematics works on."""
-    links: dict[str, Link]
-    """Where each of TRACKED_BODIES is."""
-    pads: tuple[int, ...]
-    """Shape indices of the finger boxes."""
-    cube: int
-    """Shape index of the cube."""
+    model: newton.Model  # all worlds and the ground
+    robot: newton.Model  # the arm alone, once: what inverse kinematics works on
+    links: dict[str, Link]  # where each of TRACKED_BODIES is
+    pads: tuple[int, ...]  # shape indices of the finger boxes
+    cube: int  # shape index of the cube
 
 
 def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:

@@ -20,15 +20,13 @@ from experiments.simulation.stepper_c import MuJoCoStepper, batches, device_of, 
 from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
 
-PROGRESS_FRAMES = 30
-"""Frames between two updates of the progress bar, which wait for the devices."""
+PROGRESS_FRAMES = 30  # frames between two updates of the progress bar, which wait for the devices
 
 
 class Simulation:
     """A batch of cases with the same ``batch_key``, one world each, ready to run frame by frame."""
 
-    stepper_of: Callable[..., Stepper] = MuJoCoStepper
-    """What steps it, made of the scene and the cases."""
+    stepper_of: Callable[..., Stepper] = MuJoCoStepper  # what steps it, made of the scene and the cases
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         newton.use_coord_layout_targets = True

@@ -18,8 +18,7 @@ from experiments.simulation.stepper import CONTACT_MAX
 from experiments.simulation.stepper_warp import WarpRecorder, WarpStepper, is_elliptic
 from newton_lint.newton_models.compat import make_solver, warp_has_noslip
 
-CONSTRAINT_MAX = 96
-"""Rows per world when a case asks for none: see ``stepper.CONTACT_MAX``."""
+CONSTRAINT_MAX = 96  # rows per world when a case asks for none: see ``stepper.CONTACT_MAX``
 
 FIELDS = "dist friction frame solref solreffriction solimp dim geom".split()
 """Arrays of the engines' contacts that are copied to the host."""

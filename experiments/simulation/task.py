@@ -9,8 +9,7 @@ from experiments.simulation.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
-PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)
-"""Least time of each phase [s]; the shake has no end."""
+PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)  # least time of each phase [s]; the shake has no end
 
 FINGER_OPEN = wp.constant(0.035)
 APPROACH_HEIGHT = wp.constant(0.10)
@@ -20,8 +19,7 @@ SHAKE_RATIO_Z = wp.constant(0.35)
 POSITION_TOLERANCE = wp.constant(0.005)
 ROTATION_TOLERANCE = wp.constant(float(np.radians(2.0)))
 FRAME_DT = wp.constant(1.0 / FRAME_RATE)
-APPROACH_SOLVE_COUNT = 30
-"""Warm-started IK solves from the ready pose to the approach pose."""
+APPROACH_SOLVE_COUNT = 30  # warm-started IK solves from the ready pose to the approach pose
 
 
 @wp.func

@@ -19,15 +19,13 @@ from experiments.simulation.simulation import Simulation
 TASK_ARRAYS = "phase elapsed phase_start goal target_position target_rotation target_finger solution".split()
 STATE_ARRAYS = "joint_q joint_qd".split()
 ENGINE_ARRAYS = "qpos qvel qacc_warmstart ctrl".split()
-WATCHED_ARRAYS = {
+WATCHED_ARRAYS = {  # sums of the recorder over all frames, and what they start from
     "peak_constraint": 0,
     "peak_iteration": 0,
     "contact_overflow": NO_FRAME,
     "constraint_overflow": NO_FRAME,
 }
-"""Sums of the recorder over all frames, and what they start from."""
-SHAKE_FRAME_COUNT = 30
-"""Frames of shake before the frames that are timed."""
+SHAKE_FRAME_COUNT = 30  # frames of shake before the frames that are timed
 WARMUP_COUNT = 3
 
 

@@ -12,8 +12,7 @@ import newton
 import numpy as np
 import warp as wp
 
-WORLDS_BUILT = 3
-"""Up to so many worlds a model is built as Newton does it."""
+WORLDS_BUILT = 3  # up to so many worlds a model is built as Newton does it
 NOT_EXTENDED = ("bvh", "_bvh", "body_shapes", "_shape_contact_pair_counts")
 """How the names begin of what is only for casting rays, is made anew here, or is a cache."""
 

@@ -19,17 +19,14 @@ from experiments.stability import families as stability_families
 from experiments.stability.families import HOLD_FRAME_COUNT, REFERENCE_SUBSTEPS, SHAKE_FRAME_COUNT, Probe
 from measured_report.measuring.batch import Batch, Plan
 
-OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}
-"""Starts of the repeats: the cube's shift in the hand."""
+OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}  # starts of the repeats: the cube's shift in the hand
 FLOOR_FAMILY = "steps"
 """The family whose repeats say what creep cannot be told from none; it has two of them also when quick."""
 SINGLE_FAMILY = "buffers"
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
-HOLD_END = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)
-"""Frames in which the grip at rest is measured."""
-GONE_M = 0.005
-"""A cube that has moved farther in the hand by the end of the hold is sliding out."""
+HOLD_END = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)  # frames in which the grip at rest is measured
+GONE_M = 0.005  # a cube that has moved farther in the hand by the end of the hold is sliding out
 EXIT_FRAMES = 15
 
 

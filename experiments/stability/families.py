@@ -10,10 +10,8 @@ from experiments.facts.case import AS_SHIPPED, LEAN, STIFF_PADS, Case
 from experiments.simulation.limits import cube_mass_kg, is_clamped, step_s, target_demand_m_s2
 from experiments.simulation.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
 
-HOLD_FRAME_COUNT = 91
-"""Frames in which a cube that starts in the hand is held still."""
-SHAKE_FRAME_COUNT = {"full": 241, "quick": 121}
-"""Two periods of the shake as shipped, or one."""
+HOLD_FRAME_COUNT = 91  # frames in which a cube that starts in the hand is held still
+SHAKE_FRAME_COUNT = {"full": 241, "quick": 121}  # two periods of the shake as shipped, or one
 LONG_FRAME_COUNT = {"full": HOLD_FRAME_COUNT + 36_001, "quick": HOLD_FRAME_COUNT + 361}
 
 BASE = replace(LEAN, cube_in_hand=True, contact_max=64, constraint_max=192)
@@ -30,12 +28,11 @@ DAMPING = {"ke-critical": lambda ke: 2.0 * ke**0.5, "ke-kd-100": lambda ke: 100.
 TIMECONST_STEPS = {"full": np.geomspace(4.0, 0.25, 9), "quick": (4.0, 0.25)}
 SHAKE_MU = 0.0187
 """Friction with which the pads carry the cube as shipped, at the grip as shipped, 1.4 times over when nothing moves."""
-SHAKES = {
+SHAKES = {  # amplitude [m] and frequency [Hz]
     "full": [(a, 2.0) for a in (0.01, 0.02, 0.03, 0.04, 0.045, 0.05, 0.055, 0.06, 0.07, 0.08, 0.1)]
     + [(0.05, f) for f in (0.5, 1.0, 1.5, 1.75, 2.25, 2.5, 3.0)],
     "quick": [(0.02, 2.0)],
 }
-"""Amplitude [m] and frequency [Hz]."""
 GRIP_MU = 0.1
 GRIPS = {"full": (0.25, 0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 2.0, 4.0), "quick": (0.5,)}
 """Grip force over what the shake as shipped needs."""
@@ -48,10 +45,8 @@ SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
 """Material of a cube that leaves the ground, where that of the cube as shipped is damped too well for it."""
 BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {"constraint_max": 12})  # type: tuple[dict, ...]
 """None, then less than the grasp needs."""
-OVERFLOW_FRAME_COUNT = 4
-"""An overflow shows in the first frame."""
-FINGER_FORCE_N = 1.0
-"""Grip that is added for the fingers' own inertia where the grip is scaled with the cube's mass."""
+OVERFLOW_FRAME_COUNT = 4  # an overflow shows in the first frame
+FINGER_FORCE_N = 1.0  # grip that is added for the fingers' own inertia where the grip is scaled with the cube's mass
 
 
 @dataclass(frozen=True)
@@ -60,8 +55,7 @@ class Probe:
 
     family: str
     case: Case
-    parameters: dict[str, object]
-    """What the family varies, as columns of the row."""
+    parameters: dict[str, object]  # what the family varies, as columns of the row
 
 
 def probe(family: str, name: str, changes: Mapping[str, Any], **parameters) -> Probe:
