@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.simulation.reference import ENGINES_AGREE
+from experiments.simulation.stepper_c import is_in_c
 
 PADS = {name: replace(case, **ENGINES_AGREE) for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))}
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
@@ -30,7 +31,6 @@ METHODS = {
 }  # type: dict[str, dict]
 """Contacts, engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
 each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
-NATIVE = ("c", "c-rk4", "reference")  # methods in MuJoCo's own loop
 KNOBS = {
     "full": {
         "as-shipped": {
@@ -64,7 +64,7 @@ class Setting:
     @property
     def is_native(self) -> bool:
         """Tell whether it runs in MuJoCo's own loop."""
-        return self.method in NATIVE
+        return is_in_c(self.case)
 
 
 def settings(profile: str, *, cpu_too: bool) -> list[Setting]:

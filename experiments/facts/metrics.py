@@ -149,8 +149,7 @@ class Grasp:
     dim: int
     normal_residual_mm: float  # largest position residual of a loaded contact's normal row
     friction_residual_mm: float  # largest position residual of a loaded contact's friction rows
-    normal_velocity_mm_s: float
-    friction_velocity_mm_s: float  # largest velocities of those rows
+    normal_velocity_mm_s: float  # largest velocity of those normal rows
 
 
 def grasp(rows: ContactRows) -> Grasp | None:
@@ -164,7 +163,7 @@ def grasp(rows: ContactRows) -> Grasp | None:
         return None
     tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
     penetration = -rows.distance_m[loaded]
-    residual, velocity = 1e3 * np.abs(rows.residual_m[loaded]), 1e3 * np.abs(rows.velocity_m_s[loaded])
+    residual, velocity = 1e3 * np.abs(rows.residual_m[loaded]), 1e3 * np.abs(rows.velocity_m_s[loaded, 0])
     strongest = int(normal.argmax())
     return Grasp(
         row_count=len(normal),
@@ -184,6 +183,5 @@ def grasp(rows: ContactRows) -> Grasp | None:
         dim=int(rows.dim[strongest]),
         normal_residual_mm=float(residual[:, 0].max()),
         friction_residual_mm=float(residual[:, 1:].max()),
-        normal_velocity_mm_s=float(velocity[:, 0].max()),
-        friction_velocity_mm_s=float(velocity[:, 1:].max()),
+        normal_velocity_mm_s=float(velocity.max()),
     )

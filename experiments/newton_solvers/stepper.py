@@ -34,7 +34,9 @@ FORCES = ("friction_share", "normal_force_n")
 class SolverStepper(Stepper):
     """Steps the shake with one of Newton's solvers: of its cases it reads what is not MuJoCo's alone."""
 
-    is_queued = True
+    @property
+    def is_queued(self) -> bool:
+        return True
 
     def __init__(self, variant: Variant, scene: Scene, cases: Sequence[Case]):
         self.variant = variant

@@ -107,9 +107,9 @@ def note_work(note: Callable[[str], None]) -> None:
         setattr(wp, name, partial(_noted, note, getattr(wp, name)))
 
 
-def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, dim: object, *args, **options) -> object:
-    note(f"{kernel.key} {dim}")
-    return launch(kernel, dim, *args, **options)
+def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, *args, **options) -> object:
+    note(f"{kernel.key} {options['dim'] if 'dim' in options else args[0]}")
+    return launch(kernel, *args, **options)
 
 
 def explained(error: Exception) -> str:

@@ -37,6 +37,11 @@ def device_of(case: Case, device: str | None) -> str | None:
     return "cpu" if case.backend == "mujoco" else case.device or device
 
 
+def is_in_c(case: Case) -> bool:
+    """Tell whether the case runs in MuJoCo's own loop."""
+    return case.backend == "mujoco"
+
+
 def has_noslip(case: Case) -> bool:
     """Tell whether the case's engine has the noslip pass."""
     return case.backend == "mujoco" or warp_has_noslip()
