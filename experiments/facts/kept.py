@@ -15,7 +15,7 @@ DESCRIPTION = ROOT / "assets/fr3.urdf"
 TCP = "fr3_hand_tcp"
 JOINTS = (*(f"joint_{number}_rad" for number in range(1, 8)), "left_finger_m", "right_finger_m")
 CUBE_PLACE = tuple(f"cube_{axis}_m" for axis in "xyz")
-CUBE_TURN = tuple(f"cube_q{component}" for component in "xyzw")
+CUBE_TURN = tuple(f"cube_q{part}" for part in "xyzw")
 MOVED = tuple(f"{axis}_mm" for axis in "xyz")
 
 

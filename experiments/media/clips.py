@@ -68,10 +68,10 @@ class Clip:
     def readout(self) -> dict[str, np.ndarray]:
         """Return what stands in each frame of the clip: time since the shake began and the displacements; NaN where
         none is read out, before the shake and once the cube is out of the grasp."""
-        columns = {"time_s": self.runs[0].time_s[self.frames]}
+        found = {"time_s": self.runs[0].time_s[self.frames]}
         for name, run in zip(self.names, self.runs, strict=True):
-            columns[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[self.frames]
-        return columns
+            found[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[self.frames]
+        return found
 
     def camera(self, frame: int) -> Camera:
         """Return the view at a kept frame: wide, then riding with the hand, and wide again once a cube has fallen."""
@@ -153,8 +153,8 @@ def write_image(path: Path, picture: np.ndarray) -> None:
 
 def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
     """Say where everything is; the edges that mark the cube's start are there once the shake has begun."""
-    matrices = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
-    return matrices | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
+    found = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
+    return found | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
 
 
 class Sheet:
@@ -168,14 +168,14 @@ class Sheet:
 
     def write(self, left: float, top: float, text: str, size: float, colour: str, **style) -> Text:
         """Return text of ``size`` whose baseline begins at a place [pixels]."""
-        position = left / self.width, 1.0 - top / self.height
-        return self.figure.text(*position, text, fontsize=0.72 * size, color=colour, **style)
+        place = left / self.width, 1.0 - top / self.height
+        return self.figure.text(*place, text, fontsize=0.72 * size, color=colour, **style)
 
     def name_panel(self, number: int, name: str, colour: str) -> Text:
         """Write the name of a run above its panel, and return the place of its number, behind it."""
-        start = number * self.width / 2 + 26
-        self.write(start, HEAD - 26, name.replace("-", " "), 40, INK)
-        return self.write(start + 240, HEAD - 26, "", 58, colour, weight="bold")
+        left = number * self.width / 2 + 26
+        self.write(left, HEAD - 26, name.replace("-", " "), 40, INK)
+        return self.write(left + 240, HEAD - 26, "", 58, colour, weight="bold")
 
     def on(self, panels: np.ndarray) -> np.ndarray:
         """Return the whole picture, shape [height, width, 3], 8 bits.
@@ -220,8 +220,8 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
     sheet = Sheet(*STILL, HEAD)
     for number, (name, run, colour) in enumerate(zip(clip.names, clip.runs, COLOURS, strict=True)):
         sheet.name_panel(number, name, colour).set_text(reading(run.slip_mm[-1]))
-    caption = f"The cube every second cycle, its displacement drawn ×{MAGNIFIED}"
-    sheet.write(26, STILL[1] - 32, caption, 34, SOFT)
+    words = f"The cube every second cycle, its displacement drawn ×{MAGNIFIED}"
+    sheet.write(26, STILL[1] - 32, words, 34, SOFT)
     return sheet.on(display(picture))
 
 

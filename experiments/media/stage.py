@@ -138,8 +138,8 @@ def transform(matrix: np.ndarray) -> wp.transformf:
 
 def _build(cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float) -> ModelBuilder:
     parts = [
-        (piece, newton.Mesh(piece.corners, np.arange(len(piece.corners)), normals=piece.normals, compute_inertia=False))
-        for piece in robot_parts()
+        (part, newton.Mesh(part.corners, np.arange(len(part.corners)), normals=part.normals, compute_inertia=False))
+        for part in robot_parts()
     ]
     look = ModelBuilder.ShapeConfig(density=0.0, has_shape_collision=False)
     half = 0.5 * cube_edge_m
@@ -148,9 +148,9 @@ def _build(cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float) -
         world = ModelBuilder()
         for link in LINKS:
             body = world.add_body(mass=1.0, inertia=wp.mat33(np.eye(3)))
-            for piece, mesh in parts:
-                if piece.link == link:
-                    world.add_shape_mesh(body, mesh=mesh, cfg=look, color=piece.rgb)
+            for part, mesh in parts:
+                if part.link == link:
+                    world.add_shape_mesh(body, mesh=mesh, cfg=look, color=part.rgb)
         cube = world.add_body(mass=1.0, inertia=wp.mat33(np.eye(3)))
         _add_box(world, cube, np.zeros(3), np.full(3, half), look, rgb)
         start = world.add_body(mass=1.0, inertia=wp.mat33(np.eye(3)))
@@ -159,10 +159,10 @@ def _build(cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float) -
         scene.add_world(world)
     scene.add_ground_plane(cfg=look, color=GROUND_RGB)
     reach = 0.5 * GRID_COUNT * GRID_STEP_M
-    for offset in np.linspace(-reach, reach, GRID_COUNT + 1):
+    for place in np.linspace(-reach, reach, GRID_COUNT + 1):
         for centre, size in (
-            ((offset, 0, 0), (GRID_WIDTH_M, reach, 1e-4)),
-            ((0, offset, 0), (reach, GRID_WIDTH_M, 1e-4)),
+            ((place, 0, 0), (GRID_WIDTH_M, reach, 1e-4)),
+            ((0, place, 0), (reach, GRID_WIDTH_M, 1e-4)),
         ):
             _add_box(scene, -1, centre, size, look, GRID_RGB)
     return scene
@@ -174,22 +174,24 @@ def _add_box(builder: ModelBuilder, body: int, centre, size, look: ModelBuilder.
 
 
 def _edges(half: float) -> list[tuple[np.ndarray, np.ndarray]]:
-    edges = []
+    found = []
     for axis in range(3):
         for first in (-half, half):
             for second in (-half, half):
                 size = np.full(3, 0.5 * EDGE_M)
                 size[axis] = half + 0.5 * EDGE_M
-                edges.append((np.insert([first, second], axis, 0.0), size))
-    return edges
+                found.append((np.insert([first, second], axis, 0.0), size))
+    return found
 
 
 def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
     """Return the pixels that differ from one beside them in any world; shape [height, width]."""
     edge = np.zeros(brightness.shape, dtype=bool)
     for axis in (1, 2):
-        before = (slice(None),) * axis
-        ahead, behind = (*before, slice(1, None)), (*before, slice(None, -1))
+        ahead = [slice(None)] * 3
+        behind = [slice(None)] * 3
+        ahead[axis], behind[axis] = slice(1, None), slice(None, -1)
+        ahead, behind = tuple(ahead), tuple(behind)  # type: ignore[assignment]  # the clips were made by these lines
         step = (np.abs(brightness[ahead] - brightness[behind]) > CONTRAST) | (shape[ahead] != shape[behind])
         edge[ahead] |= step
         edge[behind] |= step
@@ -216,9 +218,9 @@ def robot_parts() -> Iterator[Part]:
     """Return the parts of every link."""
     listing = json.loads((FOLDER / "visual.json").read_text(encoding="utf-8"))
     for link, mesh in LINKS.items():
-        for piece in listing[mesh]:
-            vertices, faces = read_obj(FOLDER / piece["file"])
-            yield Part(link, vertices[faces.reshape(-1)], corner_normals(vertices, faces), tuple(piece["rgba"][:3]))
+        for part in listing[mesh]:
+            vertices, faces = read_obj(FOLDER / part["file"])
+            yield Part(link, vertices[faces.reshape(-1)], corner_normals(vertices, faces), tuple(part["rgba"][:3]))
 
 
 def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -240,8 +242,8 @@ def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
             about[vertex].append(face)
     normals = np.empty((faces.size, 3), dtype=np.float32)
     for corner, vertex in enumerate(faces.reshape(-1)):
-        normal, near = unit[corner // 3], np.array(about[vertex])
+        own, near = unit[corner // 3], np.array(about[vertex])
         normals[corner] = (
-            area[near[unit[near] @ normal >= np.cos(np.radians(CREASE_DEG))]].sum(axis=0) if len(near) else normal
+            area[near[unit[near] @ own >= np.cos(np.radians(CREASE_DEG))]].sum(axis=0) if len(near) else own
         )
     return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-20)
