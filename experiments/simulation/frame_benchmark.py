@@ -98,9 +98,9 @@ def clone(of: Simulation) -> Simulation:
     with wp.ScopedDevice(device):
         again.stepper = copy(of.stepper)
         again.stepper.contacts = of.stepper.pipeline and of.stepper.pipeline.contacts()
-        again.build_state()
+        again._build_state()
     wp.synchronize_device(device)
-    again.start_uncaptured()
+    again._start_uncaptured()
     return again
 
 

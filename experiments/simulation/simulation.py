@@ -40,14 +40,14 @@ class Simulation:
             self.scene = build_scene(cases, device)
             self.model = self.scene.model
             self.stepper = self.stepper_of(self.scene, cases)
-            self.build_state()
+            self._build_state()
             if case.ik_beside:
                 self.task.plan(self.body_q)
                 self.task.solve()
         wp.synchronize_device(device)  # what was built on the device's own stream is used on another
-        self.start_uncaptured()
+        self._start_uncaptured()
 
-    def build_state(self) -> None:
+    def _build_state(self) -> None:
         """Build all that frames change but the contacts, which the stepper has."""
         self.task = Task(self.scene, self.cases)
         self._start_at_approach_pose()
@@ -55,7 +55,7 @@ class Simulation:
         self.solver, self.contacts, self.recorder = self.stepper.solver, self.stepper.contacts, self.stepper.recorder
         self._set_flags(self.solver)
 
-    def start_uncaptured(self) -> None:
+    def _start_uncaptured(self) -> None:
         """Begin with a step that is captured anew."""
         self.parts = [self.queue_targets, self.queue_physics]
         self.part_beside = self.task.solve if self.case.ik_beside else None
@@ -73,7 +73,7 @@ class Simulation:
         self.task.ik_iterations = case.ik_iterations
         self.solver.update_data_interval = update_data_interval(case)
         self._set_flags(self.solver)
-        self.start_uncaptured()
+        self._start_uncaptured()
 
     def _start_at_approach_pose(self) -> None:
         model = self.model
