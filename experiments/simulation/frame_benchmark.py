@@ -2,7 +2,6 @@
 
 import gc
 from collections.abc import Sequence
-from copy import copy
 from dataclasses import replace
 from functools import cache
 from types import SimpleNamespace
@@ -91,17 +90,17 @@ def _state_of(simulation: Simulation) -> Any:
     return state
 
 
-def clone(of: Simulation) -> Simulation:
-    """Build a simulation once more: all that a frame changes has memory of its own, model and collision are shared."""
-    again, device = copy(of), of.device
-    again.stream, again.stream_beside = (wp.Stream(device) if device.is_cuda else None for _ in range(2))
-    with wp.ScopedDevice(device):
-        again.stepper = copy(of.stepper)
-        again.stepper.contacts = of.stepper.pipeline and of.stepper.pipeline.contacts()
-        again._build_state()
-    wp.synchronize_device(device)
-    again._start_uncaptured()
-    return again
+class Clone(Simulation):
+    """A simulation built once more: all that a frame changes has memory of its own, model and collision are shared."""
+
+    def __init__(self, of: Simulation):
+        vars(self).update(vars(of))
+        self.stream, self.stream_beside = (wp.Stream(self.device) if self.device.is_cuda else None for _ in range(2))
+        with wp.ScopedDevice(self.device):
+            self.contacts = self.pipeline and self.pipeline.contacts()
+            self._build_state()
+        wp.synchronize_device(self.device)
+        self._start_uncaptured()
 
 
 class Frames:
@@ -236,7 +235,7 @@ class Comparison:
             built += [Frames(simulation, case, self.warm) for case in group]
             if memory_bytes(self.device) - start <= SHARE_AGAIN * self.device.total_memory:
                 more = BUILD_COUNT["cuda" if self.device.is_cuda else "cpu"] - 1
-                built += [Frames(clone(simulation), group[0], self.warm) for _ in range(more)]
+                built += [Frames(Clone(simulation), group[0], self.warm) for _ in range(more)]
         except (RuntimeError, MemoryError) as error:
             if not is_out_of_memory(error):
                 raise

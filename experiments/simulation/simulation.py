@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
+from copy import copy
 from dataclasses import replace
 from functools import partial
 
@@ -40,6 +41,7 @@ class Simulation:
             self.scene = build_scene(cases, device)
             self.model = self.scene.model
             self.stepper = self.stepper_of(self.scene, cases)
+            self.pipeline, self.contacts = self.stepper.pipeline, self.stepper.contacts
             self._build_state()
             if case.ik_beside:
                 self.task.plan(self.body_q)
@@ -51,8 +53,10 @@ class Simulation:
         """Build all that frames change but the contacts, which the stepper has."""
         self.task = Task(self.scene, self.cases)
         self._start_at_approach_pose()
+        self.stepper = copy(self.stepper)  # a simulation that is built once more has contacts of its own
+        self.stepper.contacts = self.contacts
         self.stepper.build(self.state, self.case.frame_count)
-        self.solver, self.contacts, self.recorder = self.stepper.solver, self.stepper.contacts, self.stepper.recorder
+        self.solver, self.recorder = self.stepper.solver, self.stepper.recorder
         self._set_flags(self.solver)
 
     def _start_uncaptured(self) -> None:
