@@ -222,7 +222,8 @@ def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str
     reasons += new.code.unread(old.code)
     if not _gone_columns(old.records[0], new.records[0]):  # with a column goes what it was made of
         reasons += old.code.unread(new.code, is_old=True)
-    is_same_work = beside and beside[0].work and beside[0].work == beside[1].work
+    # Which work is given to a device, the same code decides on each: what only a GPU executes is unchanged by then.
+    is_same_work = any(before.work and before.work == after.work for before, after in filter(None, (runs, beside)))
     if has_times(record) and not is_same_work:
         reasons += new.code.timed(new.timed)
     return reasons

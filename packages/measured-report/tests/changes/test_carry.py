@@ -4,11 +4,12 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from toys import BY_HAND, GENERATOR
 
-from measured_report.changes.carry import carried, first_difference
+from measured_report.changes.carry import Run, _reasons, carried, first_difference
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.editions.status import states_of
@@ -322,6 +323,15 @@ def answers(tmp_path_factory):
                 kinds = {state.section: state.kind for state in states_of(project)}
             after = {name: load_record(project.record_path(name)) for name in PLANTED}
     return reasons, kinds, before, after
+
+
+@pytest.mark.parametrize(("before", "after", "reasons"), [("a", "a", []), ("a", "b", ["timed"]), ("", "", ["timed"])])
+def test_times_are_carried_where_a_device_is_given_the_same_work(before, after, reasons):
+    code = SimpleNamespace(unexecuted=lambda *_: [], unread=lambda *_, **__: [], timed=lambda _: ["timed"])
+    record = record_of([{"case": "a", "frame_ms": 1.0}])
+    works = [{"times": digest} if digest else {} for digest in (before, after)]
+    runs = [Run(code, [record], {}, {}, work) for work in works]
+    assert _reasons(runs, record) == reasons
 
 
 def record_of(rows) -> Record:
