@@ -123,12 +123,12 @@ class Frames:
         self.warm.put(simulation, self.case, number)
         return elapsed_ms(simulation.device, lambda: run_frames(simulation, self.frame_count)) / self.frame_count
 
-    def columns(self, times: PairedTimes) -> dict[str, object]:
+    def columns(self, found: PairedTimes) -> dict[str, object]:
         """Return times, ratio and memory; None, with the reason, where the frames do not count."""
         if self.reason:
             return untimed(TIMED, self.reason)
         memory = buffer_bytes_per_world(self.simulation.solver, self.simulation.contacts)
-        return time_columns(times) | {"buffer_bytes_per_world": memory}
+        return time_columns(found) | {"buffer_bytes_per_world": memory}
 
 
 class EngineSteps:
