@@ -74,7 +74,7 @@ def sentence(group: Sequence[Finding]) -> str:
     """Return findings that say the same, as a sentence."""
     finding = group[0]
     unit = f" {finding.unit}" if finding.unit != "1" else ""
-    text = f"{finding.parameter} {finding.value:.4g}{unit} {finding.message}"
+    text = f"{finding.parameter} {finding.value:.4g}{unit} " * bool(finding.parameter) + finding.message
     if finding.used is not None:
         text += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"
     if not finding.shape:

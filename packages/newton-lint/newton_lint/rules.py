@@ -12,7 +12,7 @@ from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import engine, gap, lost, override, pyramid, unread
+from newton_lint.scene_rules import STEEP, engine, gap, lost, override, pyramid, unread
 from newton_lint.source import Element
 
 SAME = 1e-5
@@ -64,7 +64,8 @@ def solimp(scene: Scene) -> Iterator[Hits]:
         "solimp": (dmin > dmax, dmin, dmax, "is larger than dmax: the deeper, the softer, and creep grows with load"),
     }
     for name, (wrong, values, used, message) in faults.items():
-        wording, hits = Wording("solimp", name, message), (values[wrong], used[wrong])
+        severity = "warning" if name == "solimp" else "note"  # to clip is what was meant
+        wording, hits = Wording("solimp", name, message, severity=severity), (values[wrong], used[wrong])
         yield _geom_hits(scene, wording, counted[wrong], hits, "solimp", partial(advice.in_order, scene))
 
 
@@ -133,6 +134,17 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     wording, values = Wording("one-sided", "solref", message, unit="s"), (authored[shape], stiffest[shape])
     advise = partial(advice.of_higher_priority, scene)
     yield _geom_hits(scene, wording, shape, values, "solref", lambda geom: advise(geom, stiffest[geom]))
+    softest = np.zeros(len(authored))
+    for geoms in (contacts.first, contacts.second):
+        np.maximum.at(softest, geoms[plain], contacts.solref[plain, 0])
+        softest[geoms[contacts.outranked]] = np.inf
+    shape = np.flatnonzero((authored >= FAR * DEFAULT_SOLREF[0]) & (softest > 0.0) & (1.5 * softest < authored))
+    message = "is soft on this side only: the other geom's stiff solref is mixed in, in every pair"
+    wording, values = Wording("one-sided", "solref", message, "s", "note"), (authored[shape], softest[shape])
+    rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
+    gain = "its solref, solimp, friction and condim alone count; or the same solref and solimp on the other geom"
+    advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
+    yield _geom_hits(scene, wording, shape, values, "solref", advise)
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
@@ -170,7 +182,8 @@ def depth(scene: Scene) -> Iterator[Hits]:
     # mj_makeImpedance: all edges have one R, 2 μ²/impratio times the first's, which matches the cone's friction.
     steep = np.where(is_pyramid, (1.0 + mu**2) * mu**2 / option.impratio / rows, 1.0)
     deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / scene.point_counts[shape]
-    deep = np.flatnonzero(lies & (deep_m > DEEP_M))
+    is_steep = is_pyramid & (mu > STEEP)  # which pyramid says
+    deep = np.flatnonzero(lies & ~is_steep & (deep_m > DEEP_M))
 
     def shallower(pair: int) -> Advice:
         share = DEEP_M / deep_m[pair]
