@@ -71,13 +71,15 @@ def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str
     return either(Advice(changes, gain), *([Advice(singles, "")] if singles != changes else []))
 
 
-def longer_solref(scene: Scene, pair: int, timeconst_s: float) -> Advice:
-    """Return the timeconst that is used for what is authored shorter."""
+def longer_solref(
+    scene: Scene, pair: int, timeconst_s: float, gain: str = "says what is used, and changes nothing"
+) -> Advice:
+    """Return a timeconst for what is authored shorter, by itself the one that is used."""
 
     def longer(solref: Sequence[float]) -> str | None:
         return f"{timeconst_s:.6g} {solref[1]:g}" if 0.0 < solref[0] < timeconst_s else None
 
-    return for_contact(scene, pair, longer, "says what is used, and changes nothing")
+    return for_contact(scene, pair, longer, gain)
 
 
 def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:

@@ -5,6 +5,7 @@ Of a body that no hand holds yet it is said what it would do, of two fingers tha
 
 import copy
 import itertools
+import math
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
@@ -107,11 +108,13 @@ def _slips(
     scene: Scene, body: str, against: tuple[str, ...], mm_s: float, after: float, message: str, severity="warning"
 ) -> Finding:
     attributes = {"cone": "elliptic", "impratio": f"{_mended(scene).option.impratio:g}"}
-    advices = [for_option(scene, attributes, f"{mm_s:.2g} → {after:.2g} mm/s for the same time step")]
+    holds = math.isfinite(after)
+    gain = f"{mm_s:.2g} → {after:.2g} mm/s for the same time step"
+    advices = [for_option(scene, attributes, gain) if holds else Advice((), "more friction, along both of its axes")]
     if scene.engine.name == "mujoco":
         advices.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
     element, advice = scene.source.option("impratio"), either(*advices)
-    return Finding("slip", body, "creep", mm_s, message, against, after, "mm/s", severity, element, advice)
+    return Finding("slip", body, "creep", mm_s, message, against, after if holds else None, "mm/s", severity, element, advice)
 
 
 def _if_gripped(scene: Scene, in_grip: Collection[str]) -> Iterator[Finding]:

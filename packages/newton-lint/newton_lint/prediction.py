@@ -2,8 +2,9 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+import mujoco
 import numpy as np
 
 from newton_lint.grouping import distinct_rows
@@ -58,7 +59,11 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
         pair = int(rows[index])
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(contacts.contact(pair), scene.option, load, between, is_free):
-            creeps.append(prediction)
+            least, most = prediction.load_mm_s
+            if (named := contacts.named[pair]) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
+                mu1, mu2 = scene.model.pair_friction[named, :2]
+                most *= max(1.0, (mu1 / max(mu2, mujoco.mjMINMU)) ** 2)
+            creeps.append(replace(prediction, load_mm_s=(least, most)))
     return sorted(creeps, key=_order)
 
 

@@ -4,18 +4,26 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+import mujoco
+import numpy as np
+
 from newton_lint.findings import SEVERITIES, Change, Finding
 from newton_lint.grip import SLIP_MM_S, gripped
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
-from newton_lint.settle import Hold, Work, settled_hold
+from newton_lint.settle import Hold, Work, settled_hold, weigh
 from newton_lint.source import Element, Source
 from newton_lint.step_rules import stepped
 from newton_lint.stepped import Run, runs_of
 from newton_lint.target import READER, Target, TargetError, newtons
 
+OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
+"""Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
+HUGE = 1e100
+NUMBERS = ("geom_solref", "geom_solimp", "geom_friction", "geom_size", "geom_pos", "geom_solmix", "body_mass", "body_pos")
+NUMBERS += ("pair_solref", "pair_friction", "pair_solimp", "dof_armature", "actuator_gainprm", "actuator_biasprm")
 NEWTONS = "newton_lint.newton_models.report"
 
 
@@ -56,7 +64,14 @@ class Report:
 
 
 def report_of(target: Target, request: Request) -> Report:
-    """Lint a target; a TargetError where there is no body to be held, or Newton is needed and missing."""
+    """Lint a target; a TargetError where there is no body to be held, MuJoCo stops, or Newton is needed and missing."""
+    try:
+        return _report_of(target, request)
+    except mujoco.FatalError as error:
+        raise TargetError(f"{target.name}: MuJoCo stops at it: {' '.join(str(error).split())}") from error
+
+
+def _report_of(target: Target, request: Request) -> Report:
     if target.newton_model is not None:
         return newtons(target.name, NEWTONS, "report_of", target, request)
     scene = scene_of(target, request.engine)
@@ -66,7 +81,10 @@ def report_of(target: Target, request: Request) -> Report:
     hold = settled_hold(scene, target, work) if work else None
     findings += hold.findings(scene, request.below_mm_s or SLIP_MM_S) if hold else []
     runs = runs_of(scene.model, target) if request.step else []
+    for run in runs:
+        weigh(scene, run.data)
     findings += _run_findings(scene, target, runs, findings) if request.step else []
+    findings = _noted(scene, runs, findings)
     findings += [] if refused else gripped(scene, runs, work.body if work else "")
     findings += [_untouched(work)] if work and not hold else []
     findings += _newton_findings(target, request, findings) if request.engine.name == "newton" and target.path else []
@@ -90,6 +108,20 @@ def _run_findings(scene: Scene, target: Target, runs: Sequence[Run], findings: S
     return [item for item in results if item.rule != "depth" or not any(item.shape in shapes for shapes in predicted)]
 
 
+def _noted(scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]) -> list[Finding]:
+    """Return findings, those of parameters of what touches nothing as notes: it may be no part of what is done."""
+    touched = {scene.names[geom] for run in runs for pair in run.first for geom in pair}
+    touched |= {scene.names[geom] for run in runs for geom in run.data.contact.geom.ravel().tolist() if geom >= 0}
+
+    def touches(finding: Finding) -> bool:
+        return finding.shape in touched and not (finding.against and touched.isdisjoint(finding.against))
+
+    may_touch = not runs or any(run.bad for run in runs)
+    is_idle = [item.rule in OF_CONTACTS and not (may_touch or touches(item)) for item in findings]
+    pairs = zip(findings, is_idle, strict=True)
+    return [replace(item, severity="note") if idle and item.severity == "warning" else item for item, idle in pairs]
+
+
 def _untouched(work: Work) -> Finding:
     message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
     return Finding("slides", work.body, "settle", work.settle_s, message, unit="s", severity="error")
@@ -109,6 +141,11 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
         raise TargetError(f"{target.name}: is no model of MuJoCo's")
     if target.model.opt.timestep > 10.0:  # mj_step takes any, and the number of steps would round to none
         raise TargetError(f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate")
+    numbers = {name: getattr(target.model, name) for name in NUMBERS}
+    numbers |= {name: np.atleast_1d(getattr(target.model.opt, name)) for name in ("impratio", "gravity", "timestep")}
+    for name, values in numbers.items():
+        if np.abs(values[np.isfinite(values)]).max(initial=0.0) > HUGE or not np.isfinite(values).all():
+            raise TargetError(f"{target.name}: {name} has numbers of {HUGE:g} and more, whose squares are infinite")
     return Scene(engine.configured(target.model), Source.of(target.path, target.model, target.texts), engine)
 
 

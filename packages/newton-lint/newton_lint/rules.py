@@ -94,12 +94,24 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     dmax = np.clip(contacts.solimp[:, 1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
     first, second = contacts.solref.T
     gain = -second / dmax * step - 0.5 * first / dmax**2 * step**2
+    taken = (first <= 0.0) & (second <= 0.0)
+    if not scene.option.refsafe:
+        is_short = (first > 0.0) & (second > 0.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            own = 2.0 * step / (dmax * first) + 0.5 * (step / (dmax * first * second)) ** 2
+        taken, gain = taken | is_short, np.where(is_short, own, gain)
     # The integrator discrete takes both terms implicitly, and bears any.
-    stiff = np.flatnonzero((first <= 0.0) & (second <= 0.0) & (gain >= STIFF) & (not scene.option.discrete))
-    message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe leaves it alone"
+    stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
+    why = "leaves it alone" if scene.option.refsafe else "is off"
+    message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe {why}"
     wording = Wording("stiff", "solref[1]", message, severity="error")
-    softer = partial(advice.softer_solref, scene)
-    yield _pair_hits(scene, wording, stiff, (second[stiff], np.nan), lambda pair: softer(pair, float(dmax[pair])))
+
+    def softer(pair: int) -> Advice:
+        if first[pair] > 0.0:
+            return advice.longer_solref(scene, pair, 2.0 * step, "as stiff as the time step bears")
+        return advice.softer_solref(scene, pair, float(dmax[pair]))
+
+    yield _pair_hits(scene, wording, stiff, (second[stiff], np.nan), softer)
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:

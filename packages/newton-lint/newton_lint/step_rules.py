@@ -342,7 +342,6 @@ def _hulls(scene: Scene, target: Target, run: Run) -> Iterator[Finding]:
         after = _again(target, spec.compile(), 0, run.time_s)
         before_us, after_us = (1e6 * cost_s * model.opt.timestep for cost_s in (run.cost_s, after.cost_s))
         message = f"vertices has its convex hull: a step takes {before_us:.3g} µs, and with {FEW} {after_us:.3g} µs"
-        name, advice = model.mesh(worst).name, Advice((), f'maxhullvert="{FEW}" on its <mesh>')
-        if after_us > CHEAPER * before_us:
-            return
+        name, fewer = model.mesh(worst).name, Advice((), f'maxhullvert="{FEW}" on its <mesh>')
+        advice = fewer if after_us < CHEAPER * before_us else None
         yield Finding("hull", name, "hull", counts[worst], message, severity="note", advice=advice)
