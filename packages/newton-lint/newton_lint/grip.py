@@ -114,7 +114,9 @@ def _slips(
     if scene.engine.name == "mujoco":
         advices.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
     element, advice = scene.source.option("impratio"), either(*advices)
-    return Finding("slip", body, "creep", mm_s, message, against, after if holds else None, "mm/s", severity, element, advice)
+    return Finding(
+        "slip", body, "creep", mm_s, message, against, after if holds else None, "mm/s", severity, element, advice
+    )
 
 
 def _if_gripped(scene: Scene, in_grip: Collection[str]) -> Iterator[Finding]:

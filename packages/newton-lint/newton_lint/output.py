@@ -48,7 +48,7 @@ def summary(reports: Sequence[Report]) -> Iterator[str]:
 
 
 def text_of(report: Report) -> Iterator[str]:
-    groups = grouped(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
+    groups = _folded(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
     size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
     total = ", ".join(_counted(count, name) for name, count in counts.items() if count)
@@ -62,12 +62,26 @@ def text_of(report: Report) -> Iterator[str]:
     if hold := report.hold:
         rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
         yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
-    if report.creep:
-        yield "predicted creep, which is no finding:"
-    for prediction in report.creep[:WORST]:
+    is_asked = any(vars(report.load).values())
+    if report.creep and is_asked:
+        yield "predicted creep:"
+    for prediction in report.creep[:WORST] if is_asked else ():
         yield f"  {creep_line(prediction, report.load)}"
-    if len(report.creep) > WORST:
+    if len(report.creep) > WORST and is_asked:
         yield f"  and {len(report.creep) - WORST} more: --json has them"
+
+
+def _folded(findings: Iterable[Finding]) -> list[list[Finding]]:
+    """Return groups of findings, all that is unused as one: a robot has hundreds."""
+    groups = grouped(findings)
+    unused = [group for group in groups if group[0].rule == "unused"]
+    if len(unused) < 2:
+        return groups
+    count = sum(map(len, unused))
+    message = f"{count} numbers that no contact reads, as of {unused[0][0].shape}; --json has them"
+    return [group for group in groups if group[0].rule != "unused"] + [
+        [Finding("unused", "", "", count, message, severity="note")]
+    ]
 
 
 def sentence(group: Sequence[Finding]) -> str:

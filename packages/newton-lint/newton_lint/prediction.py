@@ -62,7 +62,7 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
             least, most = prediction.load_mm_s
             if (named := contacts.named[pair]) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
                 mu1, mu2 = scene.model.pair_friction[named, :2]
-                most *= max(1.0, (mu1 / max(mu2, mujoco.mjMINMU)) ** 2)
+                most *= max(1.0, float(mu1 / max(mu2, mujoco.mjMINMU)) ** 2)
             creeps.append(replace(prediction, load_mm_s=(least, most)))
     return sorted(creeps, key=_order)
 

@@ -22,7 +22,16 @@ from newton_lint.target import READER, Target, TargetError, newtons
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
 HUGE = 1e100
-NUMBERS = ("geom_solref", "geom_solimp", "geom_friction", "geom_size", "geom_pos", "geom_solmix", "body_mass", "body_pos")
+NUMBERS = (
+    "geom_solref",
+    "geom_solimp",
+    "geom_friction",
+    "geom_size",
+    "geom_pos",
+    "geom_solmix",
+    "body_mass",
+    "body_pos",
+)
 NUMBERS += ("pair_solref", "pair_friction", "pair_solimp", "dof_armature", "actuator_gainprm", "actuator_biasprm")
 NEWTONS = "newton_lint.newton_models.report"
 
@@ -132,7 +141,16 @@ def _newton_findings(target: Target, request: Request, findings: Sequence[Findin
     rules = {finding.rule for finding in findings}
     imported = replace(target, newton_model=newtons(target.name, READER, "imported", target.path))
     report = newtons(target.name, NEWTONS, "report_of", imported, request)
-    return [finding for finding in report.findings if finding.rule not in rules]
+    changes = []
+    assert target.model is not None  # what Newton alone reads is no target of this
+    gravity, taken = float(target.model.opt.gravity[2]), float(np.ravel(imported.newton_model.gravity.numpy())[2])
+    if not np.isclose(gravity, taken, rtol=1e-3):
+        message = f"m/s² is what the scene says, and Newton's importer takes {taken:.4g}"
+        changes.append(Finding("importer", "", "gravity", gravity, message, used=taken))
+    if target.model.npair:
+        message = "are not read by Newton's own contacts (newton#3644)"
+        changes.append(Finding("importer", "", "pairs", float(target.model.npair), message))
+    return [*changes, *(finding for finding in report.findings if finding.rule not in rules)]
 
 
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:

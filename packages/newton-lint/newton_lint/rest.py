@@ -159,7 +159,10 @@ def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
         def shorter(model, data, tendon=tendon) -> None:
             model.tendon_solref_lim[tendon] = solref
 
-        name, ways = model.tendon(tendon).name or f"tendon_{tendon}", [(f'solreflimit="{solref[0]:g} 1" on it', shorter)]
+        name, ways = (
+            model.tendon(tendon).name or f"tendon_{tendon}",
+            [(f'solreflimit="{solref[0]:g} 1" on it', shorter)],
+        )
         yield Give("limit", name, "length", "is how far it is beyond its range", False, longer, ways)
 
 
@@ -239,7 +242,9 @@ def _passed(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Fi
                     after, thick = _again(scene, target, index, thicker), M * 2.0 * model.geom_size[wall, axis]
                     if after and not _crosses(model, data, after.data, geom, wall, axis):
                         names, message = scene.names, f"thick, and it is on the other side of it {rest}"
-                        advice = Advice((), f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive")
+                        advice = Advice(
+                            (), f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive"
+                        )
                         element, against = scene.source.geom(wall), (names[wall],)
                         yield Finding(
                             "tunnel", names[geom], "wall", thick, message, against, None, "mm", "error", element, advice
@@ -247,11 +252,11 @@ def _passed(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Fi
                         break
 
 
-def _crosses(
-    model: mujoco.MjModel, first: mujoco.MjData, last: mujoco.MjData, geom: int, wall: int, axis: int
-) -> bool:
+def _crosses(model: mujoco.MjModel, first: mujoco.MjData, last: mujoco.MjData, geom: int, wall: int, axis: int) -> bool:
     """Tell whether a geom is on the other side of a box than at first, by a way through it."""
-    ways = [data.geom_xmat[wall].reshape(3, 3).T @ (data.geom_xpos[geom] - data.geom_xpos[wall]) for data in (first, last)]
+    ways = [
+        data.geom_xmat[wall].reshape(3, 3).T @ (data.geom_xpos[geom] - data.geom_xpos[wall]) for data in (first, last)
+    ]
     before, after = ways[0][axis], ways[1][axis]
     if before * after >= 0.0:
         return False
@@ -297,9 +302,18 @@ def _crowded(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[F
             wide = model.hfield_size[model.geom_dataid[field]]
             ncol, nrow = (max(2, round(2.0 * side / (0.7 * model.geom_rbound[geom]))) for side in wide[:2].tolist())
             message = "contacts are all that a pair gets, and more cells touch it: it sinks through"
-            advice = Advice((), f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them')
+            advice = Advice(
+                (), f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them'
+            )
             names, element = scene.names, scene.source.geom(field)
             yield Finding(
-                "hfield", names[geom], "", MOST_CONTACTS, f"{MOST_CONTACTS} {message}", (names[field],), element=element, advice=advice
+                "hfield",
+                names[geom],
+                "",
+                MOST_CONTACTS,
+                f"{MOST_CONTACTS} {message}",
+                (names[field],),
+                element=element,
+                advice=advice,
             )
             return

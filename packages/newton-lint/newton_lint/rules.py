@@ -104,14 +104,14 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
     why = "leaves it alone" if scene.option.refsafe else "is off"
     message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe {why}"
-    wording = Wording("stiff", "solref[1]", message, severity="error")
+    wording = Wording("stiff", "solref", message, severity="error")
 
     def softer(pair: int) -> Advice:
         if first[pair] > 0.0:
             return advice.longer_solref(scene, pair, 2.0 * step, "as stiff as the time step bears")
         return advice.softer_solref(scene, pair, float(dmax[pair]))
 
-    yield _pair_hits(scene, wording, stiff, (second[stiff], np.nan), softer)
+    yield _pair_hits(scene, wording, stiff, (np.where(first > 0.0, first, second)[stiff], np.nan), softer)
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:

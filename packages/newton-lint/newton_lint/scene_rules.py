@@ -102,15 +102,15 @@ def engine(scene: Scene) -> Iterator[Finding]:
     if scene.engine.name != "warp":
         return
     if refused := refusal(scene.model):
-        message = f"of MuJoCo Warp refuses it: {refused}"
-        yield _scene_finding(scene, "engine", "put_model", 1.0, message, severity="error")
+        message = f"MuJoCo Warp refuses this model: {refused}"
+        yield _scene_finding(scene, "engine", "", 1.0, message, severity="error")
     elif refused is None:
-        message = "of MuJoCo Warp is not installed, and cannot be asked: pip install mujoco-warp"
-        yield _scene_finding(scene, "engine", "put_model", 0.0, message)
+        message = "MuJoCo Warp is not installed, and cannot be asked: pip install mujoco-warp"
+        yield _scene_finding(scene, "engine", "", 0.0, message)
 
 
 def _scene_finding(
     scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"
 ) -> Finding:
-    element = scene.source.option(parameter)
+    element = scene.source.option(parameter) if parameter else None
     return Finding(rule, "", parameter, value, message, severity=severity, element=element, advice=advice)

@@ -16,7 +16,6 @@ from newton_lint.findings import Advice, Change, Finding
 from newton_lint.law import EULER, IMPLICITFAST, M, clamped, normal_damping, stiffness
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.rest import WINDOW_S, Rest, at_rest, is_servo, rest_of
-from newton_lint.rules import DEEP_M
 from newton_lint.scene import Scene, changed
 from newton_lint.scene_rules import WEIGHTLESS
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of, starts
@@ -154,7 +153,10 @@ def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Fi
         for edit, options, text in _ways(scene, begins[index][1], run.at_limit > LIMITED):
             after = copy.copy(model)
             edit(after)
-            tried = (_again(target, after, other, time_s) for other in range(index, index + 1 if time_s < HELD_S else len(begins)))
+            tried = (
+                _again(target, after, other, time_s)
+                for other in range(index, index + 1 if time_s < HELD_S else len(begins))
+            )
             if all(good(again) and again.time_s > 0.99 * time_s for again in tried):
                 calms = "calms it, measured over 2 s"
                 advices.append(for_option(scene, options, f"{text} {calms}" if text else calms))
@@ -215,7 +217,9 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
             message += f": it throws them apart at {thrown:.2g} m/s"
         gain = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
         exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), gain)
-        advice = exclude if one_tree else Advice((), f"{margin and 'lower it or '}move one by {M * depth:.3g} mm")
+        advice = (
+            exclude if one_tree else Advice((), f"{margin and 'lower the margin, or '}move one by {M * depth:.3g} mm")
+        )
         # Robots come with a keyframe to start from: qpos0 of their links may overlap.
         severity = "note" if not hard or (model.nkey and run.start == "the start") else "warning"
         shape, partner = (scene.names[geom] for geom in pair)
