@@ -1,5 +1,7 @@
 """Scenes of public questions: what the lint names in each, with the number that MuJoCo C comes to and what mends it."""
 
+import json
+
 import mujoco
 import numpy as np
 import pytest
@@ -7,9 +9,9 @@ import pytest
 from newton_lint.command import main
 
 BOX = '<geom name="floor" type="plane" size="2 2 .1"/>'
-LINK = '<body pos="0 0 {z}"><joint name="j" {joint}/><geom name="link" type="capsule" size=".02" {geom}/></body>'
+LINK = '<body pos="0 0 {z}"><joint name="j" {joint}/><geom name="link" type="capsule" {geom}/></body>'
 SERVO = "</worldbody><actuator><position joint='j' {}/></actuator><keyframe><key {}/></keyframe><worldbody>"
-KNEE = LINK.format(z=0.6, joint='axis="0 1 0" damping=".05"', geom='fromto="0 0 0 .2 0 0" mass=".4"')
+KNEE = LINK.format(z=0.6, joint='axis="0 1 0" damping=".05"', geom='size=".02" fromto="0 0 0 .2 0 0" mass=".4"')
 SCENES = {  # bodies, options, what is said, what is not
     "a servo too stiff for the step": (
         KNEE + SERVO.format('kp="4000"', 'qpos="0"'),
@@ -18,7 +20,7 @@ SCENES = {  # bodies, options, what is said, what is not
         "timestep=",
     ),
     "an arm that sags": (
-        LINK.format(z=1, joint='axis="0 1 0" damping="5"', geom='fromto="0 0 0 .4 0 0" mass="3"')
+        LINK.format(z=1, joint='axis="0 1 0" damping="5"', geom='size=".02" fromto="0 0 0 .4 0 0" mass="3"')
         + SERVO.format('kp="40"', 'qpos="0"'),
         "",
         ("warning servo: j: error 8.", "gravcomp=", 'kp="360" on it: 8.'),
@@ -40,12 +42,12 @@ SCENES = {  # bodies, options, what is said, what is not
         "error",
     ),
     "a mimic joint that stays open": (
-        LINK.format(z=1, joint='type="slide" axis="1 0 0" damping="9"', geom='size=".01 .02"')
-        + LINK.replace("link", "rod").format(z=2, joint='type="slide" axis="1 0 0"', geom='size=".01 .02"').replace("j", "k")
-        + '</worldbody><equality><joint name="mirror" joint1="k" joint2="j" solref=".05 1" solimp=".5 .6 .001"/>'
-        '</equality><worldbody>',
-        'gravity="3 0 0"',
-        ("equality: mirror",),
+        LINK.format(z=1, joint='type="slide" axis="1 0 0"', geom='size=".01 .02" mass=".02"')
+        + '<body><joint name="k" type="slide" axis="-1 0 0" damping="50"/><geom size=".01" mass=".02"/></body></worldbody>'
+        '<equality><joint name="mirror" joint1="k" joint2="j" solref=".05 1" solimp=".5 .6 .001"/></equality><worldbody>'
+        + SERVO.format('kp="1000" kv="10"', 'qpos="0 0" ctrl=".03"'),
+        'gravity="-3 0 0"',
+        ("warning equality: mirror: gap", 'solref="0.004 1" solimp="0.999 0.999 0.001" on it'),
         "error",
     ),
     "a keyframe without ctrl": (
@@ -65,7 +67,11 @@ SCENES = {  # bodies, options, what is said, what is not
     "a wheel that is soft on its own side": (
         BOX + '<body pos="0 0 .2"><freejoint/><geom name="wheel" size=".1" solref=".1 1"/></body>',
         "",
-        ("note one-sided: body_1/wheel: solref 0.1 s is soft on this side only", "used: 0.06", 'priority="1" on body_1/wheel'),
+        (
+            "note one-sided: body_1/wheel: solref 0.1 s is soft on this side only",
+            "used: 0.06",
+            'priority="1" on body_1/wheel',
+        ),
         "warning",
     ),
     "more cells than contacts": (
@@ -113,7 +119,7 @@ def test_what_swings_is_read_where_it_comes_to_rest(tmp_path, capsys):
     assert main([str(tmp_path / "mocap.xml")]) == 0 and "equality" not in capsys.readouterr().out
 
 
-BLOCK = f"""<mujoco><worldbody><geom name="board" type="box" size=".08 .05 .005"/><body pos="0 0 .026"><freejoint/>
+BLOCK = """<mujoco><worldbody><geom name="board" type="box" size=".08 .05 .005"/><body pos="0 0 .026"><freejoint/>
 <geom name="block" type="box" size=".02 .02 .02" mass=".05" friction="10 .005 .0001"/></body>
 <geom type="plane" size="1 1 1" pos="0 0 -9"/></worldbody></mujoco>"""
 
@@ -128,7 +134,9 @@ def test_what_no_longer_falls_through_is_mended(tmp_path, capsys):
 def test_a_change_without_effect_is_told_as_such_and_what_touches_nothing_is_a_note(tmp_path, capsys):
     path, ball = tmp_path / "scene.xml", '<body pos="0 0 {}"><freejoint/><geom size=".1" solref="1e-4 1"/></body>'
     for z, severity in ((0.1, "warning"), (5, "note")):
-        path.write_text(f"<mujoco><worldbody>{BOX}{ball.format(z)}</worldbody></mujoco>".replace("floor\"", 'f" solref="1e-4 1"'))
+        path.write_text(
+            f"<mujoco><worldbody>{BOX}{ball.format(z)}</worldbody></mujoco>".replace('floor"', 'f" solref="1e-4 1"')
+        )
         main([str(path), "--dry-run"])
         out, err = capsys.readouterr()
         assert f"{severity} timeconst" in out and ("which changes no motion: can be written" in err) == (z < 1)
@@ -155,7 +163,8 @@ def test_rules_are_explained_and_unknown_ones_refused(arguments, status, text, t
 @pytest.mark.parametrize(
     "geoms",
     [
-        '<geom name="a" size="1"/><geom name="b" size="1" pos="0 0 1.5"/><body pos="0 0 9"><freejoint/><geom size="1"/></body>'
+        '<geom name="a" size="1"/><geom name="b" size="1" pos="0 0 1.5"/><body pos="0 0 9"><freejoint/>'
+        '<geom size="1"/></body>'
         '</worldbody><contact><pair geom1="a" geom2="b"/></contact><worldbody>',
         '<body><freejoint/><geom size=".1" solref="1e200 1"/></body>' + BOX,
         '<body><freejoint/><geom size=".1" friction="1e180"/></body>' + BOX,
@@ -178,8 +187,6 @@ def test_what_mujoco_stops_at_and_numbers_without_squares_are_one_line(geoms, tm
 )
 def test_a_load_creeps_as_a_grip_does(flag, contact, least, most, tmp_path, capsys):
     """--load says the same as --hold on a slope of 0.2, whose weight is the load of four points."""
-    import json
-
     path = tmp_path / "scene.xml"
     path.write_text(
         f'<mujoco><option cone="elliptic" gravity="1.924 0 -9.62">{flag}</option><worldbody>{BOX}<body name="held" '

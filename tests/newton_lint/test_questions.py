@@ -172,7 +172,7 @@ STARTS = {
         "masses nearer",
     ),
     "a servo stiffer than the step": (SERVO, "error unstable", 'integrator="implicitfast"'),
-    "a weld that is soft": (WELDED, "note weld: equality_0: gap", "shorter timeconst"),
+    "a weld that is soft": (WELDED, "warning equality: equality_0: gap", 'solref="0.01 1"'),
     "an o_solimp without its flag": ("", "warning override: o_solimp 0.5 counts nowhere", "of the geoms"),
 }
 """Bodies over a floor, what is said of them, and the advice."""
