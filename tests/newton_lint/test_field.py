@@ -44,7 +44,8 @@ SCENES = {  # bodies, options, what is said, what is not
     "a mimic joint that stays open": (
         LINK.format(z=1, joint='type="slide" axis="1 0 0"', geom='size=".01 .02" mass=".02"')
         + '<body><joint name="k" type="slide" axis="-1 0 0" damping="50"/><geom size=".01" mass=".02"/></body>'
-        '</worldbody><equality><joint name="mirror" joint1="k" joint2="j" solref=".05 1" solimp=".5 .6 .001"/></equality><worldbody>'
+        '</worldbody><equality><joint name="mirror" joint1="k" joint2="j"'
+        ' solref=".05 1" solimp=".5 .6 .001"/></equality><worldbody>'
         + SERVO.format('kp="1000" kv="10"', 'qpos="0 0" ctrl=".03"'),
         'gravity="-3 0 0"',
         ("warning equality: mirror: gap", 'solref="0.004 1" solimp="0.999 0.999 0.001" on it'),
