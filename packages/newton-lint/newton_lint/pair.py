@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+import mujoco
 import numpy as np
 
 from newton_lint.combined import Contacts
@@ -11,10 +12,11 @@ from newton_lint.law import M, clamped, normal_damping, response_of, settled_dep
 from newton_lint.output import printable
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import NEW_GAP
 from newton_lint.target import TargetError, read_target
 
 WIDTH = 22
+NEW_GAP = tuple(map(int, mujoco.__version__.split(".")[:2])) >= (3, 9)
+"""Whether this release presses from margin on, and not from margin − gap on."""
 
 
 def main(arguments: Sequence[str]) -> int:

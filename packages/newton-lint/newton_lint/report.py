@@ -92,7 +92,7 @@ def _report_of(target: Target, request: Request) -> Report:
     runs = runs_of(scene.model, target) if request.step else []
     for run in runs:
         weigh(scene, run.data)
-    findings += _run_findings(scene, target, runs, findings) if request.step else []
+    findings += stepped(scene, target, runs) if request.step else []
     findings = _noted(scene, runs, findings)
     findings += [] if refused else gripped(scene, runs, work.body if work else "")
     findings += [_untouched(work)] if work and not hold else []
@@ -108,13 +108,6 @@ def _report_of(target: Target, request: Request) -> Report:
         hold=hold,
         source=scene.source,
     )
-
-
-def _run_findings(scene: Scene, target: Target, runs: Sequence[Run], findings: Sequence[Finding]) -> list[Finding]:
-    """Return what runs show, without a depth that the law has predicted of the same shapes."""
-    predicted = [{finding.shape, *finding.against} for finding in findings if finding.rule == "depth"]
-    results = stepped(scene, target, runs)
-    return [item for item in results if item.rule != "depth" or not any(item.shape in shapes for shapes in predicted)]
 
 
 def _noted(scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]) -> list[Finding]:

@@ -1,19 +1,22 @@
 """What a scene comes to rest as, and the rules on it: each change that they name has been measured in the same way."""
 
 import copy
-import itertools
 import math
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import mujoco
 import numpy as np
 
+from newton_lint.advice import for_contact
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M
-from newton_lint.pairs import HFIELD
+from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import Scene
+from newton_lint.settle import pair_indices
+from newton_lint.source import Element
 from newton_lint.stepped import BAD, Run, starts
 from newton_lint.target import Target
 
@@ -21,13 +24,16 @@ REST, WINDOW_S, LONGEST_S = 2e-3, 0.1, 2.0
 """Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited."""
 BUDGET_S = 0.4
 """Time of the processor after which it is not waited for any longer."""
-OPEN_M, OPEN_RAD = 1e-3, math.radians(1.0)
-"""What a limit, an equality or a servo gives that is said, of what slides and of what turns."""
+LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
+"""What a contact, a limit, an equality or a servo gives that is said, of what slides and of what turns [m or rad]."""
+SCALE = {"mm": M, "°": math.degrees(1.0)}
 FAR, MUCH = 5.0, 3.0
 """Times this from which it is a warning, and of a limit."""
 MENDS = 0.5
 """Share of it that a change leaves at most, which is then named."""
-HARD = (0.999, 0.999, 0.001)
+SUNK = 0.2
+"""Share of half its thickness by which what lies is sunk."""
+HARD, HARDEST = (0.999, 0.999, 0.001), 'solref="{}" solimp="{}"'
 THICKER = (4, 16, 64)
 LEAVES, LEAVES_S = 3.0, 0.2
 """Speed at which a keyframe is left from which it is said [m/s or rad/s], and time in which it is looked for."""
@@ -37,6 +43,10 @@ EQUALITY = int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
 COUPLINGS = {
     int(getattr(mujoco.mjtEq, f"mjEQ_{name.upper()}")): name for name in ("connect", "weld", "joint", "tendon")
 }
+Edit = Callable[[mujoco.MjModel, mujoco.MjData], None]
+Read = Callable[[mujoco.MjModel, mujoco.MjData], float]
+Places = tuple[np.ndarray, np.ndarray]
+"""Where geoms are, and their axes."""
 
 
 @dataclass(frozen=True)
@@ -47,13 +57,11 @@ class Rest:
     data: mujoco.MjData
     speed: float
     """What moved fastest when it was not waited for any longer; 0 where nothing did [m/s or rad/s]."""
+    places: Sequence[Places]
+    """On the way, every 0.1 s."""
 
     def __str__(self) -> str:
         return f"at rest, from {self.start}{f', still moving at {self.speed:.2g} after 2 s' if self.speed else ''}"
-
-
-Edit = Callable[[mujoco.MjModel, mujoco.MjData], None]
-Read = Callable[[mujoco.MjModel, mujoco.MjData], float]
 
 
 @dataclass(frozen=True)
@@ -64,9 +72,14 @@ class Give:
     name: str
     parameter: str
     message: str
-    turns: bool
     read: Read
-    ways: list[tuple[str, Edit]]
+    ways: Sequence[tuple[str, Edit]]
+    unit: str = "mm"
+    least: float = 0.0
+    """By itself that of the unit [m or rad]."""
+    far: float = FAR
+    against: tuple[str, ...] = ()
+    element: Element | None = None
     needs_way: bool = False
     """Whether it is a fault only where one of the ways mends it."""
 
@@ -74,7 +87,7 @@ class Give:
 def rest_of(model: mujoco.MjModel, data: mujoco.MjData, start: str, seconds: float = LONGEST_S) -> Rest | None:
     """Step on until nothing moves; what swings on is braked whenever it slows. None where it blows up."""
     data, moved, speed = copy.copy(data), np.zeros(model.nv), 0.0
-    window = max(1, round(WINDOW_S / model.opt.timestep))
+    window, places = max(1, round(WINDOW_S / model.opt.timestep)), [places_of(data)]
     for braked in (False, True):
         since, calm, energy = time.process_time(), 0, 0.0
         for _ in range(max(1, round(seconds / WINDOW_S))):
@@ -86,6 +99,7 @@ def rest_of(model: mujoco.MjModel, data: mujoco.MjData, start: str, seconds: flo
                     data.qvel[:] = energy = 0.0
             if any(data.warning[number].number for number in BAD):
                 return None
+            places += [] if braked else [places_of(data)]
             mujoco.mj_differentiatePos(model, moved, window * model.opt.timestep, last, data.qpos)
             fastest = float(np.abs(moved).max(initial=0.0))
             calm = calm + 1 if fastest < REST else 0
@@ -94,29 +108,36 @@ def rest_of(model: mujoco.MjModel, data: mujoco.MjData, start: str, seconds: flo
         speed = speed if braked else fastest
         if calm == 2:
             break
-    return Rest(start, data, speed if speed >= REST else 0.0)
+    return Rest(start, data, speed if speed >= REST else 0.0, places)
+
+
+def places_of(data: mujoco.MjData) -> Places:
+    return data.geom_xpos.copy(), data.geom_xmat.copy()
 
 
 def at_rest(scene: Scene, target: Target, run: Run, rest: Rest, index: int) -> Iterator[Finding]:
-    """Yield limits, equalities and servos that give, and what has gone through a wall."""
-    model = scene.model
+    """Yield contacts, limits, equalities and servos that give, and what has gone through a wall."""
+    model, afters = scene.model, {}
     for rule in (_passed, _released, _crowded):
         yield from rule(scene, target, rest, index)
-    for give in (*_limits(model, rest.data), *_equalities(model, rest.data), *_servos(model, rest)):
-        unit, scale, least = ("°", math.degrees(1.0), OPEN_RAD) if give.turns else ("mm", M, OPEN_M)
+    gives = [*_depths(scene, run, rest), *_limits(model, rest.data), *_equalities(model, rest.data)]
+    for give in [*gives, *_servos(model, rest)]:
+        scale, least = SCALE[give.unit], give.least or LEAST[give.unit]
         if (value := give.read(model, rest.data)) <= least:
             continue
-        afters = [(text, _again(scene, target, index, edit)) for text, edit in give.ways]
-        mended = [(text, give.read(model, after.data)) for text, after in afters if after]
-        mended = [(text, after) for text, after in mended if after < MENDS * value]
+        for _, edit in give.ways:
+            if edit not in afters:  # all that a rule finds is changed at once
+                afters[edit] = _again(scene, target, index, edit)
+        mended = [(text, give.read(model, after.data)) for text, edit in give.ways if (after := afters[edit])]
+        mended = [(text, max(after, 0.0)) for text, after in mended if after < MENDS * value]
         if mended or not give.needs_way:
-            texts = [f"{text}: {scale * value:.3g} → {scale * after:.3g} {unit} at rest" for text, after in mended]
-            severity = "warning" if mended and value > (MUCH if give.rule == "limit" else FAR) * least else "note"
-            advice = Advice((), "; or ".join(texts)) if texts else None
-            message = f"{give.message} {rest}"
+            gains = [f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest" for text, after in mended]
+            severity = "warning" if mended and value > give.far * least else "note"
+            advice, message = Advice((), "; or ".join(gains)) if gains else None, f"{give.message} {rest}"
             yield Finding(
-                give.rule, give.name, give.parameter, scale * value, message, (), None, unit, severity, advice=advice
-            )
+                give.rule, give.name, give.parameter, scale * value, message, give.against, None, give.unit, severity,
+                give.element, advice,
+            )  # fmt: skip
 
 
 def _again(scene: Scene, target: Target, index: int, edit: Edit) -> Rest | None:
@@ -124,50 +145,104 @@ def _again(scene: Scene, target: Target, index: int, edit: Edit) -> Rest | None:
     model = copy.copy(scene.model)
     start, data = list(starts(model, target))[index]
     edit(model, data)
+    mujoco.mj_kinematics(model, data)
     return rest_of(model, data, start)
+
+
+def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
+    """Yield what is pressed in by a millimetre or a share of its thickness, whatever overlaps from the start aside."""
+    model, contacts, sizes, pairs = scene.model, scene.contacts, _thin(scene.model), pair_indices(scene)
+    speeds, solrefs = np.linalg.norm(rest.data.cvel[:, 3:], axis=1), {}
+
+    def stiffer(model, data, hardest: bool = False) -> None:
+        for contact, solref in solrefs.items():
+            first, second, named = (int(getattr(contacts, side)[contact]) for side in ("first", "second", "named"))
+            kind, rows = (
+                ("pair", [named]) if named >= 0 else ("geom", [first, second][: 2 - contacts.outranked[contact]])
+            )
+            getattr(model, f"{kind}_solref")[rows] = shortest if hardest else solref
+            if hardest:
+                getattr(model, f"{kind}_solimp")[rows, :3] = HARD
+
+    harder, shortest = partial(stiffer, hardest=True), (2.0 * model.opt.timestep, 1.0)
+    for pair in dict.fromkeys(tuple(sorted(pair)) for pair in rest.data.contact.geom.tolist()):
+        if (contact := pairs.get(pair)) is None:  # a flex, or one of many alike
+            continue
+
+        def read(model, data, pair=pair) -> float:
+            return float(-data.contact.dist[(np.sort(data.contact.geom, axis=1) == pair).all(axis=1)].min(initial=0.0))
+
+        depth, bodies = read(model, rest.data), model.geom_bodyid[list(pair)]
+        thin, partner = sorted(pair, key=lambda geom: sizes[geom])
+        lies = scene.free[bodies].sum() == 1 and model.body_weldid[bodies].min() == 0
+        least = min(LEAST["mm"], SUNK * sizes[thin])
+        moves = WINDOW_S * max(speeds[bodies])
+        if depth <= max(least, moves) or (depth < 2.0 * run.first.get(pair, 0.0) and not lies):
+            continue
+        share, (first, second) = min(LEAST["mm"] / depth, 0.4), contacts.solref[contact].tolist()
+        shorter = max(first, 2.0 * model.opt.timestep) * share**0.5
+        new = (max(shorter, 2.0 * model.opt.timestep), second) if first > 0.0 else (first / share, second / share**0.5)
+        solrefs[contact] = new
+        changes = for_contact(scene, contact, lambda _, new=new: f"{new[0]:.3g} {new[1]:.3g}", "").changes
+        ways = [
+            (", ".join(map(str, changes)), stiffer),
+            (f"{HARDEST.format(*map(_text, (shortest, HARD)))} there", harder),
+        ]
+        message = "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,"
+        yield Give(
+            "depth", scene.names[thin], "depth", message, read, ways, "mm", least, sizes[thin] / least,
+            (scene.names[partner],), scene.source.geom(thin),
+        )  # fmt: skip
 
 
 def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
     """Yield joints and tendons with a range, and how far beyond it they lie."""
     solref = max(0.005, 2.0 * model.opt.timestep), 1.0
-    for joint in np.flatnonzero(model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))).tolist():
-        place, (low, high) = model.jnt_qposadr[joint], model.jnt_range[joint].tolist()
+    servos = np.flatnonzero(is_servo(model) & (model.jnt_limited[model.actuator_trnid[:, 0]] > 0))
+    ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / model.actuator_gear[servos, :1]
 
-        def past(model, data, place=place, low=low, high=high) -> float:
-            return float(max(low - data.qpos[place], data.qpos[place] - high))
+    def harder(model, data) -> None:
+        model.jnt_solref[:] = model.tendon_solref_lim[:] = solref
 
-        def harder(model, data, joint=joint) -> None:
-            model.jnt_solref[joint] = solref
+    def clipped(model, data) -> None:
+        data.ctrl[servos] = np.clip(data.ctrl[servos], ranges.min(axis=1), ranges.max(axis=1))
 
+    def give(name: str, parameter: str, low: float, high: float, unit: str, length: Read, joint: int = -1) -> Give:
         ways = [(f'solreflimit="{solref[0]:g} 1" on it', harder)]
-        for servo in np.flatnonzero((model.actuator_trnid[:, 0] == joint) & is_servo(model)).tolist():
-            if not low <= data.ctrl[servo] * model.actuator_gear[servo, 0] <= high:
+        for servo in servos[model.actuator_trnid[servos, 0] == joint].tolist():
+            if not low <= (told := data.ctrl[servo] * model.actuator_gear[servo, 0]) <= high:
+                actuator = model.actuator(servo).name or "its actuator"
+                ways = [(f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}, which asks for {told:.4g}', clipped)]
 
-                def clipped(model, data, servo=servo, low=low, high=high) -> None:
-                    data.ctrl[servo] = min(max(data.ctrl[servo], low), high)
+        def past(model, data) -> float:
+            return float(max(low - length(model, data), length(model, data) - high))
 
-                text = f'ctrlrange="{low:.4g} {high:.4g}" on {model.actuator(servo).name or "its actuator"}'
-                ways = [(f"{text}, which asks for {data.ctrl[servo]:.4g}", clipped)]
-        name, turns = model.joint(joint).name or f"joint_{joint}", bool(model.jnt_type[joint] == HINGE)
-        yield Give("limit", name, "position", "is how far it is beyond its range", turns, past, ways)
+        return Give("limit", name, parameter, "is how far it is beyond its range", past, ways, unit, far=MUCH)
+
+    for joint in np.flatnonzero(model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))).tolist():
+        unit, address = "°" if model.jnt_type[joint] == HINGE else "mm", model.jnt_qposadr[joint]
+        name = model.joint(joint).name or f"joint_{joint}"
+        yield give(name, "position", *model.jnt_range[joint], unit, lambda _, d, at=address: d.qpos[at], joint)
     for tendon in np.flatnonzero(model.tendon_limited).tolist():
+        name = model.tendon(tendon).name or f"tendon_{tendon}"
+        unit = "°" if _turns(model, tendon) else "mm"
+        yield give(name, "length", *model.tendon_range[tendon], unit, lambda _, d, at=tendon: d.ten_length[at])
 
-        def longer(model, data, tendon=tendon) -> float:
-            low, high = model.tendon_range[tendon]
-            return float(max(low - data.ten_length[tendon], data.ten_length[tendon] - high))
 
-        def shorter(model, data, tendon=tendon) -> None:
-            model.tendon_solref_lim[tendon] = solref
-
-        name, ways = (
-            model.tendon(tendon).name or f"tendon_{tendon}",
-            [(f'solreflimit="{solref[0]:g} 1" on it', shorter)],
-        )
-        yield Give("limit", name, "length", "is how far it is beyond its range", False, longer, ways)
+def _turns(model: mujoco.MjModel, tendon: int) -> bool:
+    """Tell whether a tendon is the sum of angles, as a fixed one of hinges."""
+    wrap = model.tendon_adr[tendon]
+    of_joint = model.wrap_type[wrap] == int(mujoco.mjtWrap.mjWRAP_JOINT)
+    return bool(of_joint and model.jnt_type[model.wrap_objid[wrap]] == HINGE)
 
 
 def _equalities(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
     """Yield equalities, and how far they are open; of a weld's six rows the last three are of rotation."""
+    solref = 2.0 * model.opt.timestep, 1.0
+
+    def harder(model, data) -> None:
+        model.eq_solref[:], model.eq_solimp[:, :3] = solref, HARD
+
     for equality in np.unique(data.efc_id[data.efc_type == EQUALITY]).tolist():
         if (kind := COUPLINGS.get(int(model.eq_type[equality]))) is None:
             continue
@@ -176,15 +251,12 @@ def _equalities(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
             rows = (data.efc_type == EQUALITY) & (data.efc_id == equality)
             return float(np.linalg.norm(data.efc_pos[rows][:3]))
 
-        def harder(model, data, equality=equality) -> None:
-            model.eq_solref[equality], model.eq_solimp[equality, :3] = (2.0 * model.opt.timestep, 1.0), HARD
-
-        solref = " ".join(f"{entry:g}" for entry in model.eq_solref[equality])
-        turns = kind == "joint" and model.jnt_type[model.eq_obj1id[equality]] == HINGE
-        text = f'solref="{2.0 * model.opt.timestep:g} 1" solimp="{" ".join(map(str, HARD))}" on it'
-        message = f"is how far this {kind} is open with a solref of {solref}"
+        joint = int(model.eq_obj1id[equality])
+        turns = _turns(model, joint) if kind == "tendon" else kind == "joint" and model.jnt_type[joint] == HINGE
+        message = f"is how far this {kind} is open with a solref of {_text(model.eq_solref[equality])}"
         name = model.eq(equality).name or f"equality_{equality}"
-        yield Give("equality", name, "gap", message, bool(turns), gap, [(text, harder)])
+        ways = [(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)]
+        yield Give("equality", name, "gap", message, gap, ways, "°" if turns else "mm")
 
 
 def is_servo(model: mujoco.MjModel) -> np.ndarray:
@@ -196,72 +268,77 @@ def is_servo(model: mujoco.MjModel) -> np.ndarray:
 
 def _servos(model: mujoco.MjModel, rest: Rest) -> Iterator[Give]:
     """Yield servos, and how far gravity pulls them from what they are told."""
+    times = np.ones(model.nu)
+
+    def stiffer(model, data) -> None:
+        model.actuator_gainprm[:, 0] *= times
+        model.actuator_biasprm[:, 1] *= times
+        model.actuator_biasprm[:, 2] *= np.sqrt(times)
+
+    def light(model, data) -> None:
+        model.opt.gravity[:] = 0.0
+
     for servo in np.flatnonzero(is_servo(model)).tolist() if model.nkey == 0 or rest.start != "the start" else ():
         joint = int(model.actuator_trnid[servo, 0])
         if model.jnt_type[joint] not in (HINGE, SLIDE) or rest.data.qfrc_constraint[model.jnt_dofadr[joint]]:
             continue
-        turns = bool(model.jnt_type[joint] == HINGE)
 
         def short(model, data, servo=servo) -> float:
             return abs(float(data.ctrl[servo] - data.actuator_length[servo]))
 
-        times = math.ceil(short(model, rest.data) / (OPEN_RAD if turns else OPEN_M))
-
-        def stiffer(model, data, servo=servo, times=times) -> None:
-            model.actuator_gainprm[servo, 0] *= times
-            model.actuator_biasprm[servo, 1] *= times
-            model.actuator_biasprm[servo, 2] *= math.sqrt(times)
-
-        def light(model, data) -> None:
-            model.opt.gravity[:] = 0.0
-
+        unit = "°" if model.jnt_type[joint] == HINGE else "mm"
+        times[servo] = max(1.0, math.ceil(short(model, rest.data) / LEAST[unit]))
         name = model.actuator(servo).name or model.joint(joint).name or f"actuator_{servo}"
         ways = [('gravcomp="1" on the bodies that it carries', light)]
-        ways += [(f'kp="{times * model.actuator_gainprm[servo, 0]:.4g}" on it', stiffer)]
-        yield Give("servo", name, "error", "is how far gravity pulls it from its target", turns, short, ways, True)
+        ways += [(f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it', stiffer)]
+        message = "is how far gravity pulls it from its target"
+        yield Give("servo", name, "error", message, short, ways, unit, needs_way=True)
 
 
 def _passed(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Finding]:
-    """Yield what joints have driven through a box that a thicker one would have stopped."""
+    """Yield what has fallen, flown or been driven through a box that a thicker one would have stopped."""
     model, contacts = scene.model, scene.contacts
     data = list(starts(model, target))[index][1]
     mujoco.mj_kinematics(model, data)
-    for pair in zip(contacts.first.tolist(), contacts.second.tolist(), strict=True):
-        for geom, wall in itertools.permutations(pair):
-            if model.geom_type[wall] != BOX or scene.free[model.geom_bodyid[geom]]:
-                continue
-            axis = int(model.geom_size[wall].argmin())
-            if _crosses(model, data, rest.data, geom, wall, axis):
-                for times in THICKER:
+    pairs = np.stack([contacts.first, contacts.second], axis=1)
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
+    pairs = pairs[model.geom_type[pairs[:, 1]] == BOX]
+    for geom, wall in pairs[_crossing(model, pairs, [places_of(data), *rest.places])].tolist():
+        axis, pair = int(model.geom_size[wall].argmin()), np.array([[geom, wall]])
+        distance = float(np.linalg.norm(data.geom_xpos[geom] - data.geom_xpos[wall]))
+        for times in THICKER:
 
-                    def thicker(model, data, wall=wall, axis=axis, times=times) -> None:
-                        model.geom_size[wall, axis] *= times
-                        model.geom_rbound[wall] = np.linalg.norm(model.geom_size[wall])
-                        model.geom_aabb[wall, 3:] = model.geom_size[wall]
+            def thicker(model, data, wall=wall, axis=axis, times=times) -> None:
+                model.geom_size[wall, axis] *= times
+                model.geom_rbound[wall] = np.linalg.norm(model.geom_size[wall])
+                model.geom_aabb[wall, 3:] = model.geom_size[wall]
 
-                    after, thick = _again(scene, target, index, thicker), M * 2.0 * model.geom_size[wall, axis]
-                    if after and not _crosses(model, data, after.data, geom, wall, axis):
-                        names, message = scene.names, f"thick, and it is on the other side of it {rest}"
-                        advice = Advice(
-                            (), f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive"
-                        )
-                        element, against = scene.source.geom(wall), (names[wall],)
-                        yield Finding(
-                            "tunnel", names[geom], "wall", thick, message, against, None, "mm", "error", element, advice
-                        )
-                        break
+            thick = M * 2.0 * model.geom_size[wall, axis]
+            after = _again(scene, target, index, thicker) if times * thick < 2.0 * M * distance else None
+            if after and not _crossing(model, pair, after.places).any():
+                message = f"thick, and it has gone through it, from {rest.start}"
+                advice = Advice((), f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive")
+                element, against = scene.source.geom(wall), (scene.names[wall],)
+                yield Finding(
+                    "tunnel", scene.names[geom], "wall", thick, message, against, None, "mm", "error", element, advice
+                )
+                return
 
 
-def _crosses(model: mujoco.MjModel, first: mujoco.MjData, last: mujoco.MjData, geom: int, wall: int, axis: int) -> bool:
-    """Tell whether a geom is on the other side of a box than at first, by a way through it."""
-    ways = [
-        data.geom_xmat[wall].reshape(3, 3).T @ (data.geom_xpos[geom] - data.geom_xpos[wall]) for data in (first, last)
-    ]
-    before, after = ways[0][axis], ways[1][axis]
-    if before * after >= 0.0:
-        return False
-    across = ways[0] + (ways[1] - ways[0]) * before / (before - after)
-    return bool((np.abs(across) <= model.geom_size[wall]).all())
+def _crossing(model: mujoco.MjModel, pairs: np.ndarray, places: Sequence[Places]) -> np.ndarray:
+    """Tell of geoms and boxes whether the geom has gone from one side of the box to the other, and through it."""
+    rows, (geoms, walls) = np.arange(len(pairs)), pairs.T
+    axis, crossing, last = model.geom_size[walls].argmin(axis=1), np.zeros(len(pairs), dtype=bool), None
+    for positions, axes in places:
+        way = np.einsum("nji,nj->ni", axes[walls].reshape(-1, 3, 3), positions[geoms] - positions[walls])
+        if last is not None:
+            before, after = last[rows, axis], way[rows, axis]
+            is_through = before * after < 0.0
+            share = np.where(is_through, before / np.where(is_through, before - after, 1.0), 0.0)
+            across = np.abs(last + (way - last) * share[:, None])
+            crossing |= is_through & (across <= model.geom_size[walls]).all(axis=1)
+        last = way
+    return crossing
 
 
 def _released(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Finding]:
@@ -276,8 +353,7 @@ def _released(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[
     begins[1].ctrl[servos] = lengths[servos]
     before, after = (_fastest(model, data) for data in begins)
     if before > LEAVES and after < MENDS * before:
-        ctrl = " ".join(f"{value:.4g}" for value in begins[1].ctrl)
-        advice = Advice((), f'ctrl="{ctrl}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s')
+        advice = Advice((), f'ctrl="{_text(begins[1].ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s')
         message = "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0"
         yield Finding("keyframe", rest.start, "speed", before, message, advice=advice)
 
@@ -292,7 +368,7 @@ def _fastest(model: mujoco.MjModel, data: mujoco.MjData) -> float:
 
 def _crowded(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Finding]:
     """Yield height fields under which a geom has as many contacts as a pair gets: those of the far side are missing."""
-    model = scene.model
+    model, names = scene.model, scene.names
     data = list(starts(model, target))[index][1]
     for _ in range(round(LEAVES_S / model.opt.timestep) if model.nhfield else 0):
         mujoco.mj_step(model, data)
@@ -301,19 +377,20 @@ def _crowded(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[F
             field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
             wide = model.hfield_size[model.geom_dataid[field]]
             ncol, nrow = (max(2, round(2.0 * side / (0.7 * model.geom_rbound[geom]))) for side in wide[:2].tolist())
-            message = "contacts are all that a pair gets, and more cells touch it: it sinks through"
-            advice = Advice(
-                (), f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them'
-            )
-            names, element = scene.names, scene.source.geom(field)
-            yield Finding(
-                "hfield",
-                names[geom],
-                "",
-                MOST_CONTACTS,
-                f"{MOST_CONTACTS} {message}",
-                (names[field],),
-                element=element,
-                advice=advice,
-            )
+            message = f"{MOST_CONTACTS} contacts are all that a pair gets, and more cells touch it: it sinks through"
+            text = f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them'
+            element, advice = scene.source.geom(field), Advice((), text)
+            against = (names[field],)
+            yield Finding("hfield", names[geom], "", MOST_CONTACTS, message, against, element=element, advice=advice)
             return
+
+
+def _thin(model: mujoco.MjModel) -> np.ndarray:
+    """Return half the thickness of each geom where it is thinnest; infinite of what has no other side [m]."""
+    sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
+    sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
+    return sizes
+
+
+def _text(values: Sequence[float]) -> str:
+    return " ".join(f"{value:.4g}" for value in values)

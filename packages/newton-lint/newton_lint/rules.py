@@ -10,17 +10,15 @@ from newton_lint import advice
 from newton_lint.advice import FAR
 from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, Wording, findings_of
-from newton_lint.law import DEFAULT_SOLREF, M
+from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import STEEP, engine, gap, lost, override, pyramid, unread
+from newton_lint.scene_rules import closed, engine, fixed, lost, override, pyramid, unread, visual
 from newton_lint.source import Element
 
 SAME = 1e-5
 """Relative difference up to which two parameters are the same."""
 STIFF = 1.9
 """b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
-DEEP_M = 1e-3
-"""Depth from which what lies is said to sink in."""
 Values = tuple[np.ndarray, np.ndarray | float]
 Advise = Callable[[int], Advice | None]
 DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
@@ -30,10 +28,10 @@ SLIDING, SPINNING, ROLLING = 3, 4, 6
 
 def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
-    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, depth, unused)
+    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, unused)
     names = scene.names
     findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
-    scene_rules = (lost, pyramid, gap, unread, override, engine)
+    scene_rules = (lost, fixed, visual, closed, pyramid, unread, override, engine)
     return findings + [finding for rule in scene_rules for finding in rule(scene)]
 
 
@@ -55,13 +53,19 @@ def solimp(scene: Scene) -> Iterator[Hits]:
     """Yield entries of solimp beyond 0 and 1, or in the wrong order."""
     counted = np.flatnonzero(scene.counts)
     dmin, dmax, width, midpoint, power = scene.model.geom_solimp[counted].T
+    low, high = np.clip(dmin, 0.0001, 0.9999), np.clip(dmax, 0.0001, 0.9999)
     faults = {  # with what getsolparam makes of each; the order alone it takes as it is
-        "solimp[0]": ((dmin < 0.0) | (dmin > 1.0), dmin, np.clip(dmin, 0.0001, 0.9999), "is no share of 0 to 1"),
-        "solimp[1]": ((dmax < 0.0) | (dmax > 1.0), dmax, np.clip(dmax, 0.0001, 0.9999), "is no share of 0 to 1"),
+        "solimp[0]": ((dmin < 0.0) | (dmin > 1.0), dmin, low, "is no share of 0 to 1"),
+        "solimp[1]": ((dmax < 0.0) | (dmax > 1.0), dmax, high, "is no share of 0 to 1"),
         "solimp[2]": (width < 0.0, width, np.maximum(width, 0.0), "is no width"),
         "solimp[3]": ((midpoint < 0.0) | (midpoint > 1.0), midpoint, np.clip(midpoint, 0.0, 1.0), "is no share"),
         "solimp[4]": (power < 1.0, power, np.maximum(power, 1.0), "is below 1, the least power"),
-        "solimp": (dmin > dmax, dmin, dmax, "is larger than dmax: the deeper, the softer, and creep grows with load"),
+        "solimp": (
+            np.clip(dmin, 0.0, 1.0) > np.clip(dmax, 0.0, 1.0),
+            dmin,
+            dmax,
+            "is larger than dmax: the deeper, the softer, and creep grows with load",
+        ),
     }
     for name, (wrong, values, used, message) in faults.items():
         severity = "warning" if name == "solimp" else "note"  # to clip is what was meant
@@ -174,40 +178,6 @@ def friction(scene: Scene) -> Iterator[Hits]:
     wording, values = Wording("friction", "friction", message), (authored[low], least[low])
     advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
     yield _geom_hits(scene, wording, low, values, "friction", advise)
-
-
-def depth(scene: Scene) -> Iterator[Hits]:
-    """Yield bodies that their own weight presses far into what they lie on: by (1 - dmax) g (timeconst dampratio)²."""
-    contacts, model, option = scene.contacts, scene.model, scene.option
-    shape = np.where(scene.free[model.geom_bodyid[contacts.first]], contacts.first, contacts.second)
-    partner, body = contacts.first + contacts.second - shape, model.body_weldid[model.geom_bodyid[shape]]
-    first, second = contacts.solref.T
-    lies = scene.free[body] & ~scene.free[model.geom_bodyid[partner]] & (first * second > 0.0)
-    lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body])  # links that it carries press too
-    is_clamped = option.refsafe and not option.discrete
-    timeconst = np.maximum(first, 2.0 * option.timestep_s) if is_clamped else first
-    with np.errstate(divide="ignore"):
-        inverse_k = np.where(first > 0.0, (timeconst * second) ** 2, -1.0 / first)
-    soft = (1.0 - np.clip(contacts.solimp[:, 1], 0.0, 1.0)) * inverse_k
-    mu, rows = contacts.friction[:, 0], np.maximum(contacts.condim - 1, 1)
-    is_pyramid = (option.cone == "pyramidal") & (contacts.condim > 1)
-    # mj_makeImpedance: all edges have one R, 2 μ²/impratio times the first's, which matches the cone's friction.
-    steep = np.where(is_pyramid, (1.0 + mu**2) * mu**2 / option.impratio / rows, 1.0)
-    deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / scene.point_counts[shape]
-    is_steep = is_pyramid & (mu > STEEP)  # which pyramid says
-    deep = np.flatnonzero(lies & ~is_steep & (deep_m > DEEP_M))
-
-    def shallower(pair: int) -> Advice:
-        share = DEEP_M / deep_m[pair]
-        less = max(timeconst[pair] * share**0.5, 2.0 * option.timestep_s)
-        direct = f"{first[pair] / share:.4g} {second[pair] / share**0.5:.3g}" if first[pair] < 0.0 else ""
-        gain = f"{M * deep_m[pair]:.3g} → {M * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
-        return advice.for_contact(scene, pair, lambda solref: direct or f"{less:.3g} {solref[1]:g}", gain)
-
-    message = "is how deep its weight presses it in, whatever its mass: stiffness grows with mass; "
-    wording = Wording("depth", "depth", f"{message}solref and solimp decide", "mm", "note")
-    element = _solref_elements(scene, deep, partner[deep])
-    yield Hits(wording, shape[deep], M * deep_m[deep], np.nan, partner[deep], deep, element, shallower)
 
 
 def unused(scene: Scene) -> Iterator[Hits]:

@@ -1,6 +1,5 @@
 """Rules on what a scene does when it is stepped; each change that they name has been measured."""
 
-import contextlib
 import copy
 import itertools
 import math
@@ -13,11 +12,9 @@ import numpy as np
 
 from newton_lint.advice import either, for_option
 from newton_lint.findings import Advice, Change, Finding
-from newton_lint.law import EULER, IMPLICITFAST, M, clamped, normal_damping, stiffness
-from newton_lint.pairs import HFIELD, PLANE
-from newton_lint.rest import WINDOW_S, Rest, at_rest, is_servo, rest_of
+from newton_lint.law import EULER, IMPLICITFAST, M
+from newton_lint.rest import at_rest, is_servo, rest_of
 from newton_lint.scene import Scene, changed
-from newton_lint.scene_rules import WEIGHTLESS
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of, starts
 from newton_lint.target import Target
 
@@ -27,8 +24,6 @@ CALMER = 0.5
 """Share of it that is left where a change mends it."""
 OVERLAP_M, OVERLAP_SHARE = 1e-3, 0.05
 """Overlap at the start from which it is looked at, also as a share of the smaller geom."""
-SUNK = 0.2
-"""Share of half its thickness by which what lies is sunk."""
 FORCE = 100.0
 """Times the weight of all that moves from which a force between links of one robot is out of proportion."""
 LIMITED = 0.5
@@ -37,15 +32,11 @@ DIFFERS_M = 1e-3
 """What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
 SAG, HELD, AGREES = 5e-3, 0.99, 0.7
 """Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
-MOST_FLYING, MOST_MET, LATEST_S, STOPS_S = 20, 20, 2.0, 0.1
-"""Bodies whose flight is followed, geoms ahead of one, how late it may hit, and time in which what it hits stops it."""
-MANY, FEW, CHEAPER = 1000, 64, 0.9
-"""Vertices of a convex hull that are many, as many as do, and the share of the time that a step then takes."""
-HINGE, MESH = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtGeom.mjGEOM_MESH)
+HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 Way = tuple[Callable[[mujoco.MjModel], None], dict[str, str], str]
 """A change of the model, what of it are options, and the rest of it in words."""
-ITERATED = ("solver", "thrown", "unstable")
+ITERATED, GIVES = ("solver", "thrown", "unstable"), ("depth", "equality", "limit", "servo")
 HELD_S = 2.0
 """Time for which a change has to hold, from each start, before it is said to mend what blows up."""
 
@@ -58,17 +49,17 @@ def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
         return [Finding("unstepped", "", "nv", float(scene.model.nv), message, severity="note")]
     for index, run in enumerate(runs):
         rest = None if run.bad else rest_of(scene.model, run.data, run.start)
-        early = (rule(scene, target, run, index) for rule in (_unstable, _tunnels, _overlapping, _sagging))
-        late = (rule(scene, target, run, rest, index) for rule in (_sunk, at_rest) if rest)
-        for finding in itertools.chain(*early, *late):
+        early = (rule(scene, target, run, index) for rule in (_unstable, _overlapping, _sagging))
+        late = at_rest(scene, target, run, rest, index) if rest else ()
+        for finding in itertools.chain(*early, late):
             key = finding.rule, finding.shape, finding.against
             if key not in findings or finding.value > findings[key].value:
                 findings[key] = finding
-    results = [*findings.values(), *_hulls(scene, target, runs[0])]
-    # What the solver leaves overlapping is no fault of the places.
-    unsolved = any("iterations=" in str(finding.advice) for finding in results if finding.rule in ITERATED)
-    is_effect = {"overlap": unsolved}
-    return [replace(item, severity="note") if is_effect.get(item.rule) else item for item in results]
+    # What the solver leaves overlapping is no fault of the places, nor what an overlap jams one of what gives.
+    unsolved = any("iterations=" in str(item.advice) for item in findings.values() if item.rule in ITERATED)
+    jammed = any(item.rule == "overlap" and item.severity == "warning" for item in findings.values())
+    effects = ("overlap",) * unsolved + GIVES * jammed
+    return [replace(item, severity="note") if item.rule in effects else item for item in findings.values()]
 
 
 def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> Run:
@@ -227,78 +218,6 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
         yield Finding("overlap", shape, "overlap", M * depth, message, against, None, "mm", severity, element, advice)
 
 
-def _sunk(scene: Scene, target: Target, run: Run, rest: Rest, index: int) -> Iterator[Finding]:
-    """Yield what lies and is pressed in by a share of its thickness, as what bears far more than its own weight is."""
-    model, data, sizes = scene.model, rest.data, _thin(scene.model)
-    speeds = np.linalg.norm(data.cvel[:, 3:], axis=1)
-    distances = data.contact.dist.tolist()
-    for contact, (pair, distance) in enumerate(zip(data.contact.geom.tolist(), distances, strict=True)):
-        moves = WINDOW_S * max(speeds[model.geom_bodyid[pair]])
-        rests = min(pair) >= 0 and moves < -distance
-        thin, partner = sorted(pair, key=lambda geom: sizes[geom])
-        if rests and -distance > SUNK * sizes[thin] and -distance > 2.0 * run.first.get(tuple(pair), 0.0):
-            newtons = float(contact_forces(model, data, [contact])[0, 0])
-            message = f"is how deep {newtons:.3g} N on a point press it in {rest}: a contact is only as stiff "
-            message += "as its lighter body is heavy"  # R is of the sum of both body_invweight0
-            against, depth, shape = (scene.names[partner],), -M * distance, scene.names[thin]
-            advice = Advice((), "a shorter timeconst, a solimp nearer to 1, or masses nearer to each other")
-            element = scene.source.geom(thin)
-            yield Finding("depth", shape, "depth", depth, message, against, None, "mm", "note", element, advice)
-
-
-def _thin(model: mujoco.MjModel) -> np.ndarray:
-    """Return half the thickness of each geom where it is thinnest; infinite of what has no other side [m]."""
-    sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
-    sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
-    return sizes
-
-
-def _tunnels(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
-    """Yield what flies or falls through a geom that is too thin to stop it."""
-    model, step_s, sizes = scene.model, scene.model.opt.timestep, _thin(scene.model)
-    data = list(starts(model, target))[index][1]
-    mujoco.mj_forward(model, data)
-    weight = model.opt.gravity * (not model.opt.disableflags & WEIGHTLESS)
-    for body in model.jnt_bodyid[free_joints(model)[:MOST_FLYING]].tolist():
-        begin, flies = data.xipos[body], data.cvel[body, 3:]
-        way = flies if np.linalg.norm(flies) > THROWN_M_S else weight
-        ahead = way / max(float(np.linalg.norm(way)), mujoco.mjMINVAL)
-        far, pair, geom, wall = _met(scene, data, body, ahead)
-        first = float(flies @ ahead)
-        speed = math.sqrt(max(first**2 + 2.0 * far * float(weight @ ahead), 0.0))
-        time_s = 2.0 * far / max(first + speed, mujoco.mjMINVAL)
-        if pair < 0 or time_s > LATEST_S or run.bad:
-            continue
-        contact, option = scene.contacts.contact(pair), scene.option
-        dmax = clamped(contact.solimp[1])
-        stiff = stiffness(contact, option, dmax) ** 0.5
-        damped = 0.5 * (math.e - 1.0) * normal_damping(contact, option, dmax)
-        deep = speed * max(step_s, 0.5 * step_s + 1.0 / max(stiff + damped, mujoco.mjMINVAL))  # within 2 %
-        if deep > sizes[wall] + sizes[geom]:
-            after = _again(target, model, index, time_s + STOPS_S).data
-            moved = after.xipos[body] - begin - after.geom_xpos[wall] + data.geom_xpos[wall]
-            if float(moved @ ahead) > far + 2.0 * sizes[wall] + sizes[geom]:
-                message = f"takes it through {M * 2.0 * sizes[wall]:.3g} mm, {time_s:.2g} s after {run.start}"
-                gain = f"{M * 2.2 * (deep - sizes[geom]):.3g} mm stop it, or a shorter time step and timeconst"
-                shape, against, element = scene.names[geom], (scene.names[wall],), scene.source.geom(wall)
-                finding = Finding("tunnel", shape, "speed", speed, message, against, None, "m/s", "error", element)
-                yield replace(finding, advice=Advice((), gain))
-
-
-def _met(scene: Scene, data: mujoco.MjData, body: int, ahead: np.ndarray) -> tuple[float, int, int, int]:
-    """Return how far ahead of a body the first geom is that it can touch, their pair, the body's geom and that one."""
-    body_of, contacts, hit, far = scene.model.geom_bodyid, scene.contacts, np.zeros(1, dtype=np.int32), 0.0
-    for _ in range(MOST_MET if ahead.any() else 0):
-        more = mujoco.mj_ray(scene.model, data, data.xipos[body] + far * ahead, ahead, None, 1, body, hit)
-        if more < 0.0:
-            break
-        far += more + 1e-9  # mj_ray would hit the same surface again
-        for geoms, partners in itertools.permutations((contacts.first, contacts.second)):
-            for pair in np.flatnonzero((partners == hit[0]) & (body_of[geoms] == body)).tolist():
-                return far, pair, int(geoms[pair]), int(hit[0])
-    return far, -1, -1, -1
-
-
 def _sagging(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     """Yield joints that dry friction holds, and that creep as contacts do."""
     model = scene.model
@@ -327,25 +246,3 @@ def _sags(model: mujoco.MjModel, run: Run) -> dict[int, float]:
         if is_held and min(ratios) > AGREES and max(ratios) < 1.0 / AGREES:
             speeds[dof] = rate
     return speeds
-
-
-def _hulls(scene: Scene, target: Target, run: Run) -> Iterator[Finding]:
-    """Yield meshes that collide with more vertices than it takes, and what a step costs with fewer."""
-    model = scene.model
-    touch = (model.geom_contype | model.geom_conaffinity) != 0
-    meshes = sorted({*model.geom_dataid[touch & (model.geom_type == MESH)].tolist()})
-    graphs = {mesh: model.mesh_graphadr[mesh] for mesh in meshes}
-    counts = {mesh: int(model.mesh_graph[start]) for mesh, start in graphs.items() if start >= 0}  # -1: no hull
-    worst = max(counts, key=lambda mesh: counts[mesh], default=-1)
-    if counts.get(worst, 0) < MANY or target.path is None:
-        return
-    with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
-        spec = mujoco.MjSpec.from_file(str(target.path))
-        for mesh in spec.meshes:
-            mesh.maxhullvert = FEW
-        after = _again(target, spec.compile(), 0, run.time_s)
-        before_us, after_us = (1e6 * cost_s * model.opt.timestep for cost_s in (run.cost_s, after.cost_s))
-        message = f"vertices has its convex hull: a step takes {before_us:.3g} µs, and with {FEW} {after_us:.3g} µs"
-        name, fewer = model.mesh(worst).name, Advice((), f'maxhullvert="{FEW}" on its <mesh>')
-        advice = fewer if after_us < CHEAPER * before_us else None
-        yield Finding("hull", name, "hull", counts[worst], message, severity="note", advice=advice)
