@@ -42,10 +42,6 @@ def alone(solref: str, **more) -> dict:
     return {"floor": f'priority="1" solref="{solref}"', **more}
 
 
-def lies(timeconst_s: float, mu: float = 1.0, more: str = "", **changes) -> dict:
-    return {"floor": f'priority="1" solref="{timeconst_s} 1" friction="{mu}" {more}', **changes}
-
-
 FOUND = [
     ("solref-format", alone("0.03 -1"), -1.0, 1.0, "error", 'solref="0.03 1"'),
     ("solref-format", alone("-100 1"), 1.0, 1.0, "error", 'solref="-100 -20"'),  # critical: 2 √100
@@ -80,23 +76,11 @@ FOUND = [
     ("unused", {"floor": 'condim="1"', "part": 'condim="1" friction="2"'}, 2.0, None, "note", 'condim="3"'),
     ("unused", {"part": 'friction="1 0.2"'}, 0.2, None, "note", 'condim="4"'),
     ("unused", {"part": 'friction="1 0.005 0.3" condim="4"'}, 0.3, None, "note", 'condim="6"'),
-    # g (1 - dmax) timeconst² over 4 points of a box, 9.81 · 0.05 / 4 m/s² times 91² ms²
-    ("depth", lies(0.091), 0.122625 * 8.281, None, "note", 'solref="0.0903 1"'),  # 91 ms / √1.01546
-    ("depth", lies(0.03, 2.0), 1.103625, None, "note", 'solref="0.0286 1"'),  # times (1 + μ²) μ² / 2 = 10
-    ("depth", lies(0.04, 2.0, 'condim="4"'), 1.308, None, "note", ""),  # / 3 in place of 2
-    ("depth", lies(0.06, 2.0, option='impratio="3"'), 1.4715, None, "note", ""),  # / 3
-    ("depth", lies(0.1, 2.0, 'condim="1"', part='condim="1"'), 1.22625, None, "note", ""),
-    ("depth", lies(0.1, 2.0, option='cone="elliptic"'), 1.22625, None, "note", ""),
-    ("depth", lies(0.05, dt=0.05), 1.22625, None, "note", ""),  # two steps
-    ("depth", lies(0.05, type="sphere"), 1.22625, None, "note", ""),  # on one point
-    ("depth", lies(0.07, type="capsule"), 1.201725, None, "note", ""),  # on two
-    ("depth", alone("-100 -20"), 1.22625, None, "note", 'solref="-122.6 -22.1"'),  # / 0.8155, / √0.8155
     ("pyramid", {"option": 'impratio="2"'}, 2.0, None, "warning", "goes down by 2 where μ is 1"),
     ("pyramid", {"floor": 'friction="3"'}, 3.0, None, "note", "goes down by 10 where"),  # 1 + μ²
     ("pyramid", {"floor": 'friction="3"'}, 3.0, None, "note", "goes down by 100 where"),
     ("pyramid", {"floor": 'friction="3"', "option": 'impratio="0.5"'}, 3.0, None, "note", "goes down by 200 where"),
     ("pyramid", {"floor": 'friction="3.1"', "option": 'iterations="9"'}, 3.1, None, "warning", 'iterations="10"'),
-    ("gap", {"floor": 'margin="0.03" gap="0.01"'}, 0.01, None, "note", 'margin="0.02"'),
     ("override", {"flag": '<flag override="enable"/>', "option": 'o_solref="0.07 1"'}, 0.07, None, "warning", "away"),
     ("lost", {"floor": 'conaffinity="4" contype="4"'}, 1.0, None, "warning", 'contype="4" conaffinity="4" on part'),
 ]
@@ -130,13 +114,8 @@ QUIET = [
     ("friction", {"part": 'friction="0.1" condim="1"', "floor": 'condim="1"'}),
     ("unused", {"part": 'friction="2 0.00500004 0"'}),
     ("unused", {"part": 'friction="2 0.1 0.1" condim="6"'}),
-    ("depth", lies(0.09)),
-    ("depth", lies(0.03, 2.0, 'condim="4"')),
-    ("depth", lies(0.05, dt=0.05, flag='<flag refsafe="disable"/>')),  # 0.31 mm
-    ("depth", lies(0.05, dt=0.05, integrator=DISCRETE)),
     ("pyramid", {"floor": 'friction="1"'}),
     ("pyramid", {"floor": 'friction="3"', "option": 'cone="elliptic" impratio="10"'}),
-    ("gap", {"floor": 'margin="0.01" gap="0.02"'}),
     ("override", {}),
     ("lost", {"floor": 'conaffinity="4"'}),
     ("lost", {"floor": 'conaffinity="4" contype="4"', "flag": '<flag gravity="disable"/>'}),
@@ -171,11 +150,9 @@ def test_entries_of_solimp_are_shares_in_their_order(solimp, parameter, value, u
 
 
 def test_a_pyramid_is_said_to_be_as_soft_as_it_is():
-    """Ten times at μ 2: (1 + μ²) μ² / 2, as what lies on it is pressed in deeper."""
+    """Ten times at μ 2: (1 + μ²) μ² / 2."""
     [finding] = found("pyramid", floor='friction="2"')
     assert "contacts 10 times softer" in finding.message
-    [deep], [flat] = (found("depth", **lies(0.1, mu)) for mu in (2.0, 1.0))
-    assert deep.value / flat.value == pytest.approx(10.0)
 
 
 def test_of_a_pair_whose_parameters_mix_the_stiffer_side_is_named():
@@ -199,12 +176,6 @@ def test_only_the_side_that_is_far_from_critical_is_changed(floor, part, ratio, 
     assert finding.value == pytest.approx(ratio)
     changed = [(each.subject, dict(each.attributes)["solref"]) for each in finding.advice.changes]
     assert changed == ([("floor", advice)] if advice else [("floor", "0.02 1"), ("part", "0.02 1")])
-
-
-def test_a_gap_is_told_of_both_releases():
-    [finding] = found("gap", floor='margin="0.03" gap="0.01"')
-    assert "presses from margin − gap, 0.02 m, on" in finding.message
-    assert "presses from margin, 0.03 m, on" in finding.message
 
 
 def test_a_pair_has_two_frictions_that_slide_then_one_that_spins_and_two_that_roll():

@@ -78,7 +78,7 @@ def rules() -> dict[str, str]:
 
 
 class Explain(argparse.Action):
-    def __call__(self, parser, namespace, rule, option_string=None) -> NoReturn:
+    def __call__(self, parser, namespace, rule, option_string=None) -> None:
         """Print what a rule finds."""
         print(rules().get(rule) or parser.error(f"there is no rule {rule}: there are {', '.join(rules())}"))
         parser.exit(CLEAN)

@@ -58,11 +58,15 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
     return [int(body) for body in alone[first[share[first] > LEAST]] if weight[body]]
 
 
+def _is_between(touches: Sequence[Touch]) -> bool:
+    normals = np.array([touch.normal for touch in touches])
+    return float((normals @ normals.T).min()) < OPPOSE and len({touch.geoms for touch in touches}) > 1
+
+
 def _grip_findings(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: str) -> Iterator[Finding]:
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
     normals = np.array([touch.normal for touch in touches])
-    most_opposed = float((normals @ normals.T).min())
-    between, one_sided = most_opposed < OPPOSE and len({touch.geoms for touch in touches}) > 1, most_opposed > -OPPOSE
+    between, one_sided = _is_between(touches), float((normals @ normals.T).min()) > -OPPOSE
     if between:
         yield from _turns(scene, hold, start)
     least_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))

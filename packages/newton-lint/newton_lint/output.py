@@ -48,7 +48,7 @@ def summary(reports: Sequence[Report]) -> Iterator[str]:
 
 
 def text_of(report: Report) -> Iterator[str]:
-    groups = _folded(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
+    groups = grouped(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
     size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
     total = ", ".join(_counted(count, name) for name, count in counts.items() if count)
@@ -69,19 +69,6 @@ def text_of(report: Report) -> Iterator[str]:
         yield f"  {creep_line(prediction, report.load)}"
     if len(report.creep) > WORST and is_asked:
         yield f"  and {len(report.creep) - WORST} more: --json has them"
-
-
-def _folded(findings: Iterable[Finding]) -> list[list[Finding]]:
-    """Return groups of findings, all that is unused as one: a robot has hundreds."""
-    groups = grouped(findings)
-    unused = [group for group in groups if group[0].rule == "unused"]
-    if len(unused) < 2:
-        return groups
-    count = sum(map(len, unused))
-    message = f"{count} numbers that no contact reads, as of {unused[0][0].shape}; --json has them"
-    return [group for group in groups if group[0].rule != "unused"] + [
-        [Finding("unused", "", "", count, message, severity="note")]
-    ]
 
 
 def sentence(group: Sequence[Finding]) -> str:

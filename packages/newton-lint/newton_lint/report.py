@@ -21,18 +21,8 @@ from newton_lint.target import READER, Target, TargetError, newtons
 
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
-HUGE = 1e100
-NUMBERS = (
-    "geom_solref",
-    "geom_solimp",
-    "geom_friction",
-    "geom_size",
-    "geom_pos",
-    "geom_solmix",
-    "body_mass",
-    "body_pos",
-)
-NUMBERS += ("pair_solref", "pair_friction", "pair_solimp", "dof_armature", "actuator_gainprm", "actuator_biasprm")
+HUGE, NUMBERS = 1e100, ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
+"""Numbers whose squares are infinite, and what is looked at for them."""
 NEWTONS = "newton_lint.newton_models.report"
 
 
@@ -152,7 +142,8 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
         raise TargetError(f"{target.name}: is no model of MuJoCo's")
     if target.model.opt.timestep > 10.0:  # mj_step takes any, and the number of steps would round to none
         raise TargetError(f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate")
-    numbers = {name: getattr(target.model, name) for name in NUMBERS}
+    numbers = {name: getattr(target.model, name) for name in dir(target.model) if name.startswith(NUMBERS)}
+    numbers = {name: values for name, values in numbers.items() if values.dtype == np.float64}
     numbers |= {name: np.atleast_1d(getattr(target.model.opt, name)) for name in ("impratio", "gravity", "timestep")}
     for name, values in numbers.items():
         if np.abs(values[np.isfinite(values)]).max(initial=0.0) > HUGE or not np.isfinite(values).all():

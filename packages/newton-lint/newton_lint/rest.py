@@ -34,7 +34,7 @@ MENDS = 0.5
 SUNK = 0.2
 """Share of half its thickness by which what lies is sunk."""
 HARD, HARDEST = (0.999, 0.999, 0.001), 'solref="{}" solimp="{}"'
-THICKER = (4, 16, 64)
+THICKER = (2, 4, 8, 16, 32)
 LEAVES, LEAVES_S = 3.0, 0.2
 """Speed at which a keyframe is left from which it is said [m/s or rad/s], and time in which it is looked for."""
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
@@ -81,7 +81,7 @@ class Give:
     against: tuple[str, ...] = ()
     element: Element | None = None
     needs_way: bool = False
-    """Whether it is a fault only where one of the ways mends it."""
+    """Whether it is a fault only where the first of the ways mends it."""
 
 
 def rest_of(model: mujoco.MjModel, data: mujoco.MjData, start: str, seconds: float = LONGEST_S) -> Rest | None:
@@ -129,8 +129,8 @@ def at_rest(scene: Scene, target: Target, run: Run, rest: Rest, index: int) -> I
             if edit not in afters:  # all that a rule finds is changed at once
                 afters[edit] = _again(scene, target, index, edit)
         mended = [(text, give.read(model, after.data)) for text, edit in give.ways if (after := afters[edit])]
-        mended = [(text, max(after, 0.0)) for text, after in mended if after < MENDS * value]
-        if mended or not give.needs_way:
+        mended = [(text, max(0.0, after)) for text, after in mended if after < MENDS * value]
+        if not give.needs_way or (mended and mended[0][0] == give.ways[0][0]):
             gains = [f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest" for text, after in mended]
             severity = "warning" if mended and value > give.far * least else "note"
             advice, message = Advice((), "; or ".join(gains)) if gains else None, f"{give.message} {rest}"
@@ -152,19 +152,20 @@ def _again(scene: Scene, target: Target, index: int, edit: Edit) -> Rest | None:
 def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
     """Yield what is pressed in by a millimetre or a share of its thickness, whatever overlaps from the start aside."""
     model, contacts, sizes, pairs = scene.model, scene.contacts, _thin(scene.model), pair_indices(scene)
-    speeds, solrefs = np.linalg.norm(rest.data.cvel[:, 3:], axis=1), {}
+    speeds = np.linalg.norm(rest.data.cvel[:, 3:], axis=1)
+    solrefs: dict[int, tuple[float, float]] = {}
 
     def stiffer(model, data, hardest: bool = False) -> None:
         for contact, solref in solrefs.items():
             first, second, named = (int(getattr(contacts, side)[contact]) for side in ("first", "second", "named"))
-            kind, rows = (
-                ("pair", [named]) if named >= 0 else ("geom", [first, second][: 2 - contacts.outranked[contact]])
-            )
+            rows = [named] if named >= 0 else [first] if contacts.outranked[contact] else [first, second]
+            kind = "pair" if named >= 0 else "geom"
             getattr(model, f"{kind}_solref")[rows] = shortest if hardest else solref
             if hardest:
                 getattr(model, f"{kind}_solimp")[rows, :3] = HARD
 
-    harder, shortest = partial(stiffer, hardest=True), (2.0 * model.opt.timestep, 1.0)
+    shortest = 2.0 * model.opt.timestep, 1.0
+    harder: Edit = partial(stiffer, hardest=True)
     for pair in dict.fromkeys(tuple(sorted(pair)) for pair in rest.data.contact.geom.tolist()):
         if (contact := pairs.get(pair)) is None:  # a flex, or one of many alike
             continue
@@ -183,11 +184,8 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         shorter = max(first, 2.0 * model.opt.timestep) * share**0.5
         new = (max(shorter, 2.0 * model.opt.timestep), second) if first > 0.0 else (first / share, second / share**0.5)
         solrefs[contact] = new
-        changes = for_contact(scene, contact, lambda _, new=new: f"{new[0]:.3g} {new[1]:.3g}", "").changes
-        ways = [
-            (", ".join(map(str, changes)), stiffer),
-            (f"{HARDEST.format(*map(_text, (shortest, HARD)))} there", harder),
-        ]
+        changes = for_contact(scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), "").changes
+        ways = [(", ".join(map(str, changes)), stiffer), (HARDEST.format(_text(shortest), _text(HARD)), harder)]
         message = "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,"
         yield Give(
             "depth", scene.names[thin], "depth", message, read, ways, "mm", least, sizes[thin] / least,
@@ -207,7 +205,8 @@ def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
     def clipped(model, data) -> None:
         data.ctrl[servos] = np.clip(data.ctrl[servos], ranges.min(axis=1), ranges.max(axis=1))
 
-    def give(name: str, parameter: str, low: float, high: float, unit: str, length: Read, joint: int = -1) -> Give:
+    def give(name: str, parameter: str, span: np.ndarray, unit: str, field: str, at: int, joint: int = -1) -> Give:
+        low, high = span.tolist()
         ways = [(f'solreflimit="{solref[0]:g} 1" on it', harder)]
         for servo in servos[model.actuator_trnid[servos, 0] == joint].tolist():
             if not low <= (told := data.ctrl[servo] * model.actuator_gear[servo, 0]) <= high:
@@ -215,18 +214,19 @@ def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
                 ways = [(f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}, which asks for {told:.4g}', clipped)]
 
         def past(model, data) -> float:
-            return float(max(low - length(model, data), length(model, data) - high))
+            value = getattr(data, field)[at]
+            return float(max(low - value, value - high))
 
         return Give("limit", name, parameter, "is how far it is beyond its range", past, ways, unit, far=MUCH)
 
     for joint in np.flatnonzero(model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))).tolist():
         unit, address = "°" if model.jnt_type[joint] == HINGE else "mm", model.jnt_qposadr[joint]
         name = model.joint(joint).name or f"joint_{joint}"
-        yield give(name, "position", *model.jnt_range[joint], unit, lambda _, d, at=address: d.qpos[at], joint)
+        yield give(name, "position", model.jnt_range[joint], unit, "qpos", address, joint)
     for tendon in np.flatnonzero(model.tendon_limited).tolist():
         name = model.tendon(tendon).name or f"tendon_{tendon}"
         unit = "°" if _turns(model, tendon) else "mm"
-        yield give(name, "length", *model.tendon_range[tendon], unit, lambda _, d, at=tendon: d.ten_length[at])
+        yield give(name, "length", model.tendon_range[tendon], unit, "ten_length", tendon)
 
 
 def _turns(model: mujoco.MjModel, tendon: int) -> bool:

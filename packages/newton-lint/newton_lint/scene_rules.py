@@ -16,8 +16,8 @@ from newton_lint.warp_engine import refusal
 STEEP = 3.0
 """Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
 NEAR_M = 1e-3
-"""What is farther from all that is fixed hangs in the air."""
-HEAVIER, HOLLOW = 1.3, 2.0
+"""What is farther from all else hangs in the air."""
+HEAVIER, HOLLOW = 1.7, 2.0
 """Times that a body is heavier with geoms that are only seen, and that a hull is larger than its mesh."""
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
@@ -27,13 +27,14 @@ def lost(scene: Scene) -> Iterator[Finding]:
     """Yield bodies that move freely, and that gravity takes through all that there is to stop them."""
     model, contacts = scene.model, scene.contacts
     tree = model.body_rootid[model.geom_bodyid]
+    collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)  # of all masks that are off
     is_free = scene.free[tree]
     met = {*tree[contacts.first].tolist(), *tree[contacts.second].tolist()}
     falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & WEIGHTLESS
     others = np.flatnonzero(~is_free)
     off = bool(model.opt.disableflags & OFF)  # without constraints mj_collision finds none either
     why = 'contacts are disabled by <flag contact="disable"/>' if off else "no geom's bits meet those of its geoms"
-    for body in sorted({*tree[is_free].tolist()} - met) if falls and len(others) else ():
+    for body in sorted({*tree[is_free & collides].tolist()} - met) if falls and len(others) else ():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
         value = float(model.geom_contype[geom])
@@ -45,14 +46,14 @@ def lost(scene: Scene) -> Iterator[Finding]:
 
 
 def fixed(scene: Scene) -> Iterator[Finding]:
-    """Yield bodies that say their mass, have no joint and touch nothing that is fixed: they hang in the air."""
+    """Yield bodies that say their mass, have no joint and touch nothing: they hang in the air."""
     model, data, tree = scene.model, mujoco.MjData(scene.model), scene.model.body_rootid[scene.model.geom_bodyid]
     mujoco.mj_kinematics(model, data)
     static = np.flatnonzero(~np.isin(tree, model.body_rootid[model.jnt_bodyid])).tolist()
     for body in np.flatnonzero((model.body_parentid == 0) & (model.body_mocapid < 0))[1:].tolist():
-        geoms = [geom for geom in static if tree[geom] == body]
+        geoms = [geom for geom in static if tree[geom] == body and model.geom_contype[geom]]
         elements = [element for geom in geoms if (element := scene.source.geom(geom)) and "mass" in element.attributes]
-        pairs = ((geom, other) for other in static for geom in geoms if tree[other] != body)
+        pairs = ((geom, other) for other in range(model.ngeom) for geom in geoms if tree[other] != body)
         near = (mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M for pair in pairs)
         if elements and not any(near):
             mass, advice = float(model.body_subtreemass[body]), Advice((), "a <freejoint/> in it lets it fall")
@@ -73,7 +74,8 @@ def visual(scene: Scene) -> Iterator[Finding]:
                 for geom in seen:
                     geom.mass, count = 0.0, count + 1
         light = spec.compile() if count else model
-        for body in np.flatnonzero((light.body_mass > 0.0) & (model.body_mass > HEAVIER * light.body_mass)).tolist():
+        heavier = (light.body_mass > 0.0) & (model.body_mass > HEAVIER * light.body_mass) & (model.body_weldid > 0)
+        for body in np.flatnonzero(heavier).tolist():
             mass, used = float(model.body_mass[body]), float(light.body_mass[body])
             message = "kg is its mass with geoms that touch nothing and are only seen; without them it is less"
             advice = Advice((), 'mass="0" on them, or an <inertial> in the body')
@@ -121,7 +123,7 @@ def unread(scene: Scene) -> Iterator[Finding]:
     """Yield how many geoms are left out where all of them make too many pairs."""
     count = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
     if count:
-        message = f"are not read: all make over {MOST_PAIRS:,} pairs, and the first of those alike stand for them"
+        message = f"are not read: all make over {MOST_PAIRS:,} pairs"
         yield _scene_finding(scene, "unread", "geoms", float(count), message, severity="note")
 
 

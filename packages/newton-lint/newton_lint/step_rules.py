@@ -5,7 +5,6 @@ import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import partial
 
 import mujoco
 import numpy as np
@@ -34,8 +33,8 @@ SAG, HELD, AGREES = 5e-3, 0.99, 0.7
 """Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
-Way = tuple[Callable[[mujoco.MjModel], None], dict[str, str], str]
-"""A change of the model, what of it are options, and the rest of it in words."""
+Way = tuple[mujoco.MjModel, dict[str, str], str]
+"""A changed model, what of the change are options, and the rest of it in words."""
 ITERATED, GIVES = ("solver", "thrown", "unstable"), ("depth", "equality", "limit", "servo")
 HELD_S = 2.0
 """Time for which a change has to hold, from each start, before it is said to mend what blows up."""
@@ -69,23 +68,20 @@ def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> 
 
 def _ways(scene: Scene, data: mujoco.MjData, limited: bool) -> Iterator[Way]:
     """Yield changes that may calm a scene: options, then what servos bear whose force turns too fast for the step."""
-    opt, half = scene.model.opt, 0.5 * scene.model.opt.timestep
-
-    def option(**options: float) -> Callable[[mujoco.MjModel], None]:
-        return lambda model: [setattr(model.opt, name, value) for name, value in options.items()] and None
-
-    more = max(3, 10 * opt.iterations)
+    model, half = scene.model, 0.5 * scene.model.opt.timestep
     if limited:
-        yield option(iterations=more), {"iterations": str(more)}, ""
+        more = max(3, 10 * model.opt.iterations)
+        yield changed(model, iterations=more), {"iterations": str(more)}, ""
     # Euler integrates what depends on velocity explicitly, but for the damping of joints.
-    implicit = {"integrator": "implicitfast"} if opt.integrator == EULER else {}
+    implicit = {"integrator": "implicitfast"} if model.opt.integrator == EULER else {}
     if implicit:
-        yield option(integrator=IMPLICITFAST), implicit, ""
-    stiff = _stiff(scene.model, data)
+        yield changed(model, integrator=IMPLICITFAST), implicit, ""
+    stiff = _stiff(model, data)
     for what in ("kv", "kp", "armature") if stiff else ():
-        yield partial(_calmer, stiff, what), implicit if what == "kv" else {}, _written(scene.model, stiff, what)
-    yield option(timestep=half), {"timestep": f"{half:g}"}, ""
-    yield option(timestep=0.5 * half), {}, f"a quarter of the time step, {0.5 * half:g},"
+        after = changed(model, integrator=IMPLICITFAST) if implicit and what == "kv" else copy.copy(model)
+        yield after, implicit if what == "kv" else {}, _calmed(after, stiff, what)
+    yield changed(model, timestep=half), {"timestep": f"{half:g}"}, ""
+    yield changed(model, timestep=0.5 * half), {}, f"a quarter of the time step, {0.5 * half:g},"
 
 
 def _stiff(model: mujoco.MjModel, data: mujoco.MjData) -> list[tuple[int, int, float, float]]:
@@ -107,30 +103,22 @@ def _stiff(model: mujoco.MjModel, data: mujoco.MjData) -> list[tuple[int, int, f
     return stiff
 
 
-def _calmer(stiff: Sequence[tuple[int, int, float, float]], what: str, model: mujoco.MjModel) -> None:
-    """Change what is too stiff: damping with which implicitfast bears it, or kp or inertia that any bears."""
+def _calmed(model: mujoco.MjModel, stiff: Sequence[tuple[int, int, float, float]], what: str) -> str:
+    """Change what is too stiff, and say how: damping with which implicitfast bears it, or kp or inertia that any do."""
+    texts = []
     for servo, dof, ratio, mass in stiff:
         if what == "kv":
-            model.actuator_biasprm[servo, 2] = -model.actuator_gainprm[servo, 0] * model.opt.timestep
+            value = model.actuator_gainprm[servo, 0] * model.opt.timestep
+            model.actuator_biasprm[servo, 2] = -value
         elif what == "kp":
             model.actuator_gainprm[servo, 0] /= ratio
             model.actuator_biasprm[servo, 1:3] /= ratio
+            value = model.actuator_gainprm[servo, 0]
         else:
             model.dof_armature[dof] += (ratio - 1.0) * mass
-    if what == "kv" and model.opt.integrator == EULER:
-        model.opt.integrator = IMPLICITFAST
-
-
-def _written(model: mujoco.MjModel, stiff: Sequence[tuple[int, int, float, float]], what: str) -> str:
-    after = copy.copy(model)
-    _calmer(stiff, what, after)
-    values = {
-        "kv": [-after.actuator_biasprm[servo, 2] for servo, *_ in stiff],
-        "kp": [after.actuator_gainprm[servo, 0] for servo, *_ in stiff],
-        "armature": [after.dof_armature[dof] for _, dof, *_ in stiff],
-    }[what]
-    names = [model.joint(model.dof_jntid[dof]).name or f"dof {dof}" for _, dof, *_ in stiff]
-    return ", ".join(f'{what}="{value:.3g}" on {name}' for name, value in zip(names[:3], values, strict=False))
+            value = model.dof_armature[dof]
+        texts.append(f'{what}="{value:.3g}" on {model.joint(model.dof_jntid[dof]).name or f"dof {dof}"}')
+    return ", ".join(texts[:3])
 
 
 def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
@@ -141,9 +129,7 @@ def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Fi
     def mended(good: Callable[[Run], bool], time_s: float = HELD_S) -> Advice | None:
         """Return the change that leaves a good run of some time from each start."""
         advices: list[Advice] = []
-        for edit, options, text in _ways(scene, begins[index][1], run.at_limit > LIMITED):
-            after = copy.copy(model)
-            edit(after)
+        for after, options, text in _ways(scene, begins[index][1], run.at_limit > LIMITED):
             tried = (
                 _again(target, after, other, time_s)
                 for other in range(index, index + 1 if time_s < HELD_S else len(begins))
