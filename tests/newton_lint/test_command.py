@@ -187,6 +187,7 @@ def test_a_function_and_a_robot_are_targets(tmp_path, capsys):
     (tmp_path / "model.py").write_text("from beside import built\n\ndef mine():\n    return built()\n")
     assert [main([f"{__name__}:{name}"]) for name in ("built", "spec", "env")] == [0, 0, 0]
     assert main([f"{tmp_path / 'model.py'}:mine"]) == 0
+    assert main(["pair", f"{__name__}:built", "ball", "ground_plane"]) == 0 and "condim" in capsys.readouterr().out
     assert main([str(tmp_path / "robot.urdf")]) == 0  # one shape alone touches nothing
     assert "creep" not in capsys.readouterr().out.split("robot.urdf")[1]
 

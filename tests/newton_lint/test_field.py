@@ -75,6 +75,36 @@ SCENES = {  # bodies, options, what is said, what is not
         ),
         "warning",
     ),
+    "a body without a joint": (
+        BOX + '<body name="box" pos="0 0 1"><geom size=".1" mass="1"/></body>',
+        "",
+        ("note fixed: box: mass 1 kg has no joint", "<freejoint/>"),
+        "warning",
+    ),
+    "masks that leave no pairs": (
+        (BOX + '<body name="ball" pos="0 0 1"><freejoint/><geom size=".1"/></body>')
+        .replace("geom n", 'geom contype="0" n')
+        .replace("geom s", 'geom contype="0" conaffinity="0" s')
+        .replace('"plane"', '"plane" conaffinity="0"'),
+        "",
+        ("warning lost: ball: contype 0 meets no geom", 'contype="1" conaffinity="1" on floor'),
+        "error",
+    ),
+    "a geom that is seen and weighs": (
+        BOX + '<body name="cup" pos="0 0 .1"><freejoint/><geom size=".1"/><geom size=".1" contype="0" conaffinity="0"/>'
+        "</body>",
+        "",
+        ("warning visual: cup: mass 8.378 kg", 'mass="0" on them', "8.38 → 4.19 kg"),
+        "error",
+    ),
+    "a mesh that is its hull": (
+        '<geom name="dart" type="mesh" mesh="d"/></worldbody><asset><mesh name="d" vertex="-1 1 0 0 0 0 1 1 0 0 .4 0 '
+        '-1 1 1 0 0 1 1 1 1 0 .4 1" face="4 5 7 5 6 7 0 3 1 1 3 2 0 1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7"/>'
+        "</asset><worldbody>",
+        "",
+        ("note closed: dart: hull 2.5 times its volume", "several convex geoms"),
+        "warning",
+    ),
     "more cells than contacts": (
         '<geom name="terrain" type="hfield" hfield="g"/><body pos="0 0 .031"><freejoint/>'
         '<geom name="sole" type="box" size=".12 .06 .03" mass="20"/></body></worldbody>'

@@ -1,4 +1,4 @@
-"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe`` and ``newton-lint page``.
+"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe`` and ``newton-lint pair``.
 
 See docs/lint.md.
 """
@@ -18,7 +18,7 @@ from typing import Any, NoReturn
 CLEAN, FOUND, UNFIT, BROKEN, STOPPED = 0, 1, 2, 3, 130
 """Exit status."""
 PROGRAM = "newton-lint"
-SUBCOMMANDS = ("prescribe", "page", "pair")
+SUBCOMMANDS = ("prescribe", "pair")
 """Commands besides the lint itself, each a module."""
 SEVERITIES = ("note", "warning", "error")
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
@@ -38,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="backslashreplace")
     try:
         # What a function of the user's imports may render, or count on NumPy's threads.
-        if arguments[:1] != ["page"] and not any(".py:" in argument for argument in arguments):
+        if not any(".py:" in argument for argument in arguments):
             _import_mujoco()
         from newton_lint.target import TargetError, mujoco
 
@@ -168,7 +168,7 @@ def version() -> str:
 def lint_parser() -> Parser:
     """Make the parser of the lint's own options."""
     about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
-    epilog = "Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a contact."
+    epilog = "Also: newton-lint prescribe searches settings for a grasp, pair tells of a contact."
     parser = Parser(prog=PROGRAM, description=about, epilog=epilog)
     add = parser.add_argument
     targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"

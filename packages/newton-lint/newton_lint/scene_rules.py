@@ -17,8 +17,8 @@ STEEP = 3.0
 """Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
 NEAR_M = 1e-3
 """What is farther from all else hangs in the air."""
-HEAVIER, HOLLOW = 1.7, 2.0
-"""Times that a body is heavier with geoms that are only seen, and that a hull is larger than its mesh."""
+HEAVIER, HOLLOW = (1.7, 2.3), 2.0
+"""Times that a body is as heavy with geoms that are only seen, from and to; and that a hull is larger than its mesh."""
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
@@ -56,9 +56,10 @@ def fixed(scene: Scene) -> Iterator[Finding]:
         pairs = ((geom, other) for other in range(model.ngeom) for geom in geoms if tree[other] != body)
         near = (mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M for pair in pairs)
         if elements and not any(near):
-            mass, advice = float(model.body_subtreemass[body]), Advice((), "a <freejoint/> in it lets it fall")
-            message = "kg has no joint: it is fixed to the world, where it hangs in the air"
-            yield Finding("fixed", scene.bodies[body], "mass", mass, message, element=elements[0], advice=advice)
+            name, mass, element = scene.bodies[body], float(model.body_subtreemass[body]), elements[0]
+            message = "has no joint: it is fixed to the world, where it hangs in the air"
+            advice = Advice((), "a <freejoint/> in it lets it fall")
+            yield Finding("fixed", name, "mass", mass, message, (), None, "kg", "note", element, advice)
 
 
 def visual(scene: Scene) -> Iterator[Finding]:
@@ -74,12 +75,12 @@ def visual(scene: Scene) -> Iterator[Finding]:
                 for geom in seen:
                     geom.mass, count = 0.0, count + 1
         light = spec.compile() if count else model
-        heavier = (light.body_mass > 0.0) & (model.body_mass > HEAVIER * light.body_mass) & (model.body_weldid > 0)
-        for body in np.flatnonzero(heavier).tolist():
+        times = model.body_mass / np.maximum(light.body_mass, mujoco.mjMINVAL) * (model.body_weldid > 0)
+        for body in np.flatnonzero((times > HEAVIER[0]) & (times < HEAVIER[1])).tolist():  # more is meant
             mass, used = float(model.body_mass[body]), float(light.body_mass[body])
-            message = "kg is its mass with geoms that touch nothing and are only seen; without them it is less"
-            advice = Advice((), 'mass="0" on them, or an <inertial> in the body')
-            yield Finding("visual", scene.bodies[body], "mass", mass, message, used=used, advice=advice)
+            message = "is with geoms that touch nothing and are only seen, which add as much as those that collide"
+            advice = Advice((), f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg')
+            yield Finding("visual", scene.bodies[body], "mass", mass, message, unit="kg", advice=advice)
 
 
 def closed(scene: Scene) -> Iterator[Finding]:
