@@ -17,8 +17,8 @@ STEEP = 3.0
 """Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
 NEAR_M = 1e-3
 """What is farther from all else hangs in the air."""
-HEAVIER, HOLLOW = (1.7, 2.3), 2.0
-"""Times that a body is as heavy with geoms that are only seen, from and to; and that a hull is larger than its mesh."""
+HEAVIER, TWICE, HOLLOW = 1.7, 0.1, 2.0
+"""Times as heavy as without geoms that are only seen, how near to 2 is twice; times as large as its mesh a hull is."""
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
@@ -76,11 +76,13 @@ def visual(scene: Scene) -> Iterator[Finding]:
                     geom.mass, count = 0.0, count + 1
         light = spec.compile() if count else model
         times = model.body_mass / np.maximum(light.body_mass, mujoco.mjMINVAL) * (model.body_weldid > 0)
-        for body in np.flatnonzero((times > HEAVIER[0]) & (times < HEAVIER[1])).tolist():  # more is meant
+        for body in np.flatnonzero(times > HEAVIER).tolist():
             mass, used = float(model.body_mass[body]), float(light.body_mass[body])
-            message = "is with geoms that touch nothing and are only seen, which add as much as those that collide"
+            message = f"is {times[body]:.2g} times that without geoms that touch nothing and are only seen"
             advice = Advice((), f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg')
-            yield Finding("visual", scene.bodies[body], "mass", mass, message, unit="kg", advice=advice)
+            severity = "warning" if abs(times[body] - 2.0) < TWICE else "note"  # else it may be meant
+            name = scene.bodies[body]
+            yield Finding("visual", name, "mass", mass, message, (), None, "kg", severity, advice=advice)
 
 
 def closed(scene: Scene) -> Iterator[Finding]:
