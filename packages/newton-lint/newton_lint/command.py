@@ -6,7 +6,6 @@ See docs/lint.md.
 import argparse
 import contextlib
 import importlib
-import importlib.metadata
 import os
 import re
 import sys
@@ -77,10 +76,13 @@ def rules() -> dict[str, str]:
     return {name: f"{name} ({severity}): {what}" for name, severity, what in RULE.findall(text)}
 
 
-class Explain(argparse.Action):
+class Tell(argparse.Action):
     def __call__(self, parser, namespace, rule, option_string=None) -> None:
-        """Print what a rule finds."""
-        print(rules().get(rule) or parser.error(f"there is no rule {rule}: there are {', '.join(rules())}"))
+        """Print the version, or what a rule finds."""
+        if option_string == "--version":
+            print(PROGRAM, version())
+        else:
+            print(rules().get(rule) or parser.error(f"there is no rule {rule}: there are {', '.join(rules())}"))
         parser.exit(CLEAN)
 
 
@@ -160,8 +162,9 @@ def _pipe_may_close() -> Iterator[None]:
 
 
 def version() -> str:
-    with contextlib.suppress(importlib.metadata.PackageNotFoundError):
-        return importlib.metadata.version(PROGRAM)
+    metadata = importlib.import_module("importlib.metadata")  # which takes as long as all that a rule does
+    with contextlib.suppress(metadata.PackageNotFoundError):
+        return metadata.version(PROGRAM)
     return "of a checkout"
 
 
@@ -176,8 +179,8 @@ def lint_parser() -> Parser:
     add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
-    add("--version", action="version", version=f"{PROGRAM} {version()}")
-    add("--explain", action=Explain, metavar="RULE", help="say what a rule finds")
+    add("--version", action=Tell, nargs=0, help="say which release it is")
+    add("--explain", action=Tell, metavar="RULE", help="say what a rule finds")
     add("--ignore", metavar="RULES", help="rules that do not count, with commas between")
     add("--fix", action="store_true", help="write changes that were measured to do no harm into the files")
     add("--dry-run", action="store_true", help="the same, and print the patch in place of writing it")

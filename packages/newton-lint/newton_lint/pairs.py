@@ -7,6 +7,7 @@ PLANE, HFIELD = int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIE
 OFF = int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
 UNFILTERED = int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
 MOST_PAIRS, MOST_READ = 1_000_000, 1_400
+"""Pairs beyond which the first geoms alone are read, and so many of these."""
 
 
 def pairs_of(model: mujoco.MjModel) -> tuple[np.ndarray, np.ndarray]:

@@ -12,7 +12,7 @@ from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import closed, engine, fixed, lost, override, pyramid, unread, visual
+from newton_lint.scene_rules import closed, engine, fixed, lost, override, pyramid, visual
 from newton_lint.source import Element
 
 SAME = 1e-5
@@ -31,7 +31,7 @@ def lint(scene: Scene) -> list[Finding]:
     rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, unused)
     names = scene.names
     findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
-    scene_rules = (lost, fixed, visual, closed, pyramid, unread, override, engine)
+    scene_rules = (lost, fixed, visual, closed, pyramid, override, engine)
     return findings + [finding for rule in scene_rules for finding in rule(scene)]
 
 
@@ -50,27 +50,12 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
-    """Yield entries of solimp beyond 0 and 1, or in the wrong order."""
-    counted = np.flatnonzero(scene.counts)
-    dmin, dmax, width, midpoint, power = scene.model.geom_solimp[counted].T
-    low, high = np.clip(dmin, 0.0001, 0.9999), np.clip(dmax, 0.0001, 0.9999)
-    faults = {  # with what getsolparam makes of each; the order alone it takes as it is
-        "solimp[0]": ((dmin < 0.0) | (dmin > 1.0), dmin, low, "is no share of 0 to 1"),
-        "solimp[1]": ((dmax < 0.0) | (dmax > 1.0), dmax, high, "is no share of 0 to 1"),
-        "solimp[2]": (width < 0.0, width, np.maximum(width, 0.0), "is no width"),
-        "solimp[3]": ((midpoint < 0.0) | (midpoint > 1.0), midpoint, np.clip(midpoint, 0.0, 1.0), "is no share"),
-        "solimp[4]": (power < 1.0, power, np.maximum(power, 1.0), "is below 1, the least power"),
-        "solimp": (
-            np.clip(dmin, 0.0, 1.0) > np.clip(dmax, 0.0, 1.0),
-            dmin,
-            dmax,
-            "is larger than dmax: the deeper, the softer, and creep grows with load",
-        ),
-    }
-    for name, (wrong, values, used, message) in faults.items():
-        severity = "warning" if name == "solimp" else "note"  # to clip is what was meant
-        wording, hits = Wording("solimp", name, message, severity=severity), (values[wrong], used[wrong])
-        yield _geom_hits(scene, wording, counted[wrong], hits, "solimp", partial(advice.in_order, scene))
+    """Yield a dmin above dmax, as getsolparam takes both."""
+    dmin, dmax = np.clip(scene.model.geom_solimp[:, :2], mujoco.mjMINIMP, mujoco.mjMAXIMP).T
+    geoms = np.flatnonzero(scene.counts & (dmin > dmax))
+    wording = Wording("solimp", "solimp", "is larger than dmax: the deeper, the softer, and creep grows with load")
+    values = dmin[geoms], dmax[geoms]
+    yield _geom_hits(scene, wording, geoms, values, "solimp", partial(advice.in_order, scene))
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
@@ -119,18 +104,14 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
-    """Yield a contact that yields as the square of its damping ratio, or, as may be meant, one that bounces."""
+    """Yield a contact that yields as the square of its damping ratio."""
     first, second = scene.contacts.solref.T
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
     sound = (first > 0.0) == (second > 0.0)  # a mixed one is replaced, which solref-format says
-    message = "is far above 1: the contact yields by its square"
-    for is_far, severity, text in (
-        (sound & (ratio > FAR) & np.isfinite(ratio), "warning", message),
-        (sound & (ratio < 1.0 / FAR), "note", "is far below 1: the contact bounces"),
-    ):
-        wording, far = Wording("dampratio", "dampratio", text, severity=severity), np.flatnonzero(is_far)
-        yield _pair_hits(scene, wording, far, (ratio[far], 1.0), partial(advice.whole_solref, scene))
+    far = np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio))
+    wording = Wording("dampratio", "dampratio", "is far above 1: the contact yields by its square")
+    yield _pair_hits(scene, wording, far, (ratio[far], 1.0), partial(advice.whole_solref, scene))
 
 
 def one_sided(scene: Scene) -> Iterator[Hits]:

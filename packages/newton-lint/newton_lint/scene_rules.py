@@ -9,7 +9,7 @@ import numpy as np
 from newton_lint.advice import elliptic, for_geom, for_option
 from newton_lint.combined import OVERRIDE
 from newton_lint.findings import Advice, Finding
-from newton_lint.pairs import MOST_PAIRS, OFF, read
+from newton_lint.pairs import OFF, read
 from newton_lint.scene import Scene
 from newton_lint.warp_engine import refusal
 
@@ -105,7 +105,7 @@ def closed(scene: Scene) -> Iterator[Finding]:
 
 
 def pyramid(scene: Scene) -> Iterator[Finding]:
-    """Yield what a pyramidal cone makes of a high impratio, and of friction above 1."""
+    """Yield what a pyramidal cone makes of a high impratio, and of high friction."""
     option, contacts = scene.option, scene.contacts
     rows = contacts.condim > 1
     if option.cone != "pyramidal" or not rows.any():
@@ -115,19 +115,10 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
     if option.impratio > 1.0:
         message = "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart"
         yield _scene_finding(scene, "pyramid", "impratio", option.impratio, message, advice)
-    if steepest > 1.0:
+    if steepest > STEEP:
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)  # its R by mj_makeImpedance, of condim 3, over an ellipse's
         message = f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more"
-        severity = "warning" if steepest > STEEP else "note"
-        yield _scene_finding(scene, "pyramid", "friction", steepest, message, advice, severity)
-
-
-def unread(scene: Scene) -> Iterator[Finding]:
-    """Yield how many geoms are left out where all of them make too many pairs."""
-    count = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
-    if count:
-        message = f"are not read: all make over {MOST_PAIRS:,} pairs"
-        yield _scene_finding(scene, "unread", "geoms", float(count), message, severity="note")
+        yield _scene_finding(scene, "pyramid", "friction", steepest, message, advice)
 
 
 def override(scene: Scene) -> Iterator[Finding]:
