@@ -71,9 +71,6 @@ FOUND = [
     ("one-sided", {"part": 'solref="0.004 1"', "floor": 'solref="0.0125 1"'}, 0.004, 0.00825, "warning", "2.1"),
     ("friction", {"part": 'friction="0.25"'}, 0.25, 1.0, "warning", 'priority="1"'),
     ("friction", {"part": 'friction="0.99"', "floor": 'friction="4"'}, 0.99, 4.0, "warning", 'priority="1"'),
-    ("unused", {"floor": 'condim="1"', "part": 'condim="1" friction="2"'}, 2.0, None, "note", 'condim="3"'),
-    ("unused", {"part": 'friction="1 0.2"'}, 0.2, None, "note", 'condim="4"'),
-    ("unused", {"part": 'friction="1 0.005 0.3" condim="4"'}, 0.3, None, "note", 'condim="6"'),
     ("pyramid", {"option": 'impratio="2"'}, 2.0, None, "warning", "goes down by 2 where μ is 1"),
     ("pyramid", {"floor": 'friction="4"'}, 4.0, None, "warning", "goes down by 17 where"),  # 1 + μ²
     ("pyramid", {"floor": 'friction="4"'}, 4.0, None, "warning", "goes down by 170 where"),
@@ -110,8 +107,6 @@ QUIET = [
     ("friction", {"part": 'friction="0.26"'}),
     ("friction", {"floor": 'friction="4"'}),
     ("friction", {"part": 'friction="0.1" condim="1"', "floor": 'condim="1"'}),
-    ("unused", {"part": 'friction="2 0.00500004 0"'}),
-    ("unused", {"part": 'friction="2 0.1 0.1" condim="6"'}),
     ("pyramid", {"floor": 'friction="3"'}),
     ("pyramid", {"floor": 'friction="3"', "option": 'cone="elliptic" impratio="10"'}),
     ("override", {}),

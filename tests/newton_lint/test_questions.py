@@ -112,7 +112,6 @@ SIDES = {
     "depth": ('solref="0.2 1" solimp="0.5 0.5 0.001" priority="1"', "", "depth 48.", "→ 1 mm at rest"),
     "friction": ("", 'friction="0.05"', "friction 0.05 counts nowhere", 'priority="1"'),
     "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
-    "unused": ('condim="1"', 'friction="2" condim="1"', "friction[0] 2 against sliding", 'condim="3"'),
 }
 """Floor and what lies on it, what is said of them, and the advice."""
 

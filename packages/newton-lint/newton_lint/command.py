@@ -114,8 +114,8 @@ def _linted(options: argparse.Namespace) -> int:
     if options.fix and not options.dry_run and not unread and len(targets) > 1:
         fixes += importlib.import_module("newton_lint.mend").fixed_again(targets, request, paths)
     with _pipe_may_close():
-        if reports or form in ("json", "sarif"):
-            print(written(reports, form, unread))
+        if reports or form == "json":
+            print(written(reports, form))
     for line in (*unread, *fixes):
         print(printable(line), file=sys.stderr)
     if unread:
@@ -134,7 +134,7 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
     ignore = [*table.get("ignore", []), *map(str.strip, options.ignore.split(",") if options.ignore else [])]
     if unknown := [rule for rule in ignore if rule not in rules()]:
         raise TargetError(f"there is no rule {', '.join(unknown)} to ignore: there are {', '.join(rules())}")
-    load = Load(options.acceleration, options.load, options.press)
+    load = Load(options.acceleration, options.load)
     below = options.below or table.get("below")
     return Request(engine_of(options, table), load, work_of(options), below, frozenset(ignore), not options.no_step)
 
@@ -176,7 +176,7 @@ def lint_parser() -> Parser:
     add = parser.add_argument
     targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"
     add("target", metavar="TARGET", nargs="+", help=targets)
-    add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
+    add("--format", choices=("text", "json", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
     add("--version", action=Tell, nargs=0, help="say which release it is")
@@ -186,7 +186,6 @@ def lint_parser() -> Parser:
     add("--dry-run", action="store_true", help="the same, and print the patch in place of writing it")
     add("--no-step", action="store_true", help="do not simulate the scene")
     add("--exclude", action="append", default=[], metavar="PATTERN", help="files of folders that are left out")
-    add("--press", type=positive, default=0.0, metavar="N", help="normal force on each contact point: how deep it goes")
     add_work(parser)
     add("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
     add("--acceleration", type=positive, default=0.0, metavar="M/S²", help="ω² r of a support that turns")

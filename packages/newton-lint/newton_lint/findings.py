@@ -65,8 +65,7 @@ def distinct(changes: Iterable[Change]) -> tuple[Change, ...]:
 
 def grouped(findings: Iterable[Finding]) -> list[list[Finding]]:
     """Return the findings that say the same, of whichever shapes, in the order of the first of each."""
-    groups: dict[Finding | str, list[Finding]] = {}
+    groups: dict[Finding, list[Finding]] = {}
     for finding in findings:
-        key = "unused" if finding.rule == "unused" else replace(finding, shape="", against=())  # of hundreds
-        groups.setdefault(key, []).append(finding)
+        groups.setdefault(replace(finding, shape="", against=()), []).append(finding)
     return list(groups.values())

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from newton_lint.grouping import distinct_rows
-from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of, settled_depth_m
+from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
 from newton_lint.scene import Scene
 
 
@@ -19,7 +19,6 @@ class Load:
     acceleration_m_s2: float = 0.0
     """Along the contact, and left out by its rows."""
     load_n: float = 0.0
-    press_n: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -38,8 +37,6 @@ class Prediction:
     """Slide under the load, the less first: of a contact as deep as solimp's width and one that hardly touches."""
     acceleration_mm_s: float
     is_free: bool = False
-    depth_mm: float = 0.0
-    """How deep the normal force presses a contact point."""
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
@@ -96,7 +93,6 @@ def predicted(
         load_mm_s=(loads[0], loads[1]),
         acceleration_mm_s=M * deep.acceleration_s * load.acceleration_m_s2,
         is_free=is_free,
-        depth_mm=M * settled_depth_m(contact, option, load.press_n) if load.press_n else 0.0,
     )
 
 

@@ -273,7 +273,6 @@ def _servos(model: mujoco.MjModel, rest: Rest) -> Iterator[Give]:
     def stiffer(model, data) -> None:
         model.actuator_gainprm[:, 0] *= times
         model.actuator_biasprm[:, 1] *= times
-        model.actuator_biasprm[:, 2] *= np.sqrt(times)
 
     def light(model, data) -> None:
         model.opt.gravity[:] = 0.0

@@ -22,13 +22,11 @@ STIFF = 1.9
 Values = tuple[np.ndarray, np.ndarray | float]
 Advise = Callable[[int], Advice | None]
 DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
-SLIDING, SPINNING, ROLLING = 3, 4, 6
-"""Least condim with which a contact resists to each."""
 
 
 def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
-    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, unused)
+    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction)
     names = scene.names
     findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
     scene_rules = (lost, fixed, visual, closed, pyramid, override, engine)
@@ -159,24 +157,6 @@ def friction(scene: Scene) -> Iterator[Hits]:
     wording, values = Wording("friction", "friction", message), (authored[low], least[low])
     advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
     yield _geom_hits(scene, wording, low, values, "friction", advise)
-
-
-def unused(scene: Scene) -> Iterator[Hits]:
-    """Yield friction of a kind for which a geom's contacts have no rows."""
-    contacts, model = scene.contacts, scene.model
-    largest = np.zeros(model.ngeom, dtype=int)
-    plain = contacts.named < 0
-    np.maximum.at(largest, contacts.first[plain], contacts.condim[plain])
-    equal = plain & ~contacts.outranked
-    np.maximum.at(largest, contacts.second[equal], contacts.condim[equal])
-    for column, least, kind in ((0, SLIDING, "sliding"), (1, SPINNING, "spinning"), (2, ROLLING, "rolling")):
-        values = model.geom_friction[:, column]
-        authored = ~np.isclose(values, DEFAULT_FRICTION[column], rtol=SAME) & (values != 0.0)
-        geoms = np.flatnonzero((largest > 0) & (largest < least) & authored)
-        message = f"against {kind} has no rows in its contacts: their condim is below {least}"
-        wording = Wording("unused", f"friction[{column}]", message, severity="note")
-        advise = partial(advice.for_geom, scene, attributes={"condim": str(least)}, gain=f"its contacts resist {kind}")
-        yield _geom_hits(scene, wording, geoms, (values[geoms], np.nan), "friction", advise)
 
 
 def _geom_hits(

@@ -105,7 +105,7 @@ def _stiff(model: mujoco.MjModel, data: mujoco.MjData) -> list[tuple[int, int, f
 
 def _calmed(model: mujoco.MjModel, stiff: Sequence[tuple[int, int, float, float]], what: str) -> str:
     """Change what is too stiff, and say how: damping with which implicitfast bears it, or kp or inertia that any do."""
-    texts = []
+    texts, more = [], ""
     for servo, dof, ratio, mass in stiff:
         if what == "kv":
             value = model.actuator_gainprm[servo, 0] * model.opt.timestep
@@ -113,12 +113,13 @@ def _calmed(model: mujoco.MjModel, stiff: Sequence[tuple[int, int, float, float]
         elif what == "kp":
             model.actuator_gainprm[servo, 0] /= ratio
             model.actuator_biasprm[servo, 1:3] /= ratio
-            value = model.actuator_gainprm[servo, 0]
+            value, less = model.actuator_gainprm[servo, 0], -model.actuator_biasprm[servo, 2]
+            more = f' kv="{less:.3g}"' if less else ""
         else:
             model.dof_armature[dof] += (ratio - 1.0) * mass
             value = model.dof_armature[dof]
-        texts.append(f'{what}="{value:.3g}" on {model.joint(model.dof_jntid[dof]).name or f"dof {dof}"}')
-    return ", ".join(texts[:3])
+        texts.append(f'{what}="{value:.3g}"{more} on {model.joint(model.dof_jntid[dof]).name or f"dof {dof}"}')
+    return ", ".join(texts)
 
 
 def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
