@@ -118,7 +118,7 @@ def test_places_are_those_of_the_files(scene, tmp_path, capsys):
     assert (found["timeconst"]["file"], found["timeconst"]["line"]) == (str(tmp_path / "pads.xml"), 3)
     assert (found["friction"]["file"], found["friction"]["line"]) == (target, 6)
     [change] = found["friction"]["changes"]
-    assert change["attributes"] == {"priority": "2"} and change["line"] == 6
+    assert change["attributes"] == {"priority": "2"} and change["line"] == 3
 
 
 @pytest.mark.parametrize(

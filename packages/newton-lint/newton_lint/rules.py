@@ -12,7 +12,7 @@ from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import closed, engine, fixed, lost, override, pyramid, visual
+from newton_lint.scene_rules import closed, engine, fixed, lost, override, pyramid, unread, visual
 from newton_lint.source import Element
 
 SAME = 1e-5
@@ -29,7 +29,7 @@ def lint(scene: Scene) -> list[Finding]:
     rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction)
     names = scene.names
     findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
-    scene_rules = (lost, fixed, visual, closed, pyramid, override, engine)
+    scene_rules = (lost, fixed, visual, closed, pyramid, unread, override, engine)
     return findings + [finding for rule in scene_rules for finding in rule(scene)]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from newton_lint.advice import elliptic, for_geom, for_option
 from newton_lint.combined import OVERRIDE
 from newton_lint.findings import Advice, Finding
-from newton_lint.pairs import OFF, read
+from newton_lint.pairs import MOST_PAIRS, OFF, read
 from newton_lint.scene import Scene
 from newton_lint.warp_engine import refusal
 
@@ -119,6 +119,14 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)  # its R by mj_makeImpedance, of condim 3, over an ellipse's
         message = f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more"
         yield _scene_finding(scene, "pyramid", "friction", steepest, message, advice)
+
+
+def unread(scene: Scene) -> Iterator[Finding]:
+    """Yield how many geoms are left out where all of them make too many pairs."""
+    count = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
+    if count:
+        message = f"are not read: all make over {MOST_PAIRS:,} pairs, and the first of those alike stand for them"
+        yield _scene_finding(scene, "unread", "geoms", float(count), message, severity="note")
 
 
 def override(scene: Scene) -> Iterator[Finding]:
