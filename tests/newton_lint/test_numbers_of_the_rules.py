@@ -52,6 +52,7 @@ FOUND = [
     ("timeconst", alone("0.00276 1"), 0.00276, 0.004, "warning", 'or timestep="0.00138" on option'),  # 1.45 times
     ("timeconst", alone("0.0026 1"), 0.0026, 0.004, "warning", 'or timestep="0.0013": the contact'),  # 1.54 times
     ("timeconst", alone("0.001 1"), 0.001, 0.004, "warning", 'or timestep="0.0005": '),  # 4 times
+    ("timeconst", {"dt": 0.015}, 0.02, 0.03, "note", 'solref="0.03 1"'),  # the default's
     ("timeconst", alone("0.0009 2", integrator=DISCRETE), 0.0009, 0.001, "warning", "0.001 2"),  # one step over 2
     ("stiff", alone("0 -181", dt=0.01), -181.0, None, "error", 'solref="0 -95"'),  # 1.81 / 0.95 = 1.905; b h = 1
     ("stiff", alone("-34400 0", dt=0.01), 0.0, None, "error", 'solref="-2256 0"'),  # 3.44 / 0.95² / 2 = 1.906; 95² / 4

@@ -66,13 +66,15 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         limit = option.timestep_s / ratio if option.discrete else np.full(len(authored), 2.0 * option.timestep_s)
         below = np.flatnonzero((authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME)))
     least = "one step over the dampratio" if option.discrete else "two steps"
-    wording = Wording("timeconst", "timeconst", f"is below {least}, which the engine clamps it to", unit="s")
+    message, is_default = f"is below {least}, which the engine clamps it to", authored[below] == DEFAULT_SOLREF[0]
 
     def advise(pair: int) -> Advice:
         longer = advice.longer_solref(scene, pair, float(limit[pair]))
         return advice.either(longer, advice.shorter_step(scene, float(authored[pair])))
 
-    yield _pair_hits(scene, wording, below, (authored[below], limit[below]), advise)
+    for severity, pairs in (("warning", below[~is_default]), ("note", below[is_default])):  # which nobody wrote
+        wording = Wording("timeconst", "timeconst", message, "s", severity)
+        yield _pair_hits(scene, wording, pairs, (authored[pairs], limit[pairs]), advise)
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:

@@ -76,12 +76,13 @@ def visual(scene: Scene) -> Iterator[Finding]:
                     geom.mass, count = 0.0, count + 1
         light = spec.compile() if count else model
         times = model.body_mass / np.maximum(light.body_mass, mujoco.mjMINVAL) * (model.body_weldid > 0)
-        for body in np.flatnonzero(times > HEAVIER).tolist():
+        heavier = times > HEAVIER
+        is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()  # else it may be meant
+        for body in np.flatnonzero(heavier).tolist():
             mass, used = float(model.body_mass[body]), float(light.body_mass[body])
             message = f"is {times[body]:.2g} times that without geoms that touch nothing and are only seen"
             advice = Advice((), f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg')
-            severity = "warning" if abs(times[body] - 2.0) < TWICE else "note"  # else it may be meant
-            name = scene.bodies[body]
+            severity, name = "warning" if is_twice else "note", scene.bodies[body]
             yield Finding("visual", name, "mass", mass, message, (), None, "kg", severity, advice=advice)
 
 
