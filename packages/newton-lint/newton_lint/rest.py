@@ -196,7 +196,8 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
 def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
     """Yield joints and tendons with a range, and how far beyond it they lie."""
     solref = max(0.005, 2.0 * model.opt.timestep), 1.0
-    servos = np.flatnonzero(is_servo(model) & (model.jnt_limited[model.actuator_trnid[:, 0]] > 0))
+    servos = np.flatnonzero(is_servo(model))  # the trnid of others may be that of a tendon
+    servos = servos[model.jnt_limited[model.actuator_trnid[servos, 0]] > 0]
     ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / model.actuator_gear[servos, :1]
 
     def harder(model, data) -> None:
