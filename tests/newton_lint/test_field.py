@@ -36,8 +36,8 @@ SCENES = {  # bodies, options, what is said, what is not
     "a rope that gives": (
         '<site name="a" pos="0 0 1"/><body pos="0 0 .5"><joint type="slide" axis="0 0 1"/><geom size=".05" mass="5"/>'
         '<site name="b"/></body></worldbody><tendon><spatial name="rope" limited="true" range="0 .5" '
-        'solreflimit=".1 1"><site site="a"/><site site="b"/></spatial><spatial name="other"><site site="a"/><site site="b"/>'
-        '</spatial></tendon><actuator><motor tendon="other"/></actuator><worldbody>',
+        'solreflimit=".1 1"><site site="a"/><site site="b"/></spatial><spatial name="other"><site site="a"/>'
+        '<site site="b"/></spatial></tendon><actuator><motor tendon="other"/></actuator><worldbody>',
         "",
         ("warning limit: rope: length 4.", 'solreflimit="0.005 1" on it: 4.'),
         "error",

@@ -198,7 +198,8 @@ def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
     solref = max(0.005, 2.0 * model.opt.timestep), 1.0
     servos = np.flatnonzero(is_servo(model))  # the trnid of others may be that of a tendon
     servos = servos[model.jnt_limited[model.actuator_trnid[servos, 0]] > 0]
-    ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / model.actuator_gear[servos, :1]
+    gears = np.where(model.actuator_gear[servos, :1] == 0.0, 1.0, model.actuator_gear[servos, :1])
+    ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / gears
 
     def harder(model, data) -> None:
         model.jnt_solref[:] = model.tendon_solref_lim[:] = solref
