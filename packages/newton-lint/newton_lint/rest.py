@@ -22,6 +22,8 @@ from newton_lint.target import Target
 
 REST, WINDOW_S, LONGEST_S = 2e-3, 0.1, 2.0
 """Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited."""
+WILD = 1.0
+"""Speed after 2 s from which it is a note what it then came to [m/s or rad/s]."""
 BUDGET_S = 0.4
 """Time of the processor after which it is not waited for any longer."""
 LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
@@ -132,7 +134,8 @@ def at_rest(scene: Scene, target: Target, run: Run, rest: Rest, index: int) -> I
         mended = [(text, max(0.0, after)) for text, after in mended if after < MENDS * value]
         if not give.needs_way or (mended and mended[0][0] == give.ways[0][0]):
             gains = [f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest" for text, after in mended]
-            severity = "warning" if mended and value > give.far * least else "note"
+            is_certain = mended and rest.speed < WILD and value > give.far * least
+            severity = "warning" if is_certain else "note"
             advice, message = Advice((), "; or ".join(gains)) if gains else None, f"{give.message} {rest}"
             yield Finding(
                 give.rule, give.name, give.parameter, scale * value, message, give.against, None, give.unit, severity,
@@ -186,9 +189,10 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         solrefs[contact] = new
         changes = for_contact(scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), "").changes
         ways = [(", ".join(map(str, changes)), stiffer), (HARDEST.format(_text(shortest), _text(HARD)), harder)]
+        far = sizes[thin] / least if depth > 2.0 * run.first.get(pair, 0.0) else math.inf
         message = "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,"
         yield Give(
-            "depth", scene.names[thin], "depth", message, read, ways, "mm", least, sizes[thin] / least,
+            "depth", scene.names[thin], "depth", message, read, ways, "mm", least, far,
             (scene.names[partner],), scene.source.geom(thin),
         )  # fmt: skip
 

@@ -42,7 +42,8 @@ def lost(scene: Scene) -> Iterator[Finding]:
         attributes = {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
         advice = None if off else for_geom(scene, geom, attributes, "it is met")
         element = scene.source.authored(geom, "contype") or scene.source.geom(geom)
-        yield Finding("lost", scene.bodies[body], "contype", value, message, element=element, advice=advice)
+        name, severity = scene.bodies[body], "note" if off else "warning"  # which somebody wrote
+        yield Finding("lost", name, "contype", value, message, severity=severity, element=element, advice=advice)
 
 
 def fixed(scene: Scene) -> Iterator[Finding]:
