@@ -189,7 +189,8 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         solrefs[contact] = new
         changes = for_contact(scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), "").changes
         ways = [(", ".join(map(str, changes)), stiffer), (HARDEST.format(_text(shortest), _text(HARD)), harder)]
-        far = sizes[thin] / least if depth > 2.0 * run.first.get(pair, 0.0) else math.inf
+        is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
+        far = sizes[thin] / least if is_certain else math.inf
         message = "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,"
         yield Give(
             "depth", scene.names[thin], "depth", message, read, ways, "mm", least, far,
