@@ -155,6 +155,11 @@ def test_folders_and_several_files(scene, tmp_path, capsys):
     (tmp_path / "robot.urdf").write_text(URDF)
     assert main([str(tmp_path), target, "--format", "github"]) == 0
     assert capsys.readouterr().out.count(f"::notice file={target},line=6,title=newton-lint one-sided") == 2
+    assert main([str(tmp_path), target, "--format", "sarif"]) == 0
+    results = json.loads(capsys.readouterr().out)["runs"][0]["results"]
+    assert [(result["ruleId"], result["level"]) for result in results] == [("one-sided", "note")] * 2
+    place = results[0]["locations"][0]["physicalLocation"]
+    assert place == {"artifactLocation": {"uri": target}, "region": {"startLine": 6}}
     assert main([str(tmp_path), "--json"]) == 0 and len(json.loads(capsys.readouterr().out)) == 2
     assert main([target, "nowhere.xml"]) == 2
 

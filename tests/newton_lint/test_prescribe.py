@@ -98,3 +98,11 @@ def test_an_edit_changes_what_it_has_to(tmp_path):
     )
     with pytest.raises(Unwritable):  # its text is elsewhere by now
         edited(changes[:1], Source(root, None), {path: b" " + path.read_bytes()})
+
+
+def test_a_page_has_every_scene_of_a_folder(written, tmp_path, capsys):
+    written("pinch"), written("incline")
+    (tmp_path / "bad.xml").write_text("<mujoco><nothing/></mujoco>")
+    assert main(["page", str(tmp_path), "-o", str(tmp_path / "page")]) == 0
+    text = (tmp_path / "page" / "index.html").read_text(encoding="utf-8")
+    assert text.count("<details") == 3 and "2 scenes, " in text and "MuJoCo refuses it" in text

@@ -1,4 +1,4 @@
-"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe`` and ``newton-lint pair``.
+"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe``, ``pair`` and ``page``.
 
 See docs/lint.md.
 """
@@ -17,7 +17,7 @@ from typing import Any, NoReturn
 CLEAN, FOUND, UNFIT, BROKEN, STOPPED = 0, 1, 2, 3, 130
 """Exit status."""
 PROGRAM = "newton-lint"
-SUBCOMMANDS = ("prescribe", "pair")
+SUBCOMMANDS = ("prescribe", "page", "pair")
 """Commands besides the lint itself, each a module."""
 SEVERITIES = ("note", "warning", "error")
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
@@ -37,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="backslashreplace")
     try:
         # What a function of the user's imports may render, or count on NumPy's threads.
-        if not any(".py:" in argument for argument in arguments):
+        if arguments[:1] != ["page"] and not any(".py:" in argument for argument in arguments):
             _import_mujoco()
         from newton_lint.target import TargetError, mujoco
 
@@ -114,8 +114,8 @@ def _linted(options: argparse.Namespace) -> int:
     if options.fix and not options.dry_run and not unread and len(targets) > 1:
         fixes += importlib.import_module("newton_lint.mend").fixed_again(targets, request, paths)
     with _pipe_may_close():
-        if reports or form == "json":
-            print(written(reports, form))
+        if reports or form in ("json", "sarif"):
+            print(written(reports, form, unread))
     for line in (*unread, *fixes):
         print(printable(line), file=sys.stderr)
     if unread:
@@ -171,12 +171,12 @@ def version() -> str:
 def lint_parser() -> Parser:
     """Make the parser of the lint's own options."""
     about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
-    epilog = "Also: newton-lint prescribe searches settings for a grasp, pair tells of a contact."
+    epilog = "Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a contact."
     parser = Parser(prog=PROGRAM, description=about, epilog=epilog)
     add = parser.add_argument
     targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"
     add("target", metavar="TARGET", nargs="+", help=targets)
-    add("--format", choices=("text", "json", "github"), help="default: text")
+    add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
     add("--version", action=Tell, nargs=0, help="say which release it is")

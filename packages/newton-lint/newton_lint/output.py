@@ -1,4 +1,4 @@
-"""Reports as text, as JSON and as annotations of GitHub."""
+"""Reports as text, as JSON, as SARIF and as annotations of GitHub."""
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
@@ -22,11 +22,13 @@ def printable(text: str) -> str:
     return "".join(char if char.isprintable() else char.encode("unicode_escape", "replace").decode() for char in text)
 
 
-def written(reports: Sequence[Report], form: str) -> str:
-    """Return all reports as ``text``, ``json`` or ``github``."""
+def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) -> str:
+    """Return all reports, and what is said of unfit targets, as ``text``, ``json``, ``sarif`` or ``github``."""
     if form == "json":
         objects = [as_json(report) for report in reports]
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1)
+    if form == "sarif":
+        return json.dumps(_sarif(reports, unread), indent=1)
     lines_of = _github if form == "github" else text_of
     lines = [line for report in reports for line in lines_of(report)]
     lines += summary(reports) if form == "text" and len(reports) > 1 else ()
@@ -116,8 +118,33 @@ def _github(report: Report) -> Iterator[str]:
         yield f"::{finding.severity.replace('note', 'notice')} {location}title=newton-lint {finding.rule}::{message}"
 
 
+def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
+    results = [
+        {
+            "ruleId": group[0].rule,
+            "level": group[0].severity,
+            "message": {"text": _with_advice(group)},
+            "locations": [{"physicalLocation": _location(group[0], report)}],
+        }
+        for report in reports
+        for group in grouped(report.findings)
+    ]
+    rules = [{"id": rule} for rule in sorted({finding.rule for report in reports for finding in report.findings})]
+    run: dict = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
+    notifications = [{"level": "error", "message": {"text": line}} for line in unread]
+    run["invocations"] = [{"executionSuccessful": not unread, "toolExecutionNotifications": notifications}]
+    schema = "https://json.schemastore.org/sarif-2.1.0.json"
+    return {"$schema": schema, "version": "2.1.0", "runs": [run]}
+
+
 def _with_advice(group: Sequence[Finding]) -> str:
     return f"{sentence(group)}. {group[0].advice}" if group[0].advice else sentence(group)
+
+
+def _location(finding: Finding, report: Report) -> dict:
+    if not (element := finding.element):
+        return {"artifactLocation": {"uri": report.target}}
+    return {"artifactLocation": {"uri": str(element.file)}, "region": {"startLine": element.line}}
 
 
 def _named(names: Iterable[str]) -> str:
