@@ -38,7 +38,7 @@ def again(project: Project, section: str, by: float = 1e-4, **identity):
     """Return a section as if another host had measured it."""
     record = load_record(project.record_path(section))
     rows = [{name: _moved(cell, by) for name, cell in row.items()} for row in record.rows]
-    measured = {**record.measured, "started": "2026-11-27T01:00:00+00:00"}
+    measured = {**record.measured, "started": "2025-11-27T01:00:00+00:00"}
     machine = {**record.machine, "host": "elsewhere"}
     return replace(record, rows=rows, measured=measured, machine=machine, identity=replace(record.identity, **identity))
 
