@@ -50,8 +50,8 @@ def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsy
         assert publishing.run(toy.project, asked) == status
         text = (tmp_path / "www/index.html").read_text()
         assert sentence in text and "https://example.org/index.html" in text
-        toy.record_path.write_text("{")  # which is named, and left out
-    assert "damaged: newton-1.4.0/toy.json" in capsys.readouterr().err
+        toy.record_path.with_name("edition.toml").write_text("{")  # which is named
+    assert "damaged: newton-1.4.0/edition.toml" in capsys.readouterr().err
     quick = replace(toy.project, profile="quick")
     replace(toy, project=quick).measure()
     build(quick)
