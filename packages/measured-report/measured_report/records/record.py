@@ -223,8 +223,9 @@ def read_record(content: bytes, path: Path) -> Record:
         msgspec.convert(record.machine, _Machine)
         measured = msgspec.convert(record.measured, _Measured)
         msgspec.convert(record.rows, list[_Row])
-        times = [*map(datetime.fromisoformat, filter(None, (measured.started, measured.ended, measured.date)))]
-        if times != sorted(times) or times[-1] > datetime.now(timezone.utc) + timedelta(days=1):
+        ends = (measured.started or measured.date, measured.ended or measured.date, measured.date)
+        began, ended, _ = times = [*map(datetime.fromisoformat, ends)]
+        if began > ended or max(times) > datetime.now(timezone.utc) + timedelta(days=1):
             raise ValueError("it ended before it began, or will on a day to come")
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")

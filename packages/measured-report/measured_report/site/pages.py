@@ -25,6 +25,8 @@ from measured_report.parts.section import Figure, Pictures
 from measured_report.records.identity import sections
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
+from measured_report.site.series import PAGE as SERIES
+from measured_report.site.series import series_page
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import MEANS
 
@@ -118,6 +120,9 @@ class Site:
         places = self.places
         links = {release: links_of(self.editions, places, release) for release in places}
         contents = {release: contents_of(self.editions[release], self.templates, links[release]) for release in places}
+        releases = {release: edition.chapters for release, edition in self.editions.items()}
+        if history := series_page(releases, self.templates):
+            contents[self.shown].append(Content(SERIES, [history], []))
         pictures = _draw(contents, self.cache)
         self._write_once()
         origins = {}
