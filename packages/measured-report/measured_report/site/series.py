@@ -14,7 +14,7 @@ from measured_report.parts.macros import macros
 from measured_report.values.format import unit_label
 
 PAGE = Page("history")
-WIDTH, HEIGHT, EDGE = 260.0, 48.0, 4.0  # of a chart, in the units of its drawing
+WIDTH, HEIGHT, EDGE = 256.0, 48.0, 4.0  # of a chart, in the units of its drawing
 
 
 @dataclass(frozen=True)

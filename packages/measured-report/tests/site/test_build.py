@@ -10,7 +10,7 @@ from toys import MODULE, ROWS, TEMPLATE
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.records.record import write_record
-from measured_report.site import pages
+from measured_report.site import pages, series
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
 
@@ -25,6 +25,20 @@ def test_a_section_takes_three_files_and_passes_the_check(toy):
     assert values["toy"]["gain"]["formula"] == "soft over stiff"
     assert (toy.project.site / "data/newton-1.4.0/toy.json").read_bytes() == toy.record_path.read_bytes()
     assert (toy.project.site / "data/newton-1.4.0/toy.stiff.csv.gz").is_file()
+
+
+def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(toy, monkeypatch):
+    rules = replace(config().changes, headlines={"the slip": "toy.soft.slip_mm", "the gain": "toy.gain"})
+    monkeypatch.setattr(series, "config", lambda: replace(config(), changes=rules))
+    toy.build()
+    assert not (toy.project.site / "history.html").exists(), "of one edition"
+    for release, slip_mm in (("1.5.0", 6.3617), ("1.6.0", 0.5), ("1.7.0", 0.5)):
+        toy.of(release).measure([{**ROWS[0], "slip_mm": slip_mm}, ROWS[1]])
+    toy.build()
+    page = (toy.project.site / "history.html").read_text()
+    assert check_site(toy.project.site) == [] and 'href="history.html"' in toy.front
+    assert page.count("<circle") == 8 and page.count("Newton 1.6.0: <data") == 2 and page.count('class="better"') == 1
+    assert 'data-src="newton-1.7.0/toy.json#/rows/0/slip_mm">0.5' in page
 
 
 def test_text_from_results_is_no_markup(toy):
