@@ -65,7 +65,7 @@ def run(project: Project, arguments: Arguments) -> int:
     if arguments.format == "text":  # the front page stays that of the project's own edition
         project = project.of(project.own_release or project.release)
         build(project)
-        print(f"built {project.site / 'index.html'}")
+        print(f"built {project.site.name}/index.html")
     return int(comparison.is_alarm)
 
 
