@@ -24,8 +24,6 @@ def test_every_promise_names_the_test_that_holds_it():
     folders = (ROOT / "tests", ROOT / "packages/measured-report/tests")
     sources = [path.read_text() for folder in folders for path in folder.rglob("test_*.py")]
     there = {name for source in sources for name in re.findall(r"^def (test_\w+)\(", source, re.MULTILINE)}
-    for promise in (*rows, *promises):
-        sentences = [promise] if promise in rows else re.split(r"\.\s+(?=[A-Z])", promise)
-        assert re.findall(r"`(test_\w+)`", sentences[-1]) or "docs/publish.md" in sentences[-1], promise
+    assert all(re.search("`test_", promise) for promise in (*rows, *promises))
     named = re.findall(r"`(test_\w+)`", (ROOT / "docs/reliability.md").read_text() + (ROOT / "SECURITY.md").read_text())
     assert {*named} <= there, {*named} - there

@@ -84,7 +84,7 @@ def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
     faults = (fault.text for fault in comparison.faults[:NAMED])
     lines = [f"{editions}: {summary(comparison)}", "; ".join(count_texts), *faults]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
-    return [*lines, f"would have shown: {power(comparison)}", *_details(comparison, say)]
+    return [*lines, f"smallest change that would have been seen: {power(comparison)}", *_details(comparison, say)]
 
 
 def _details(comparison: Comparison, say: Say) -> list[str]:
@@ -204,14 +204,14 @@ def settings_text(settings: Sequence[Move]) -> str:
 
 
 def power(comparison: Comparison) -> str:
-    """Say the least change of each named number that would have rung, and which were not measured in both."""
+    """Say the least change of each named number that would have been seen, and which were not measured in both."""
     least: dict[str, float] = {}
     for cell in comparison.cells:
         threshold = config().changes.thresholds.get(cell.name)
         if threshold is not None and cell.share is not None and cell.before:
             label = column_of(cell.column).words
             least[label] = max(least.get(label, threshold), comparison.alone(cell) / abs(cell.before))
-    shares = ", ".join(f"{label} from {format_share(share)}" for label, share in least.items())
+    shares = ", ".join(f"{label} {format_share(share)}" for label, share in least.items())
     return (shares or "nothing that is named") + (
         f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
     )

@@ -161,7 +161,7 @@ def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -
         f"settings: {settings_text(comparison.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
         *(largest(comparison) or ["changed: nothing"]),
-        f"would have shown: {power(comparison)}",
+        f"smallest change that would have been seen: {power(comparison)}",
         *([f"why: {why}"] if asks_why else []),
         f"what to do: {_advice(comparison, before.project, after.project)}",
     ]

@@ -96,7 +96,7 @@ class Config:
     case: str = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
-    """Rows with one of these values are deterministic: noise 0, except times."""
+    """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
     units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
     cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
     columns: Sequence[Columns] = ()  # what is to be known of columns besides their units
