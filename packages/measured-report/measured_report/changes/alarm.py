@@ -211,7 +211,7 @@ def power(comparison: Comparison) -> str:
         if threshold is not None and cell.share is not None and cell.before:
             label = column_of(cell.column).words
             least[label] = max(least.get(label, threshold), comparison.alone(cell) / abs(cell.before))
-    shares = ", ".join(f"{label} {format_share(share)}" for label, share in least.items())
+    shares = ", ".join(f"{label} from {format_share(share)}" for label, share in least.items())
     return (shares or "nothing that is named") + (
         f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
     )

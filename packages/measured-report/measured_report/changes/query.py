@@ -281,7 +281,7 @@ def blind_spots(edition: Edition) -> list[str]:
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)
         if isinstance(number, Quantity) and number.value is None:
-            late.append(f"{name} never raises an alarm: {number.reason}")
+            late.append(f"{name} never rings: {number.reason}")
         elif isinstance(number, Quantity) and number.value:
             least = CHOSEN_SHARE if number.noise is None else math.sqrt(2) * number.noise / abs(number.value)
             text = f"{name}: threshold {format_share(threshold)}, but noise hides changes below {format_share(least)}"

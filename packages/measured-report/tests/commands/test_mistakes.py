@@ -19,7 +19,7 @@ MISTAKES = [
     (X, "return Measurement(rows, traces)", "pass", "it returned no Measurement of rows"),
     (X, "    seconds =", "    1 / 0\n    seconds =", "experiments/pendulum.py:45: ZeroDivisionError"),
     (X, "    seconds =", "    raise SystemExit(3)\n    seconds =", "experiments/pendulum.py:45: SystemExit: 3"),
-    (X, ": error}", ': float("nan")}', "never raises an alarm: euler: the measurement gave nan"),
+    (X, ": error}", ': float("nan")}', "never rings: euler: the measurement gave nan"),
     ("report.toml", 'edition = "numpy"', "", 'report.toml has no edition = "NAME"'),
     ("results/*/pendulum.json", '"rows"', '"row"', "pendulum: 10 rows in"),
     ("*", "\n", "\r\n", "built"),
