@@ -114,7 +114,7 @@ def test_a_damaged_record_takes_nothing_down(perturbation):
         chapter = perturbation.releases[release][name]
         results, held = chapter.results, {claim.name for claim in chapter.section.claims if claim.outcome == HOLDS}
         record = damaged(results.record, chance)
-        section = perturbation.section(release, name, {results.source: record})
+        section = perturbation.worded(perturbation.section(release, name, {results.source: record}), name)
         lost = lost_pointers(results, record)
         said = [claim.sentence for claim in section.claims] + [table.__html__() for table in section.tables.values()]
         said += [figure.wording("alt", figure.numbers) for figure in section.figures.values()]

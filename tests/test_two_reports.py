@@ -28,9 +28,11 @@ def example(folder: Path) -> None:
 
 
 def pendulum(folder: Path) -> None:
+    """A new report, which swings for a second in place of ten."""
     new(folder)
-    text = (folder / "pyproject.toml").read_text()
-    (folder / "pyproject.toml").write_text(text.replace("numpy==2.4.6", f"numpy=={np.__version__}"))
+    changes = {"pyproject.toml": ("2.4.6", np.__version__), "experiments/pendulum.py": ("else 10.0", "else 1.0")}
+    for name, change in changes.items():
+        (folder / name).write_text((folder / name).read_text().replace(*change))
 
 
 def built(folder: Path, command: str) -> dict[str, str]:
@@ -60,7 +62,7 @@ def test_one_process_builds_several_reports_as_a_process_each_does(toy, tmp_path
     pendulum(second := tmp_path / "second")
     apart = {first: built(first, "page"), second: built(second, "report")}
     own = built_here(toy.project, monkeypatch)
-    for folder in (first, second, first):
+    for folder in (first, second):
         assert built_here(project_in(folder), monkeypatch) == apart[folder]
     assert all(len(each) > 10 for each in (own, *apart.values()))
     assert built_here(toy.project, monkeypatch) == own
