@@ -104,21 +104,16 @@ def _details(comparison: Comparison, say: Say) -> list[str]:
 def _sums(comparison: Comparison) -> dict[str, Counter[str]]:
     sums: dict[str, Counter[str]] = {}
     for move in comparison.moves:
-        sums.setdefault(move.section, Counter(moved=0, better=0, worse=0)).update(
-            filter(None, ("moved", move.direction))
-        )
+        counts = sums.setdefault(move.section, Counter(moved=0, better=0, worse=0))
+        counts.update(filter(None, ("moved", move.direction)))
     return sums
 
 
 def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
-    flips = [
-        {"section": flip.section, "claim": flip.name}
-        | {
-            end: _claim_data(flip.section, claim, say)
-            for end, claim in zip(("before", "after"), flip.ends, strict=True)
-        }
-        for flip in comparison.flips
-    ]
+    flips = []
+    for flip in comparison.flips:
+        before, after = (_claim_data(flip.section, claim, say) for claim in flip.ends)
+        flips.append({"section": flip.section, "claim": flip.name, "before": before, "after": after})
     return {
         "a": comparison.releases[0],
         "b": comparison.releases[1],
@@ -211,10 +206,9 @@ def power(comparison: Comparison) -> str:
         if threshold is not None and cell.share is not None and cell.before:
             label = column_of(cell.column).words
             least[label] = max(least.get(label, threshold), comparison.alone(cell) / abs(cell.before))
-    shares = ", ".join(f"{label} from {format_share(share)}" for label, share in least.items())
-    return (shares or "nothing that is named") + (
-        f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
-    )
+    shares = [f"{label} from {format_share(share)}" for label, share in least.items()] or ["nothing that is named"]
+    missing = f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
+    return ", ".join(shares) + missing
 
 
 COUNTED = ("comparisons", "told", "numbers", "moves")

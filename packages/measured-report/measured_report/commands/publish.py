@@ -23,9 +23,7 @@ MARK = ".published"  # a file of every copy that is published: only what has it 
 ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
 DOMAIN = "CNAME"  # a file that GitHub keeps on the branch
 ALONE = ("core.bare=true", "core.hooksPath=/dev/null", "push.followTags=false", "push.recurseSubmodules=no")
-OF_HOOKS = [
-    f"GIT_{name}" for name in ("DIR", "WORK_TREE", "INDEX_FILE", "OBJECT_DIRECTORY", "QUARANTINE_PATH", "PREFIX")
-]
+OF_HOOKS = [f"GIT_{name}" for name in "DIR WORK_TREE INDEX_FILE OBJECT_DIRECTORY QUARANTINE_PATH PREFIX".split()]
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
@@ -130,9 +128,7 @@ def _run(command: Sequence[str], **settings: str) -> str:
     quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
     env = {name: text for name, text in os.environ.items() if name not in OF_HOOKS} | quiet | settings
     try:
-        ended = subprocess.run(
-            command, input="", capture_output=True, text=True, errors="replace", env=env, check=False
-        )
+        ended = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=env)
     except FileNotFoundError:
         raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None
     if ended.returncode:

@@ -58,11 +58,6 @@ def is_absolute(column: str) -> bool:
     return is_cost(column) and (about.unit not in ("1", "B") or bool(about.rate_of))
 
 
-def is_repeated(column: str, row: Cells) -> bool:
-    """Tell whether an engine repeats this number of a row to the last bit."""
-    return not is_cost(column) and any(row.get(name) in cells for name, cells in config().repeating.items())
-
-
 def key_of(row: Cells) -> Key:
     """Return what tells a row from the others of its section, in any measurement."""
     return tuple(row.get(name) for name in config().changes.keys)
@@ -191,7 +186,7 @@ class Evidence:
         """Return what the noisiest runs of one case say of a number; what repeats to the last bit is rounded."""
         value, about = row[column], column_of(column)
         rounding = 0.0 if is_cost(column) else REPEATED_SHARE * abs(value)
-        if is_repeated(column, row):
+        if not is_cost(column) and any(row.get(name) in cells for name, cells in config().repeating.items()):
             return Estimate(value, least=rounding, samples=(value,))
         length = row.get(about.grows_with)
         runs = [columns[column] for columns in self.repeats.values() if column in columns]

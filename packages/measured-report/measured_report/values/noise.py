@@ -138,9 +138,8 @@ class Estimate:
             return ""
         least, largest = min(present), max(present)
         several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
-        return (
-            f"at an edge, where chance decides: {several}" if self.is_edge else "mean of " * (least < largest) + several
-        )
+        means = "mean of " if least < largest else ""
+        return f"{'at an edge, where chance decides: ' if self.is_edge else means}{several}"
 
     @cached_property
     def noise(self) -> float:
