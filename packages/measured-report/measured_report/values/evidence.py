@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from statistics import median
+from statistics import fmean, median
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from measured_report.files.config import cached_in_report, config
@@ -25,7 +25,6 @@ from measured_report.values.noise import (
     binomial_noise,
     discoveries,
     fenced,
-    mean_of,
     variance_of,
 )
 
@@ -102,7 +101,7 @@ def repeats_of(rows: Iterable[Cells]) -> Repeated:
         numbers = fenced([row[column] for row in runs[case] if is_number(row.get(column))] or [0.0])
         if len(numbers) > 1 and scatters(column):
             length = max(row.get(column_of(column).grows_with) or 0.0 for row in runs[case])
-            repeats[case][column] = Repeats(mean_of(numbers), variance_of(numbers), len(numbers), length)
+            repeats[case][column] = Repeats(fmean(numbers), variance_of(numbers), len(numbers), length)
     return repeats
 
 
@@ -133,7 +132,7 @@ class Column:
             middle = median(present)
             return Estimate(middle, least=max(largest - middle, middle - least), samples=samples, is_edge=True)
         if least < largest:
-            value = mean_of(present)
+            value = fmean(present)
         elif isinstance(value, int):  # a count, of which all say the same
             variance = 0.0
         return Estimate(value, variance, freedom, count, 0.0, samples, self.is_of_cards, is_again=True)
