@@ -28,11 +28,9 @@ def example(folder: Path) -> None:
 
 
 def pendulum(folder: Path) -> None:
-    """A new report, which swings for a second in place of ten."""
     new(folder)
-    changes = {"pyproject.toml": ("2.4.6", np.__version__), "experiments/pendulum.py": ("else 10.0", "else 1.0")}
-    for name, change in changes.items():
-        (folder / name).write_text((folder / name).read_text().replace(*change))
+    text = (folder / "pyproject.toml").read_text()
+    (folder / "pyproject.toml").write_text(text.replace("numpy==2.4.6", f"numpy=={np.__version__}"))
 
 
 def built(folder: Path, command: str) -> dict[str, str]:

@@ -27,7 +27,7 @@ GPU = {**BY_HAND["machine"], "device": "cuda", "gpu": "A GPU"}
 @pytest.fixture
 def project(toy):
     """A project with records of some sections."""
-    rows = [{"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(999)]
+    rows = [{"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(333)]
     for section in SECTIONS:
         toy.write(f"report/sections/{section}.py", "order = 1\ndef derive(results): ...\n")
         write_record(toy.project.record_path(section), toy.record(rows, section=section, machine=GPU))
