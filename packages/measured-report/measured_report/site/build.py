@@ -3,7 +3,6 @@
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib import metadata
 from pathlib import Path
 
 from measured_report.changes.query import blind_spots, gaps, refuse_unknown_names
@@ -23,7 +22,6 @@ from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site, citation
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)  # files that the site is made from, besides the folders
-WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")  # which have a part in it, besides those that draw
 BUILT = "site"  # what is kept of the last build
 
 
@@ -68,10 +66,9 @@ def inputs_digest(project: Project, address: str = "") -> str:
     roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
-    versions = [metadata.version(name) for name in WRITING_PACKAGES]
     # A checkout may be edited, and lie elsewhere.
     checkouts = [package_version(project.of(release)) for release in project.releases]
-    made_from = (selection, address, package_versions(), installed(), versions, checkouts, digests)
+    made_from = (selection, address, package_versions(), installed(), checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from toys import BY_HAND, GENERATOR
+from toys import BY_HAND, GENERATOR, put
 
 from measured_report.changes.carry import Run, _reasons, carried, first_difference
 from measured_report.editions.project import Project, own_release
@@ -336,11 +336,6 @@ def test_times_are_carried_where_a_device_is_given_the_same_work(before, after, 
 
 def record_of(rows) -> Record:
     return Record(**{**BY_HAND, "section": "a", "identity": None, "units": units_of(rows), "rows": rows})
-
-
-def put(root: Path, name: str, text: str) -> None:
-    (root / name).parent.mkdir(parents=True, exist_ok=True)
-    (root / name).write_text(text, encoding="utf-8")
 
 
 @pytest.mark.slow
