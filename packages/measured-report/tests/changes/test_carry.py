@@ -3,11 +3,10 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from toys import BY_HAND, GENERATOR, put
+from toys import BY_HAND, GENERATOR, git, put
 
 from measured_report.changes.carry import Run, _reasons, carried, first_difference
 from measured_report.editions.project import Project, own_release
@@ -277,10 +276,6 @@ TIMES = {
 }
 PLANTED = CHANGES_A_BIT | CHANGES_NOTHING | TIMES
 KEPT = {*CHANGES_NOTHING, "beside_times"}
-
-
-def git(folder: Path, *command: str) -> None:
-    subprocess.run(["git", "-C", folder, "-c", "user.name=a", "-c", "user.email=a@b", *command], check=True)
 
 
 @pytest.fixture(scope="module")
