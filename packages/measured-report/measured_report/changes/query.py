@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from importlib.util import find_spec
 from itertools import pairwise
 from pathlib import Path
-from statistics import median
+from statistics import fmean, median
 from typing import Any
 
 from measured_report.changes.compare import flips
@@ -26,7 +26,7 @@ from measured_report.records.code import CARRIED, files, roots_of
 from measured_report.records.columns import REASON, UNBELIEVED, column_of, columns_of, parameters
 from measured_report.records.identity import package_versions, sections
 from measured_report.values.format import format_share
-from measured_report.values.noise import FALSE_SHARE, LEAST_RUNS, NORMAL, TINY, Z, mean_of
+from measured_report.values.noise import FALSE_SHARE, LEAST_RUNS, NORMAL, TINY, Z
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 
@@ -136,7 +136,7 @@ def points(releases: Releases, query: Query) -> list[Point]:
     else:
         numbers = [float(point.answer) for point in answered]
         ends = [0, *changes_in(numbers, [point.noise for point in answered], query.column), len(numbers)]
-        means = {start: mean_of(numbers[start:end]) for start, end in pairwise(ends) if numbers}
+        means = {start: fmean(numbers[start:end]) for start, end in pairwise(ends) if numbers}
         marks = {end: Move(query.column, means[start], means[end]).mark for start, end in pairwise(means)}
     return [replace(point, mark=marks.get(index, "")) for index, point in enumerate(answered)]
 
@@ -152,7 +152,7 @@ def changes_in(numbers: Sequence[float], noises: Sequence[float | None], column:
         usual = Z * median(steps) / (math.sqrt(2) * NORMAL.inv_cdf(0.75)) if len(numbers) >= LEAST_RUNS else 0.0
         return changes_in(numbers, [usual if noise is None else noise for noise in noises], column)
     count, known = len(numbers), [noise or 0.0 for noise in noises]
-    apart = {split: abs(mean_of(numbers[split:]) - mean_of(numbers[:split])) for split in range(1, count)}
+    apart = {split: abs(fmean(numbers[split:]) - fmean(numbers[:split])) for split in range(1, count)}
     best = max(apart, key=lambda split: apart[split] * math.sqrt(split * (count - split)), default=0)
     if not best or apart[best] <= column_of(column).resolution:
         return []
