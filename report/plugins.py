@@ -16,6 +16,7 @@ from measured_report.files.root import ROOT
 from measured_report.findings.chapters import results_digest
 from measured_report.pages import plugins
 from measured_report.pages.prose import Templates
+from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
@@ -73,7 +74,9 @@ class Plugins(plugins.Plugins):
 
     def names(self, section: Section) -> Mapping[str, Any]:
         read = Sections({section: chapter.results for section, chapter in self.edition.chapters.items()})
-        return {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
+        record = next((chapter.results.record for chapter in self.edition.chapters.values()), None)
+        measured = {"machine": record and record.machine_text, "packages": record and macros().packages(record)}
+        return {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else "", **measured}
 
     @property
     def data(self) -> Sequence[Path]:

@@ -1,5 +1,6 @@
 """Measure it yourself: what the engine in the page is held against."""
 
+from measured_report.parts.claim import Claim, decided
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.tables import by_case
@@ -23,4 +24,7 @@ CHECKS = ("impratio-1-midphase", "as-shipped-nearby")  # cases that the page in 
 
 def derive(results: Results) -> Section:
     shown = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
-    return Section(tables={"runs": by_case(shown, COLUMNS)})
+    with_it, without = (results.row[case] for case in ("impratio-1-midphase", "impratio-1"))
+    outcome = decided(bool(with_it.dropped) and not without.dropped, with_it.slip_mm, without.slip_mm)
+    claim = Claim("midphase_loses", outcome, {"slip": with_it.slip_mm, "without": without.slip_mm})
+    return Section(tables={"runs": by_case(shown, COLUMNS)}, claims=[claim])

@@ -36,8 +36,9 @@ def derive(chapters: Chapters) -> Section:
     for name, (changed, section, cases, claim, why) in SUSPECTS.items():
         rows = _rows(sections.results[section], cases) if section in chapters else []
         if any(row.slip_mm.value is not None for row in rows):
-            holds = [each.name for each in chapters[section].section.claims if each.outcome == HOLDS]
-            reason = why if claim in holds else "" if claim else "it is this" if "together_they_hold" in holds else ""
+            held = {each.name: each.outcome == HOLDS for each in chapters[section].section.claims}
+            is_out = held.get(claim) and held.get("not_the_cause", True)
+            reason = why if is_out else "it is this" if not claim and held.get("together_they_hold") else ""
             lines.append((name, changed, *(_ends(rows, column) for column in COLUMNS.values()), reason))
     names, *cells = zip(*lines, strict=True) if lines else ([] for _ in range(5))
     columns = dict(zip(("changed", *COLUMNS, "why not"), cells, strict=True))
@@ -45,7 +46,8 @@ def derive(chapters: Chapters) -> Section:
 
 
 def _rows(results: Results, cases: Sequence[str]) -> list[Row]:
-    return [row for row in results.rows if row.case in cases or (not cases and f"{row.case}_difference" in results.derived)]
+    compared = {name.removesuffix("_difference") for name in results.derived}
+    return [row for row in results.rows if row.case in (cases or compared)]
 
 
 def _ends(rows: Sequence[Row], column: str) -> Quantity | Markup | str:

@@ -75,7 +75,7 @@ def draw_mechanism() -> Drawing:
 
 
 def _draw_arc(axes: Axes) -> None:
-    axes.set_title("1. The pad follows a curve")
+    axes.set_title("1. A turning joint moves the pad")
     joint, radius, angle = np.array([0.0, 0.0]), 3.0, np.radians(58)
     outward, along = np.array([np.cos(angle), np.sin(angle)]), np.array([np.sin(angle), -np.cos(angle)])
     pad = joint + radius * outward
@@ -96,7 +96,7 @@ def _draw_arc(axes: Axes) -> None:
 def _draw_brake(axes: Axes) -> None:
     axes.set_title("2. Friction brakes, and nothing pulls back")
     axes.add_patch(Rectangle((0.0, 2.1), 2.4, 0.75, facecolor=SERIES[0], alpha=0.3, edgecolor=SERIES[0]))
-    axes.annotate("pad, on its curve", (1.2, 2.47), fontsize=9, ha="center", va="center")
+    axes.annotate("pad, on turning joints", (1.2, 2.47), fontsize=9, ha="center", va="center")
     axes.add_patch(Rectangle((0.0, 0.2), 2.4, 1.1, facecolor=FAINT, edgecolor=INK))
     axes.annotate("cube", (1.2, 0.62), fontsize=9, ha="center", va="center")
     _arrow(axes, np.array([2.5, 2.47]), np.array([4.0, 2.47]), SERIES[1])

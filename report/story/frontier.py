@@ -1,15 +1,21 @@
 """Error against run time: engines and cures in one figure, and the rule by which one of them is advised."""
 
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
+from markupsafe import Markup
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided, greater
-from measured_report.parts.figures import SERIES, new_figure
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.parts.figures import INK, SERIES, new_figure, tick_at, write
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
+from report.sections.reproduction import FRAME_RATE
 from report.shared.arithmetic import Sections
-from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
+from report.shared.drawing import CURE, SHIPPED, STIFF, TERM, mark_points
 from report.shared.timing import TIMED_WORLDS
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
@@ -95,44 +101,83 @@ WAYS = (
         "the root cure, stiff pads", PATCH, _cure("implicitfast-400-stiff", "centred-kept"), "cure_cost/firm", CURE, "D"
     ),
 )
+BOUNDS = {"advice": ("reproduction", "slip_bound"), "ends_creep": ("newton_solvers", "ended_bound")}
 C_WAYS = (  # on a core of the processor, and in as many worlds as it has cores: not advised
     Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, "v"),
     Way("C, stiff pads", ARGUMENT, "solver/stiff-pads-mujoco-c", "error_runtime/stiff/c/substeps-16", STIFF, "v"),
 )
 
 
+MARKED = ("as shipped", "stiff pads", "RK4, stiff pads", "the root cure", "MuJoCo C", "C, stiff pads")
+GAP = 0.17  # decades between two names that stand one above the other
+TIMES = ("error_runtime", {count: f"worlds-{count}" for count in (ALONE, MANY)}, "ms_per_s")  # of one simulated second
+
+
 def figure(sections: Sections) -> Figure:
     """Draw the creep of each way against the time of a world's frame, alone and among many."""
-    rows = sections.results["cure_cost"].rows if "cure_cost" in sections.results else []
-    shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped" and row.frame_ms.value is not None}
-    ways = {way: way.ratios(sections) for way in (*WAYS, *C_WAYS) if shipped and way.creep_mm(sections) is not None}
+    section, cases, column = TIMES
+    seconds = {count: sections.cell(section, case, column) for count, case in cases.items()}
+    alone = {count: cell.number / FRAME_RATE / count for count, cell in seconds.items() if cell.value is not None}
+    solver = next((way for way in WAYS if way.is_other and way.ratios(sections) and way.name in ("Steel", "Kamino")), None)
+    marked = [way for way in (*WAYS, *C_WAYS) if way.name in MARKED or way is solver]
+    ways = {way: way.ratios(sections) for way in marked if way.creep_mm(sections) is not None}
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(sections), *ratios.values())]
-    many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
-
-    def times(ratios: dict[int, Quantity]) -> list[Quantity]:
-        return [ratio * (shipped[n].frame_ms.number / n) for n, ratio in ratios.items() if n in shipped]
+    many = sections.cell(section, cases[MANY], "worlds")
+    shipped, stiff = (way.slip(sections) for way in WAYS[:2])
+    cycles = 1.0 / ((WAYS[0].creep_mm(sections) or 1.0) / max(shipped.number, shipped.noise or 0.0)) if shipped.value else 1.0
+    gain = sections.value("reproduction", "stiff_gain")
+    bounds = [sections.value(*place) for place in BOUNDS.values()]
 
     def draw() -> Drawing:
-        drawing, axes = new_figure(7.2, 5.0)
+        drawing, axes = new_figure(7.2, 4.6)
+        for bound in bounds:
+            if bound.value is not None:
+                axes.axhline(bound.number / cycles, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), marker="", alpha=0.5)
+                axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, bound.number / cycles), va="bottom", fontsize=8.5,
+                              xycoords=("axes fraction", "data"))  # fmt: skip
+        names = []
         for way, ratios in ways.items():
-            x = [time.value for time in times(ratios)]
-            style = {"marker": way.marker, "markevery": 1, "linestyle": ":", "linewidth": 0.8}
-            axes.plot(x, [way.creep_mm(sections)] * len(x), label=way.name, color=way.colour, **style)
+            y = way.creep_mm(sections)
+            times = [ratio.number * alone[count] for count, ratio in ratios.items() if count in alone]
+            is_seen = way.slip(sections).number > (way.slip(sections).noise or 0.0)
+            fill = way.colour if is_seen else "none"
+            axes.plot(times, [y] * len(times), color=way.colour, marker="", linestyle=":", linewidth=0.9)
+            mark_points(axes, [(time, y) for time in times], color=way.colour, marker=way.marker, markerfacecolor=fill, markersize=8)
+            names += [(max(times), y, way)] if times else []
+        _name_marks(axes, names)
         axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
+        axes.set_xlim(right=60 * max((x for x, *_ in names), default=1.0))
+        axes.set_ylim(top=3 * max((y for _, y, _ in names), default=1.0))
+        tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
+        tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
+        axes.text(0.98, 0.98, "one world: right; of many: left", transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
+        axes.text(0.01, 0.02, "↙ better", transform=axes.transAxes, fontsize=8.5)
         return drawing
 
-    right = all_of(*(greater(*each) for each in map(times, ways.values()) if len(each) > 1)).answer
-    return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many, "right": right})
+    is_cut = all_of(at_least(gain, 10.0, why="an order of magnitude"), at_most(stiff, bounds[0])) == HOLDS
+    is_ended = any(way.name == "the root cure" and way.keeps(sections, bounds[1]) == HOLDS for way in WAYS)
+    read = [*cells, *seconds.values(), *(bound for bound in bounds)]
+    return Figure(draw, read, {"many": many, "is_cut": is_cut, "is_ended": is_ended, "gain": gain})
 
 
-def advice(sections: Sections) -> list[Claim]:
-    """Advise what keeps the slip below one that can be seen, and below a tenth of that."""
-    bounds = {"advice": ("reproduction", "slip_bound"), "ends_creep": ("newton_solvers", "ended_bound")}
-    return [_chosen(sections, name, sections.value(*bound)) for name, bound in bounds.items()]
+def _name_marks(axes: Axes, names: Sequence[tuple[float, float, Way]]) -> None:
+    """Write each name beside its mark, as far down as keeps it clear of the one above; those of C below their marks."""
+    last = math.inf
+    for x, y, way in sorted(names, key=lambda name: -name[1]):
+        style: dict[str, Any] = {"color": way.colour, "fontsize": 9.5, "textcoords": "offset points"}
+        if way in C_WAYS:
+            axes.annotate(way.name, (x, y), xytext=(0, -8), ha="center", va="top", **style)
+            continue
+        last = min(math.log10(y), last - GAP)
+        axes.annotate(way.name, (x, 10**last), xytext=(8, 0), va="center", **style)
 
 
-def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
+def advice(sections: Sections, every: Mapping[str, Sections]) -> list[Claim]:
+    """Advise what keeps the slip below one that can be seen, and below a tenth of that; ``every`` release is asked."""
+    return [_chosen(sections, name, sections.value(*bound), every) for name, bound in BOUNDS.items()]
+
+
+def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, Sections]) -> Claim:
     """Choose the fastest of those ways in Newton that keep the slip below the bound and take the least effort."""
     tests = {way: way.keeps(sections, bound) for way in WAYS}
     holding = [way for way, test in tests.items() if test == HOLDS]
@@ -144,7 +189,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": none, "ratio": none, "bound": bound}
-    numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio"), "")  # it does without
+    numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio", "elsewhere"), "")  # it does without
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=paces.__getitem__)
@@ -158,7 +203,10 @@ def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     if patches:
         patch = min(patches, key=paces.__getitem__)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
-    read = [cell for cell in (seen, *(way.slip(sections) for way in tests)) if cell.value is not None]
+    slips = {release: way.slip(other) for release, other in every.items() if way.is_other}
+    more = [(slip, release) for release, slip in slips.items() if slip.value is not None and slip.value > bound.number]
+    numbers["elsewhere"] = Markup(", ").join(Markup("{} in {}").format(*pair) for pair in more)
+    read = [cell for cell in (seen, *(slip for slip, _ in more), *(way.slip(sections) for way in tests)) if cell.value is not None]
     read += [*ratios.values(), *(times[way] for way in (*timed, *patches))]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]

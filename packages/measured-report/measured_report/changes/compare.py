@@ -132,7 +132,7 @@ class FlipList:
         return replace(self, flips=[flip for flip in all_flips if flip.is_decided])
 
     def __html__(self) -> Markup:
-        return macros().turns(self.flips, self.shown, self.sections)
+        return macros().turns(self.flips, self.shown, self.sections, config().short_name)
 
 
 @dataclass(frozen=True)

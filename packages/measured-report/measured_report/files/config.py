@@ -91,6 +91,7 @@ class Config:
     requirement: str = ""  # that package as pyproject.toml asks for it, with its extras and without a version
     edition_name: str = ""  # what people call it
     short_names: Mapping[str, str] = field(default_factory=dict)  # what labels call other packages
+    trials: Mapping[str, str] = field(default_factory=dict)  # what people call labels with other packages
     host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
     accelerator: str = "measured_report.measuring.accelerator"  # the module of what accelerates it; this one of nothing
     case: str = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
@@ -136,7 +137,10 @@ class Config:
         return self.option.lower().replace("_", "-") or "edition"
 
     def name_of(self, release: str) -> str:
-        return f"{self.edition_name} {release}".strip()
+        return self.trials.get(release) or f"{self.edition_name} {release}".strip()
+
+    def short_name(self, release: str) -> str:
+        return self.trials.get(release, release)
 
     def edition_folder(self, release: str) -> str:
         return f"{self.edition}-{release}"
