@@ -20,6 +20,7 @@ from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, pairs_of, references
 from measured_report.parts.section import Figure
 from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_numbers, token, with_formulas
+from measured_report.records.identity import sources
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
@@ -103,7 +104,7 @@ class Templates:
         )
         self._prose = self._layout.overlay(finalize=_as_token)
         self.references, self.pairs = references(folder), pairs_of(folder)
-        self._layout.globals |= {"references": self.references, "config": config()}
+        self._layout.globals |= {"references": self.references, "config": config(), "sources": sources()}
         for extension in (WordTags, PassageTag, StatedTag):
             self._prose.add_extension(extension)
         self.text = cache(self._text)

@@ -16,7 +16,7 @@ from measured_report.findings.cache import DerivedCache, installed
 from measured_report.pages.editions import worded_editions
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import unchanged_files
-from measured_report.records.identity import files_digest, package_versions
+from measured_report.records.identity import files_digest, package_versions, sources
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site, citation
@@ -68,7 +68,7 @@ def inputs_digest(project: Project, address: str = "") -> str:
     selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
     # A checkout may be edited, and lie elsewhere.
     checkouts = [package_version(project.of(release)) for release in project.releases]
-    made_from = (selection, address, package_versions(), installed(), checkouts, digests)
+    made_from = (selection, address, sources(), package_versions(), installed(), checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

@@ -2,15 +2,18 @@
 
 import json
 import os
-from dataclasses import replace
+from xml.etree import ElementTree
 
 import pytest
+from markupsafe import Markup
 from toys import MODULE, ROWS, TEMPLATE
 
-from measured_report.files.config import config
 from measured_report.files.errors import ReportError
+from measured_report.pages.prose import Prose
+from measured_report.parts.words import CLOSE, OPEN
 from measured_report.records.record import write_record
 from measured_report.site import pages
+from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
 
@@ -53,14 +56,24 @@ def test_text_from_results_is_no_markup(toy):
 
 
 def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
-    told = replace(config(), repository="https://git.example/shake")
-    monkeypatch.setattr(pages, "config", lambda: told)
+    monkeypatch.setattr(pages, "sources", lambda: "https://git.example/shake")
     toy.build()
     line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(True)
     assert f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">' in toy.page
     assert (
         "git clone https://git.example/shake report &amp;&amp; cd report &amp;&amp; make rerun SECTION=toy" in toy.page
     )
+
+
+def test_a_site_whose_address_is_known_has_a_feed_and_each_page_says_what_it_tells(toy):
+    toy.of("1.8.0").measure([{**ROWS[0], "slip_mm": 1.0}, ROWS[1]])
+    build(toy.project, "https://site.example/")
+    feed = ElementTree.parse(toy.project.site / "feed.xml").getroot()
+    links = [link.get("href") for link in feed.iterfind("{*}entry/{*}link")]
+    assert links == ["https://site.example/newton-1.8.0/index.html", "https://site.example/index.html"]
+    assert 'type="application/atom+xml" href="https://site.example/feed.xml"' in toy.front
+    body = f'<p>{OPEN}0{CLOSE}</p>\n<p class="a">It <b>leans</b>.</p><p>b</p>'
+    assert Prose(Markup(""), body, [Markup("<figure><p>no</p></figure>")], "a", []).summary.striptags() == "It leans."
 
 
 END = "{% endtable %}\n"

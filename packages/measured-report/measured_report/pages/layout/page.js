@@ -307,10 +307,11 @@ function plainWords(text) {
 
 function entriesOf(page, address) {
   const entries = [];
-  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd)")) {
+  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd), #cite")) {
     if (block.closest(".provenance, .source, nav") || block.parentElement.closest("li, figcaption")) continue;
     const text = block.textContent.replace(/ #$/, "").replace(/\s+/g, " ").trim();
-    if (/^H/.test(block.tagName)) {
+    if (block.id === "cite") entries.push({ title: "Cite it", text, address: `${address}#cite` });
+    else if (/^H/.test(block.tagName)) {
       const id = block.id || block.closest("section")?.id || "";
       entries.push({ title: text, text: "", address: id ? `${address}#${id}` : address });
     } else if (entries.length) entries.at(-1).text += ` ${text}`;
