@@ -25,6 +25,6 @@ CHECKS = ("impratio-1-midphase", "as-shipped-nearby")  # cases that the page in 
 def derive(results: Results) -> Section:
     shown = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
     with_it, without = (results.row[case] for case in ("impratio-1-midphase", "impratio-1"))
-    outcome = decided(bool(with_it.dropped) and not without.dropped, with_it.slip_mm, without.slip_mm)
-    claim = Claim("midphase_loses", outcome, {"slip": with_it.slip_mm, "without": without.slip_mm})
+    outcome = decided(bool(with_it.dropped) and not without.dropped, with_it.wander_mm, without.wander_mm)
+    claim = Claim("midphase_loses", outcome, {"way": with_it.wander_mm, "without": without.wander_mm})
     return Section(tables={"runs": by_case(shown, COLUMNS)}, claims=[claim])

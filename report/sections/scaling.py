@@ -5,7 +5,7 @@ from itertools import takewhile
 
 from measured_report.parts.claim import Claim, all_of, at_least
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import PERCENT, Value, combined
+from measured_report.values.quantities import PERCENT, Value, absent, combined
 from measured_report.values.results import Results, Row
 from report.shared.tables import Column, table_of
 from report.shared.timing import TIMED_WORLDS, fine_enough, resolution, worlds_name
@@ -48,8 +48,10 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     bound = results.chosen("cheap_bound", "a frame no longer than this many times that of one world", 2.0)
     formula = "most worlds with which, as with all fewer, a frame takes no longer than so many times that of one"
     cheap = results.value("cheap_worlds", formula, cheap_count, bound, *times)
-    outcome = at_least(cheap, rows[1].worlds)
-    return Claim("first_worlds_are_cheap", outcome, {"cheap": cheap, "bound": bound, "next": rows[1].worlds})
+    following = rows[1].worlds if len(rows) > 1 else absent("1", "no more worlds were timed")
+    return Claim(
+        "first_worlds_are_cheap", at_least(cheap, following), {"cheap": cheap, "bound": bound, "next": following}
+    )
 
 
 def _beside_benchmark(results: Results) -> tuple[Table, Claim]:

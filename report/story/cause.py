@@ -53,5 +53,7 @@ def _rows(results: Results, cases: Sequence[str]) -> list[Row]:
 def _ends(rows: Sequence[Row], column: str) -> Quantity | Markup | str:
     """Write one number, or the least and the largest of several."""
     cells = [row[column] for row in rows if row[column].value is not None]
-    low, high = (choose(cells, key=lambda cell: cell.number, default="") for choose in (min, max))
-    return low if low is high else Markup("{} to {}").format(low.bare, high.bare)
+    if len(cells) < 2:
+        return cells[0] if cells else ""
+    low, high = (choose(cells, key=lambda cell: cell.number) for choose in (min, max))
+    return Markup("{} to {}").format(low.bare, high.bare)

@@ -3,10 +3,9 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from markupsafe import Markup
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided
@@ -15,7 +14,7 @@ from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
 from report.sections.reproduction import FRAME_RATE
 from report.shared.arithmetic import Sections
-from report.shared.drawing import CURE, SHIPPED, STIFF, TERM, mark_points
+from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
 from report.shared.timing import TIMED_WORLDS
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
@@ -106,70 +105,73 @@ C_WAYS = (  # on a core of the processor, and in as many worlds as it has cores:
     Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, "v"),
     Way("C, stiff pads", ARGUMENT, "solver/stiff-pads-mujoco-c", "error_runtime/stiff/c/substeps-16", STIFF, "v"),
 )
-
-
 MARKED = ("as shipped", "stiff pads", "RK4, stiff pads", "the root cure", "MuJoCo C", "C, stiff pads")
+OTHERS = ("Steel", "Kamino")  # the first of these that was timed is marked too
 GAP = 0.17  # decades between two names that stand one above the other
 TIMES = ("error_runtime", {count: f"worlds-{count}" for count in (ALONE, MANY)}, "ms_per_s")  # of one simulated second
 
 
 def figure(sections: Sections) -> Figure:
-    """Draw the creep of each way against the time of a world's frame, alone and among many."""
+    """Draw the creep of some ways against the time of a world's frame, alone and among many."""
     section, cases, column = TIMES
     seconds = {count: sections.cell(section, case, column) for count, case in cases.items()}
-    alone = {count: cell.number / FRAME_RATE / count for count, cell in seconds.items() if cell.value is not None}
-    solver = next((way for way in WAYS if way.is_other and way.ratios(sections) and way.name in ("Steel", "Kamino")), None)
-    marked = [way for way in (*WAYS, *C_WAYS) if way.name in MARKED or way is solver]
+    frames_ms = {count: cell.number / FRAME_RATE / count for count, cell in seconds.items() if cell.value is not None}
+    other = next((way for way in WAYS if way.name in OTHERS and way.ratios(sections)), None)
+    marked = [way for way in (*WAYS, *C_WAYS) if way.name in MARKED or way is other]
     ways = {way: way.ratios(sections) for way in marked if way.creep_mm(sections) is not None}
-    cells = [cell for way, ratios in ways.items() for cell in (way.slip(sections), *ratios.values())]
-    many = sections.cell(section, cases[MANY], "worlds")
-    shipped, stiff = (way.slip(sections) for way in WAYS[:2])
-    cycles = 1.0 / ((WAYS[0].creep_mm(sections) or 1.0) / max(shipped.number, shipped.noise or 0.0)) if shipped.value else 1.0
-    gain = sections.value("reproduction", "stiff_gain")
+    marks = [
+        Mark(way, way.creep_mm(sections), times, way.slip(sections).number > (way.slip(sections).noise or 0.0))
+        for way, ratios in ways.items()
+        if (times := [ratio.number * frames_ms[count] for count, ratio in ratios.items() if count in frames_ms])
+    ]
+    shake = [
+        sections.cell("reproduction", "as-shipped", f"shake_{name}").value for name in ("duration_s", "frequency_hz")
+    ]
     bounds = [sections.value(*place) for place in BOUNDS.values()]
-
-    def draw() -> Drawing:
-        drawing, axes = new_figure(7.2, 4.6)
-        for bound in bounds:
-            if bound.value is not None:
-                axes.axhline(bound.number / cycles, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), marker="", alpha=0.5)
-                axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, bound.number / cycles), va="bottom", fontsize=8.5,
-                              xycoords=("axes fraction", "data"))  # fmt: skip
-        names = []
-        for way, ratios in ways.items():
-            y = way.creep_mm(sections)
-            times = [ratio.number * alone[count] for count, ratio in ratios.items() if count in alone]
-            is_seen = way.slip(sections).number > (way.slip(sections).noise or 0.0)
-            fill = way.colour if is_seen else "none"
-            axes.plot(times, [y] * len(times), color=way.colour, marker="", linestyle=":", linewidth=0.9)
-            mark_points(axes, [(time, y) for time in times], color=way.colour, marker=way.marker, markerfacecolor=fill, markersize=8)
-            names += [(max(times), y, way)] if times else []
-        _name_marks(axes, names)
-        axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
-        axes.set_xlim(right=60 * max((x for x, *_ in names), default=1.0))
-        axes.set_ylim(top=3 * max((y for _, y, _ in names), default=1.0))
-        tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
-        tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
-        axes.text(0.98, 0.98, "one world: right; of many: left", transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
-        axes.text(0.01, 0.02, "↙ better", transform=axes.transAxes, fontsize=8.5)
-        return drawing
-
-    is_cut = all_of(at_least(gain, 10.0, why="an order of magnitude"), at_most(stiff, bounds[0])) == HOLDS
-    is_ended = any(way.name == "the root cure" and way.keeps(sections, bounds[1]) == HOLDS for way in WAYS)
-    read = [*cells, *seconds.values(), *(bound for bound in bounds)]
-    return Figure(draw, read, {"many": many, "is_cut": is_cut, "is_ended": is_ended, "gain": gain})
+    lines = [(bound, bound.number / math.prod(shake)) for bound in bounds if None not in (bound.value, *shake)]
+    gain, stiff = sections.value("reproduction", "stiff_gain"), WAYS[1].slip(sections)
+    numbers: dict[str, Any] = {"gain": gain}
+    numbers["is_cut"] = all_of(at_least(gain, 10.0, why="an order of magnitude"), at_most(stiff, bounds[0])) == HOLDS
+    numbers["is_ended"] = any(way.effort == PATCH and way.keeps(sections, bounds[1]) == HOLDS for way in ways)
+    cells = [cell for way, ratios in ways.items() for cell in (way.slip(sections), *ratios.values())]
+    return Figure(lambda: _draw(marks, lines), [*cells, *seconds.values(), *bounds], numbers)
 
 
-def _name_marks(axes: Axes, names: Sequence[tuple[float, float, Way]]) -> None:
-    """Write each name beside its mark, as far down as keeps it clear of the one above; those of C below their marks."""
+class Mark(NamedTuple):
+    """Place a way: slip of a cycle [mm] and times of a world's frame [ms]; what is not seen stands at its bound."""
+
+    way: Way
+    creep: float
+    times: list[float]
+    is_seen: bool
+
+
+def _draw(marks: Sequence[Mark], lines: Sequence[tuple[Quantity, float]]) -> Drawing:
+    drawing, axes = new_figure(7.2, 4.6)
+    for bound, creep in lines:
+        axes.axhline(creep, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), marker="", alpha=0.5)
+        at = {"xycoords": ("axes fraction", "data"), "va": "bottom", "fontsize": 8.5}
+        axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, creep), **at)
     last = math.inf
-    for x, y, way in sorted(names, key=lambda name: -name[1]):
-        style: dict[str, Any] = {"color": way.colour, "fontsize": 9.5, "textcoords": "offset points"}
-        if way in C_WAYS:
-            axes.annotate(way.name, (x, y), xytext=(0, -8), ha="center", va="top", **style)
-            continue
-        last = min(math.log10(y), last - GAP)
-        axes.annotate(way.name, (x, 10**last), xytext=(8, 0), va="center", **style)
+    for way, creep, times, is_seen in sorted(marks, key=lambda mark: -mark.creep):
+        fill = way.colour if is_seen else "none"
+        style = {"marker": way.marker, "markerfacecolor": fill, "markersize": 8, "markevery": 1}
+        axes.plot(times, [creep] * len(times), color=way.colour, linestyle=":", linewidth=0.9, **style)
+        beside: dict[str, Any] = {"color": way.colour, "fontsize": 9.5, "textcoords": "offset points"}
+        if way in C_WAYS:  # below their marks
+            axes.annotate(way.name, (max(times), creep), xytext=(0, -8), ha="center", va="top", **beside)
+        else:  # as far down as keeps a name clear of the one above
+            last = min(math.log10(creep), last - GAP)
+            axes.annotate(way.name, (max(times), 10**last), xytext=(8, 0), va="center", **beside)
+    axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
+    axes.set_xlim(right=60 * max((max(mark.times) for mark in marks), default=1.0))
+    axes.set_ylim(top=3 * max((mark.creep for mark in marks), default=1.0))
+    tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
+    tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
+    corner: dict[str, Any] = {"transform": axes.transAxes, "fontsize": 8.5}
+    axes.text(0.98, 0.98, "one world: right; of many: left", ha="right", va="top", **corner)
+    axes.text(0.01, 0.02, "↙ better", **corner)
+    return drawing
 
 
 def advice(sections: Sections, every: Mapping[str, Sections]) -> list[Claim]:
@@ -197,7 +199,9 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
     numbers |= {"way": way.name, "slip": way.slip(sections), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
     numbers["seen"] = "" if seen.value is None else seen
-    is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
+    is_longer = any(
+        ratio.number - 1.0 > max(ratio.noise or 0.0, 0.01 * (seen.value or 0.0)) for ratio in ratios.values()
+    )
     patches = [way for way in times if way.effort == PATCH]
     flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
@@ -206,7 +210,11 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     slips = {release: way.slip(other) for release, other in every.items() if way.is_other}
     more = [(slip, release) for release, slip in slips.items() if slip.value is not None and slip.value > bound.number]
     numbers["elsewhere"] = Markup(", ").join(Markup("{} in {}").format(*pair) for pair in more)
-    read = [cell for cell in (seen, *(slip for slip, _ in more), *(way.slip(sections) for way in tests)) if cell.value is not None]
+    read = [
+        cell
+        for cell in (seen, *(slip for slip, _ in more), *(way.slip(sections) for way in tests))
+        if cell.value is not None
+    ]
     read += [*ratios.values(), *(times[way] for way in (*timed, *patches))]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]

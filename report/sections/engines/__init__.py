@@ -104,7 +104,7 @@ def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     halved = results.value("kept", formula, PERCENT * mine.short_walk / mine.walk)
     outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(halved, 90.0, why="about as much"))
     discrete = next(line.walk for line in lines if line.name == MODELS["discrete-20ms"])
-    numbers = {"mine": mine.walk, "worst": worst, "short": mine.short_walk}
+    numbers: dict[str, Any] = {"mine": mine.walk, "worst": worst, "short": mine.short_walk}
     numbers["discrete"] = "" if discrete.value is None else discrete
     return Claim("walks_most_in_mujoco", outcome.having_read(discrete), numbers)
 

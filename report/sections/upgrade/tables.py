@@ -52,7 +52,9 @@ DRAWN = {
 
 def side_by_side(heading: str, releases: Releases, queries: Mapping[str, Query]) -> Table:
     lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in queries.values()]
-    columns = {config().name_of(release): cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)}
+    columns = {
+        config().name_of(release): cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)
+    }
     return table_of(heading, queries, columns)
 
 
