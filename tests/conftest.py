@@ -114,7 +114,7 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     lay_out(folder := tmp_path / "project")
     for name in ("report.toml", "pyproject.toml"):
         (folder / name).unlink()
-    (folder / "templates/investigation.md.j2").write_text("# What it follows\n", encoding="utf-8")
+    shutil.copy(ROOT / "templates/investigation.md.j2", folder / "templates")
     shutil.copytree(ROOT / "templates" / "pages", folder / "templates" / "pages", dirs_exist_ok=True)
     monkeypatch.setattr(sections, "__path__", [str(folder / "report" / "sections"), *sections.__path__])
     toy = Toy(Project("1.4.0", root=folder))
