@@ -64,7 +64,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
 def inputs_digest(project: Project, address: str = "") -> str:
     # The last two are often the same, but for the results.
     roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
-    digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
+    digests = [sources(), *(files_digest(_inputs(root, folders), root) for root, folders in roots.items())]
     selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
     # A checkout may be edited, and lie elsewhere.
     checkouts = [package_version(project.of(release)) for release in project.releases]
