@@ -2,12 +2,14 @@
 
 import json
 import os
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import pytest
 from markupsafe import Markup
 from toys import MODULE, ROWS, TEMPLATE
 
+from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.pages.prose import Prose
 from measured_report.parts.words import CLOSE, OPEN
