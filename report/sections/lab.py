@@ -1,6 +1,6 @@
 """Measure it yourself: what the engine in the page is held against."""
 
-from measured_report.parts.claim import Claim, decided
+from measured_report.parts.claim import Claim, at_least
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.tables import by_case
@@ -25,6 +25,7 @@ CHECKS = ("impratio-1-midphase", "as-shipped-nearby")  # cases that the page in 
 def derive(results: Results) -> Section:
     shown = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
     with_it, without = (results.row[case] for case in ("impratio-1-midphase", "impratio-1"))
-    outcome = decided(bool(with_it.dropped) and not without.dropped, with_it.wander_mm, without.wander_mm)
+    farther = results.value("midphase_farther", "way with it, of that without", with_it.wander_mm / without.wander_mm)
+    outcome = at_least(farther, 10.0, why="out of the grasp in place of along it")
     claim = Claim("midphase_loses", outcome, {"way": with_it.wander_mm, "without": without.wander_mm})
     return Section(tables={"runs": by_case(shown, COLUMNS)}, claims=[claim])

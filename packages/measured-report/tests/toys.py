@@ -251,6 +251,8 @@ def lay_out(folder: Path) -> None:
     put(folder, "experiments/scene.py", SCENE)
     put(folder, "experiments/toy.py", EXPERIMENT)
     put(folder, "experiments/cards.py", CARDS)
+    put(folder, "report/__init__.py", "")  # or a path of the tests that has this package would come before
+    put(folder, "report/sections/__init__.py", "")
     put(folder, "report/sections/toy.py", MODULE)
     put(folder, "templates/sections/toy.md.j2", TEMPLATE)
     put(folder, "templates/front.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")

@@ -57,7 +57,9 @@ class PageReader(HTMLParser):
         self.fetched += [
             element.attributes["href"]
             for element in self.elements
-            if "href" in element.attributes and element.tag != "a" and element.attributes.get("rel") != "canonical"
+            if "href" in element.attributes
+            and element.tag != "a"
+            and element.attributes.get("rel") not in ("canonical", "alternate")
         ]
         styles = [value for _, name, value in attributes if name == "style"]
         self.styles = "".join([*styles, *(element.text for element in self.of("style"))])
