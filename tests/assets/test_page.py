@@ -122,7 +122,7 @@ def test_answers_come_first(site, tab, screens):
         assert max(ends.values()) < screens * tab.viewport_size["height"], (path, ends)
         assert tab.locator('[data-answer="fix"] pre').count() == 1
         for figure in tab.locator("#story-frontier").all():  # the next screen has what decides
-            assert figure.bounding_box()["y"] < (screens + 0.5) * tab.viewport_size["height"], path
+            assert figure.bounding_box()["y"] < (screens + 0.6) * tab.viewport_size["height"], path
 
 
 def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
