@@ -1,5 +1,6 @@
 """Parts that the scene has and does not use: the cost of each, and that nothing changes without it."""
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -149,20 +150,22 @@ def cost_figure(results: Results, timed: Timed) -> Figure:
 
 
 def _draw_costs(steps: Sequence[tuple[Value, Row]], whole: Mapping[str, Value]) -> Drawing:
-    """Draw a bar for each step that was timed, grey where it is within its interval, and all together in a corner."""
-    timed = sorted((step for step in steps if step[0].value is not None), key=lambda step: -step[0].number)
+    """Draw a bar for each step that was timed, unranked below the line if not seen, and all together in a corner."""
+    timed = [(saved, 100 * (row.ratio_resolution.value or 0.0), row) for saved, row in steps if saved.value is not None]
+    timed.sort(key=lambda step: -step[0].number if abs(step[0].number) > step[1] else math.inf)
     drawing, axes = new_figure(7.2, 1.2 + 0.28 * len(timed))
-    for place, (saved, row) in enumerate(timed):
-        interval = 100 * (row.ratio_resolution.value or 0.0)
-        is_seen = abs(saved.number) > interval
+    seen_count = sum(abs(saved.number) > interval for saved, interval, _ in timed)
+    axes.axhline(seen_count - 0.5, color=INK, linewidth=0.8, linestyle=":", marker="")
+    for place, (saved, interval, _) in enumerate(timed):
+        is_seen = place < seen_count
         axes.barh(place, saved.number, height=0.62, linewidth=0, color=STIFF if is_seen else FAINT)
         axes.errorbar(saved.number, place, xerr=interval, color=INK, linewidth=1.0, capsize=0, marker="")
         text = f"{write(saved)} %" if is_seen else "not seen"
         say_value(axes, max(saved.number, 0.0) + interval, place, text)
     lines = [f"{name}: −{write(saved)} %" for name, saved in whole.items()]
     axes.text(0.98, 0.04, "\n".join(["all together", *lines]), transform=axes.transAxes, ha="right", fontsize=9)
-    name_lines(axes, [row.label for _, row in timed])
-    axes.set_xlim(right=1.25 * max((saved.number for saved, _ in timed), default=1.0))
+    name_lines(axes, [row.label for *_, row in timed])
+    axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
     axes.set_xlabel("what a frame then takes less [%]")
     axes.grid(axis="y", visible=False)
     return drawing

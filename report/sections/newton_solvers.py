@@ -96,7 +96,8 @@ def _shake_table(rows: RowsBy) -> Table:
     names = list(dict.fromkeys(variant for variant, _ in rows))
     shaken = [rows[name, "3cm"] for name in names]
     columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm"}
-    columns |= {"slip": [_slip(row) for row in shaken], "creep": creep_or_unseen}
+    columns |= {"slip": [_slip(row) for row in shaken], "on the way": [_slip(row, "wander_mm") for row in shaken]}
+    columns["creep"] = creep_or_unseen
     means = {"along over normal force": "friction_share", "normal force": "normal_force_n"}
     means["penetration"] = "penetration_mm"
     for above, mean in means.items():
@@ -113,8 +114,8 @@ def _time_table(times: RowsBy) -> Table:
     return table_of("solver", map(_label, names), columns)
 
 
-def _slip(row: Row) -> Any:
-    return "fails" if row.plain.get("failure") else cell_or_lost(row, "slip_mm")
+def _slip(row: Row, column: str = "slip_mm") -> Any:
+    return "fails" if row.plain.get("failure") else cell_or_lost(row, column)
 
 
 def _hands(results: Results, rows: RowsBy) -> dict[str, Value]:
@@ -142,7 +143,9 @@ def _others_hold(rows: RowsBy, times: RowsBy, hands: dict[str, Value], bound: Qu
     outcome = unclear[0] if unclear and not holding else decided(bool(holding), *read)
     numbers |= {"is_timed": bool(fastest), "are_many": len(names) > 1, "ratio": ratio if fastest else ""}
     numbers |= {"is_longer": (ratio.value or 0.0) - 1.0 > (ratio.noise or 0.0)}
-    return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio), numbers)
+    way = rows[fastest or "warp", "3cm"].wander_mm
+    numbers |= {"way": way, "gives": bool(fastest) and at_least(way, bound) == HOLDS}
+    return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio, way), numbers)
 
 
 def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) -> Claim:

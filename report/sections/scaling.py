@@ -49,9 +49,10 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     formula = "most worlds with which, as with all fewer, a frame takes no longer than so many times that of one"
     cheap = results.value("cheap_worlds", formula, cheap_count, bound, *times)
     following = rows[1].worlds if len(rows) > 1 else absent("1", "no more worlds were timed")
-    return Claim(
-        "first_worlds_are_cheap", at_least(cheap, following), {"cheap": cheap, "bound": bound, "next": following}
-    )
+    taken = dict(zip((row.worlds.value for row in rows), times[1::2], strict=True)).get(cheap.value, times[1])
+    ratio = results.value("cheap_ratio", "time of a frame with so many worlds over that of one", taken / times[1])
+    numbers = {"cheap": cheap, "ratio": ratio, "bound": bound, "next": following}
+    return Claim("first_worlds_are_cheap", at_least(cheap, following), numbers)
 
 
 def _beside_benchmark(results: Results) -> tuple[Table, Claim]:

@@ -51,9 +51,7 @@ def _rows(results: Results, cases: Sequence[str]) -> list[Row]:
 
 
 def _ends(rows: Sequence[Row], column: str) -> Quantity | Markup | str:
-    """Write one number, or the least and the largest of several."""
+    """Write one number, or the least and the largest of several where these do not read the same."""
     cells = [row[column] for row in rows if row[column].value is not None]
-    if len(cells) < 2:
-        return cells[0] if cells else ""
-    low, high = (choose(cells, key=lambda cell: cell.number) for choose in (min, max))
-    return Markup("{} to {}").format(low.bare, high.bare)
+    low, high = (choose(cells, key=lambda cell: cell.number, default=None) for choose in (min, max))
+    return (low or "") if low is high or low.written == high.written else Markup("{} to {}").format(low.bare, high.bare)

@@ -15,12 +15,13 @@ from measured_report.values.quantities import Quantity, absent
 from report.sections.reproduction import FRAME_RATE
 from report.shared.arithmetic import Sections
 from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
-from report.shared.timing import TIMED_WORLDS
+from report.shared.timing import TIMED_WORLDS, worlds_name
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
 SOLVERS = "newton_solvers"  # where Newton's other solvers are measured
 RATIOS = ("frame_ratio", "time_ratio")
-FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch")
+FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch", "gives")
+PATCHED = ("patch", "patch_slip", "patch_ratio", "patch_many")
 UNSEEN = {  # section and value of how much longer the frames of a way may take and are not seen to
     "stiff pads": ("speed", "stiff_pads_only_change"),
     "the root cure": ("cure_cost", "best_unseen"),
@@ -168,9 +169,11 @@ def _draw(marks: Sequence[Mark], lines: Sequence[tuple[Quantity, float]]) -> Dra
     axes.set_ylim(top=3 * max((mark.creep for mark in marks), default=1.0))
     tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
     tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
-    corner: dict[str, Any] = {"transform": axes.transAxes, "fontsize": 8.5}
-    axes.text(0.98, 0.98, "one world: right; of many: left", ha="right", va="top", **corner)
-    axes.text(0.01, 0.02, "↙ better", **corner)
+    pair = next((mark for mark in sorted(marks, key=lambda mark: -mark.creep) if len(mark.times) > 1), None)
+    for name, time in zip((worlds_name(ALONE), f"{worlds_name(MANY)}, each"), pair.times if pair else (), strict=False):
+        style = {"textcoords": "offset points", "fontsize": 8.5, "ha": "left" if time == pair.times[1] else "center"}
+        axes.annotate(name, (time, pair.creep), xytext=(-4, 8), va="bottom", **style)
+    axes.text(0.01, 0.02, "↙ better", transform=axes.transAxes, fontsize=8.5)
     return drawing
 
 
@@ -191,28 +194,32 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": none, "ratio": none, "bound": bound}
-    numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio", "elsewhere"), "")  # it does without
+    numbers |= dict.fromkeys(("many", "seen", "off", *PATCHED, "elsewhere"), "")  # it does without
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=paces.__getitem__)
     ratios = way.ratios(sections)
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
+    solver, _, variant = way.timed.partition("/")
+    off = sections.cell(solver, f"{variant}-3cm", "wander_mm")  # how far the cube gets from its place on the way
+    gives = way.is_other and at_least(off, bound) == HOLDS
     numbers |= {"way": way.name, "slip": way.slip(sections), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
-    numbers["seen"] = "" if seen.value is None else seen
+    numbers |= {"seen": "" if seen.value is None else seen, "off": off if gives else ""}
     is_longer = any(
         ratio.number - 1.0 > max(ratio.noise or 0.0, 0.01 * (seen.value or 0.0)) for ratio in ratios.values()
     )
     patches = [way for way in times if way.effort == PATCH]
-    flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
+    flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches), gives
     if patches:
         patch = min(patches, key=paces.__getitem__)
-        numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
+        many = patch.ratios(sections).get(MANY, "")
+        numbers |= dict(zip(PATCHED, (patch.name, patch.slip(sections), times[patch], many), strict=True))
     slips = {release: way.slip(other) for release, other in every.items() if way.is_other}
     more = [(slip, release) for release, slip in slips.items() if slip.value is not None and slip.value > bound.number]
     numbers["elsewhere"] = Markup(", ").join(Markup("{} in {}").format(*pair) for pair in more)
     read = [
         cell
-        for cell in (seen, *(slip for slip, _ in more), *(way.slip(sections) for way in tests))
+        for cell in (seen, off, *(slip for slip, _ in more), *(way.slip(sections) for way in tests))
         if cell.value is not None
     ]
     read += [*ratios.values(), *(times[way] for way in (*timed, *patches))]

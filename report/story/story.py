@@ -86,7 +86,8 @@ def _still_needed(every: Mapping[str, Sections], bound: Quantity) -> Claim:
     seen = [at_least(slip, bound) for cells in measured.values() for slip in cells]
     outcome = all_of(*seen) if all(measured.values()) else Outcome("unknown", "not both were measured")
     pyramids = [release for release, slip in zip(every, slips[PYRAMID], strict=True) if slip.source]
-    return Claim("still_needed", outcome, {"pyramids": " and ".join(map(config().short_name, pyramids))})
+    *names, last = map(config().name_of, pyramids or [""])
+    return Claim("still_needed", outcome, {"pyramids": " and ".join(filter(None, (", ".join(names), last)))})
 
 
 def _with_mujoco(sections: Sections, bound: Quantity) -> Claim:

@@ -9,7 +9,7 @@ from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 from report.sections.reproduction import FRAME_RATE
 from report.sections.stability.claims import family, least, most
-from report.sections.stability.passing import is_stable, passes
+from report.sections.stability.passing import is_stable
 
 NONE = absent("1", "it was not seen")
 
@@ -48,7 +48,9 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
         return Limit(label, *ends(f"{name}_load", held, "load"), results.derived.get(f"{name}_lost", NONE), 1.0, over)
 
     steps = [row for row in family(results, "steps") if row.pads == "stiff" and is_stable(row)]
-    sizes = [row for row in family(results, "size") if row.grip == "as-shipped" and passes(row)]
+    sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
+    lost = [row for row in sizes if not is_stable(row)]
+    small = most(results, "edge_lost", "largest that is lost", lost, "cube_edge_mm")
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
     heavy = least(
         results, "gravity_lost", "least that loses it", [row for row in pulls if not is_stable(row)], "gravity_m_s2"
@@ -69,7 +71,7 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
         loads("weaker grip, of that", "grip"),
         Limit("pads' friction", said("friction_extremes", "kept"), said("friction_extremes", "most"),
               said("friction_extremes", "lost"), AS_SHIPPED.pad_mu),
-        Limit("cube's edge [mm]", *ends("edge", sizes, "cube_edge_mm"), said("sizes", "too_small"),
+        Limit("cube's edge [mm]", *ends("edge", [row for row in sizes if is_stable(row)], "cube_edge_mm"), small,
               1e3 * AS_SHIPPED.cube_edge_m),
         Limit("mass, grip to match [kg]", said("masses", "light"), said("masses", "heavy"), NONE, mass),
         Limit("gravity [m/s²]", *ends("pull", [row for row in pulls if is_stable(row)], "gravity_m_s2"), heavy, 9.81),

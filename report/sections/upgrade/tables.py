@@ -52,9 +52,7 @@ DRAWN = {
 
 def side_by_side(heading: str, releases: Releases, queries: Mapping[str, Query]) -> Table:
     lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in queries.values()]
-    columns = {
-        config().name_of(release): cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)
-    }
+    columns = dict(zip(map(config().short_name, releases), zip(*lines, strict=True), strict=True))
     return table_of(heading, queries, columns)
 
 
@@ -72,7 +70,7 @@ def option_table(releases: Releases) -> Table:
         if len({getattr(values.get(release), "value", values.get(release)) for release in measured}) > 1
     } or {"none": dict.fromkeys(measured, "")}
     lines = {release: [values.get(release, "–") for values in differing.values()] for release in measured}
-    columns = {config().name_of(release): list(map(Markup("{}").format, line)) for release, line in lines.items()}
+    columns = {config().short_name(release): list(map(Markup("{}").format, line)) for release, line in lines.items()}
     return table_of("", differing, columns)
 
 

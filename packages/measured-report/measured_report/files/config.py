@@ -137,7 +137,8 @@ class Config:
         return self.option.lower().replace("_", "-") or "edition"
 
     def name_of(self, release: str) -> str:
-        return self.trials.get(release) or f"{self.edition_name} {release}".strip()
+        """Name an edition within a sentence."""
+        return f"the {self.trials[release]}" if release in self.trials else f"{self.edition_name} {release}".strip()
 
     def short_name(self, release: str) -> str:
         return self.trials.get(release, release)

@@ -1,6 +1,6 @@
 """Series: the page that shows each headline over all editions, and where it changed."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +14,7 @@ from measured_report.parts.macros import macros
 from measured_report.values.format import unit_label
 
 PAGE = Page("history")
-WIDTH, HEIGHT, EDGE = 256.0, 48.0, 4.0  # of a chart, in the units of its drawing
+WIDTH, HEIGHT, EDGE = 288.0, 48.0, 4.0  # of a chart, in the units of its drawing
 
 
 @dataclass(frozen=True)
@@ -24,6 +24,7 @@ class Series:
     query: Query
     points: Sequence[Point]
     releases: Releases
+    places: Mapping[str, float]  # of editions, the same in all charts
 
     @property
     def name(self) -> str:
@@ -40,20 +41,27 @@ class Series:
         return (pair for pair in zip(self.points, self.points[1:], strict=False) if pair[1].mark)
 
     @property
+    def ends(self) -> Iterator[Any]:
+        """Yield the least number and the largest, between which the chart goes."""
+        return (self.number(choose(self.points, key=lambda point: float(point.answer))) for choose in (min, max))
+
+    @property
     def dots(self) -> Iterator[tuple[Point, float, float, float, float]]:
         """Yield the place of each edition, its number's, and those of the ends of its noise."""
         reaches = [(float(point.answer), point.noise or 0.0) for point in self.points]
         low, high = min(number - noise for number, noise in reaches), max(number + noise for number, noise in reaches)
-        step, scale = (WIDTH - 2 * EDGE) / (len(reaches) - 1), (HEIGHT - 2 * EDGE) / ((high - low) or 1.0)
-        for index, (point, (number, noise)) in enumerate(zip(self.points, reaches, strict=True)):
+        scale = (HEIGHT - 2 * EDGE) / ((high - low) or 1.0)
+        for point, (number, noise) in zip(self.points, reaches, strict=True):
             heights = (HEIGHT - EDGE - (end - low) * scale for end in (number, number - noise, number + noise))
-            yield (point, *(round(place, 1) for place in (EDGE + index * step, *heights)))  # type: ignore[misc]
+            yield (point, *(round(place, 1) for place in (self.places[point.release], *heights)))  # type: ignore[misc]
 
 
 def series_page(releases: Releases, templates: Templates) -> Prose | None:
     """Put the headlines into words that two editions answer, or more; None where there is none."""
     queries = (Query(value, label=label) for label, value in config().changes.headlines.items())
-    series = [Series(query, points(releases, query), releases) for query in queries]
+    step = WIDTH / len(releases)
+    places = {release: (index + 0.5) * step for index, release in enumerate(releases)}
+    series = [Series(query, points(releases, query), releases, places) for query in queries]
     shown = [each for each in series if len(each.points) > 1]
     if not shown or PAGE.name in {page.name for page in config().pages}:
         return None
