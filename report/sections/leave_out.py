@@ -137,9 +137,8 @@ def cost_figure(results: Results, timed: Timed) -> Figure:
     worlds = ALONE_COUNT if ALONE_COUNT in counts else counts[-1]
     cases = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)
     steps = [(_saved(results, timed, device, case, worlds), timed[device, case, worlds]) for case in cases]
-    ends = dict.fromkeys(
-        (("one world", device, 1), (worlds_name(counts[-1]), device, counts[-1]), ("one world, CPU", "cpu", 1))
-    )
+    many = (worlds_name(counts[-1]), device, counts[-1])
+    ends = dict.fromkeys((("one world", device, 1), many, ("one world, CPU", "cpu", 1)))
     whole = {name: _saved(results, timed, of, ALL, count) for name, of, count in ends}
     whole = {name: saved for name, saved in whole.items() if saved.value is not None}
     before, after = (timed[device, case, worlds].frame_ms for case in (REFERENCE, ALL))
@@ -160,10 +159,9 @@ def _draw_costs(steps: Sequence[tuple[Value, Row]], whole: Mapping[str, Value]) 
         is_seen = place < seen_count
         axes.barh(place, saved.number, height=0.62, linewidth=0, color=STIFF if is_seen else FAINT)
         axes.errorbar(saved.number, place, xerr=interval, color=INK, linewidth=1.0, capsize=0, marker="")
-        text = f"{write(saved)} %" if is_seen else "not seen"
-        say_value(axes, max(saved.number, 0.0) + interval, place, text)
-    lines = [f"{name}: −{write(saved)} %" for name, saved in whole.items()]
-    axes.text(0.98, 0.04, "\n".join(["all together", *lines]), transform=axes.transAxes, ha="right", fontsize=9)
+        say_value(axes, max(saved.number, 0.0) + interval, place, f"{write(saved)} %" if is_seen else "not seen")
+    lines = ["all together", *(f"{name}: −{write(saved)} %" for name, saved in whole.items())]
+    axes.text(0.98, 0.04, "\n".join(lines), transform=axes.transAxes, ha="right", fontsize=9)
     name_lines(axes, [row.label for *_, row in timed])
     axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
     axes.set_xlabel("what a frame then takes less [%]")

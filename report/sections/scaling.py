@@ -28,8 +28,11 @@ def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "way" not in row]
     worst = resolution(results, "resolution", rows)
     columns: dict[str, Column] = {"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": "frame_ratio"}
-    columns |= {"all substeps": "world_substeps_per_s", "memory": "bytes_per_world"}
-    columns |= {"buffers": "buffer_bytes_per_world"}
+    columns |= {
+        "all substeps": "world_substeps_per_s",
+        "memory": "bytes_per_world",
+        "buffers": "buffer_bytes_per_world",
+    }
     tables = {"worlds": table_of("worlds", [str(row.worlds) for row in rows], columns, rows, resolution=worst)}
     cheap = _first_worlds_are_cheap(results, rows)
     if len(rows) == len(results.rows):  # on a CPU, and in releases that were measured before
@@ -49,7 +52,7 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     formula = "most worlds with which, as with all fewer, a frame takes no longer than so many times that of one"
     cheap = results.value("cheap_worlds", formula, cheap_count, bound, *times)
     following = rows[1].worlds if len(rows) > 1 else absent("1", "no more worlds were timed")
-    taken = dict(zip((row.worlds.value for row in rows), times[1::2], strict=True)).get(cheap.value, times[1])
+    taken = next((row.frame_ms for row in rows if row.worlds.value == cheap.value), times[1])
     ratio = results.value("cheap_ratio", "time of a frame with so many worlds over that of one", taken / times[1])
     numbers = {"cheap": cheap, "ratio": ratio, "bound": bound, "next": following}
     return Claim("first_worlds_are_cheap", at_least(cheap, following), numbers)
@@ -71,8 +74,7 @@ def _beside_benchmark(results: Results) -> tuple[Table, Claim]:
             name = f"length_{way}_{count}".replace("-", "_")
             taken = gains[-1] if way == "testspeed" else row.frame_ratio
             lengths.append(results.value(name, formula, PERCENT * taken))
-    columns |= {"contacts": [row.contact_count for row in rows.values()]}
-    columns |= {"rows": [row.row_count for row in rows.values()]}
+    columns |= {name: [row[f"{name[:-1]}_count"] for row in rows.values()] for name in ("contacts", "rows")}
     timed = [row for row in results.rows if "way" in row and row.way != "testspeed"]
     worst = resolution(results, "table_resolution", timed)
     least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", combined(min, *gains))

@@ -20,8 +20,8 @@ from report.shared.timing import TIMED_WORLDS, worlds_name
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
 SOLVERS = "newton_solvers"  # where Newton's other solvers are measured
 RATIOS = ("frame_ratio", "time_ratio")
-FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch", "gives")
-PATCHED = ("patch", "patch_slip", "patch_ratio", "patch_many")
+SHAKE = ("shake_duration_s", "shake_frequency_hz")
+FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch")
 UNSEEN = {  # section and value of how much longer the frames of a way may take and are not seen to
     "stiff pads": ("speed", "stiff_pads_only_change"),
     "the root cure": ("cure_cost", "best_unseen"),
@@ -61,8 +61,7 @@ class Way:
 
     def creep_mm(self, sections: Sections) -> float | None:
         """Return the slip of a cycle of the shake, or what would be seen where it is less."""
-        columns = "shake_duration_s", "shake_frequency_hz"
-        slip, (seconds, per_second) = self.slip(sections), (self.slip(sections, column).value for column in columns)
+        slip, (seconds, per_second) = self.slip(sections), (self.slip(sections, column).value for column in SHAKE)
         is_measured = None not in (slip.value, seconds, per_second)
         return max(slip.number, slip.noise or 0.0) / (seconds * per_second) if is_measured else None
 
@@ -125,9 +124,7 @@ def figure(sections: Sections) -> Figure:
         for way, ratios in ways.items()
         if (times := [ratio.number * frames_ms[count] for count, ratio in ratios.items() if count in frames_ms])
     ]
-    shake = [
-        sections.cell("reproduction", "as-shipped", f"shake_{name}").value for name in ("duration_s", "frequency_hz")
-    ]
+    shake = [sections.cell("reproduction", "as-shipped", column).value for column in SHAKE]
     bounds = [sections.value(*place) for place in BOUNDS.values()]
     lines = [(bound, bound.number / math.prod(shake)) for bound in bounds if None not in (bound.value, *shake)]
     gain, stiff = sections.value("reproduction", "stiff_gain"), WAYS[1].slip(sections)
@@ -155,9 +152,8 @@ def _draw(marks: Sequence[Mark], lines: Sequence[tuple[Quantity, float]]) -> Dra
         axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, creep), **at)
     last = math.inf
     for way, creep, times, is_seen in sorted(marks, key=lambda mark: -mark.creep):
-        fill = way.colour if is_seen else "none"
-        style = {"marker": way.marker, "markerfacecolor": fill, "markersize": 8, "markevery": 1}
-        axes.plot(times, [creep] * len(times), color=way.colour, linestyle=":", linewidth=0.9, **style)
+        style = {"marker": way.marker, "markerfacecolor": way.colour if is_seen else "none", "markersize": 8}
+        axes.plot(times, [creep] * len(times), color=way.colour, linestyle=":", linewidth=0.9, markevery=1, **style)
         beside: dict[str, Any] = {"color": way.colour, "fontsize": 9.5, "textcoords": "offset points"}
         if way in C_WAYS:  # below their marks
             axes.annotate(way.name, (max(times), creep), xytext=(0, -8), ha="center", va="top", **beside)
@@ -194,34 +190,28 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": none, "ratio": none, "bound": bound}
-    numbers |= dict.fromkeys(("many", "seen", "off", *PATCHED, "elsewhere"), "")  # it does without
+    numbers |= dict.fromkeys(("many", "off", "patch", "patch_slip", "patch_ratio", "patch_many", "elsewhere"), "")
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=paces.__getitem__)
     ratios = way.ratios(sections)
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
-    solver, _, variant = way.timed.partition("/")
-    off = sections.cell(solver, f"{variant}-3cm", "wander_mm")  # how far the cube gets from its place on the way
-    gives = way.is_other and at_least(off, bound) == HOLDS
+    off = sections.cell(SOLVERS, f"{way.timed.rpartition('/')[2]}-3cm", "wander_mm")  # from its place, on the way
     numbers |= {"way": way.name, "slip": way.slip(sections), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
-    numbers |= {"seen": "" if seen.value is None else seen, "off": off if gives else ""}
-    is_longer = any(
-        ratio.number - 1.0 > max(ratio.noise or 0.0, 0.01 * (seen.value or 0.0)) for ratio in ratios.values()
-    )
+    numbers["off"] = off if at_least(off, bound) == HOLDS else ""
+    least = 0.01 * (seen.value or 0.0)
+    is_longer = any(ratio.number - 1.0 > max(ratio.noise or 0.0, least) for ratio in ratios.values())
     patches = [way for way in times if way.effort == PATCH]
-    flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches), gives
+    flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
         patch = min(patches, key=paces.__getitem__)
-        many = patch.ratios(sections).get(MANY, "")
-        numbers |= dict(zip(PATCHED, (patch.name, patch.slip(sections), times[patch], many), strict=True))
+        numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
+        numbers["patch_many"] = patch.ratios(sections).get(MANY, "")
     slips = {release: way.slip(other) for release, other in every.items() if way.is_other}
     more = [(slip, release) for release, slip in slips.items() if slip.value is not None and slip.value > bound.number]
     numbers["elsewhere"] = Markup(", ").join(Markup("{} in {}").format(*pair) for pair in more)
-    read = [
-        cell
-        for cell in (seen, off, *(slip for slip, _ in more), *(way.slip(sections) for way in tests))
-        if cell.value is not None
-    ]
+    read = [seen, off, *(slip for slip, _ in more), *(way.slip(sections) for way in tests)]
+    read = [cell for cell in read if cell.value is not None]
     read += [*ratios.values(), *(times[way] for way in (*timed, *patches))]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]

@@ -49,12 +49,11 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
 
     steps = [row for row in family(results, "steps") if row.pads == "stiff" and is_stable(row)]
     sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
-    lost = [row for row in sizes if not is_stable(row)]
-    small = most(results, "edge_lost", "largest that is lost", lost, "cube_edge_mm")
+    tiny = [row for row in sizes if not is_stable(row)]
+    small = most(results, "edge_lost", "largest that is lost", tiny, "cube_edge_mm")
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
-    heavy = least(
-        results, "gravity_lost", "least that loses it", [row for row in pulls if not is_stable(row)], "gravity_m_s2"
-    )
+    strong = [row for row in pulls if not is_stable(row)]
+    heavy = least(results, "gravity_lost", "least that loses it", strong, "gravity_m_s2")
     starts = [row for row in family(results, "overlap") if is_stable(row)]
     first = said("safe_settings", "least")
     safe = [row for row in critical if first.value is not None and row.pad_ke.value >= first.value]

@@ -1,6 +1,6 @@
 """Series: the page that shows each headline over all editions, and where it changed."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,7 +24,6 @@ class Series:
     query: Query
     points: Sequence[Point]
     releases: Releases
-    places: Mapping[str, float]  # of editions, the same in all charts
 
     @property
     def name(self) -> str:
@@ -41,27 +40,21 @@ class Series:
         return (pair for pair in zip(self.points, self.points[1:], strict=False) if pair[1].mark)
 
     @property
-    def ends(self) -> Iterator[Any]:
-        """Yield the least number and the largest, between which the chart goes."""
-        return (self.number(choose(self.points, key=lambda point: float(point.answer))) for choose in (min, max))
-
-    @property
     def dots(self) -> Iterator[tuple[Point, float, float, float, float]]:
         """Yield the place of each edition, its number's, and those of the ends of its noise."""
         reaches = [(float(point.answer), point.noise or 0.0) for point in self.points]
         low, high = min(number - noise for number, noise in reaches), max(number + noise for number, noise in reaches)
-        scale = (HEIGHT - 2 * EDGE) / ((high - low) or 1.0)
+        scale, names = (HEIGHT - 2 * EDGE) / ((high - low) or 1.0), [*self.releases]  # one axis for all charts
         for point, (number, noise) in zip(self.points, reaches, strict=True):
             heights = (HEIGHT - EDGE - (end - low) * scale for end in (number, number - noise, number + noise))
-            yield (point, *(round(place, 1) for place in (self.places[point.release], *heights)))  # type: ignore[misc]
+            place = WIDTH * (names.index(point.release) + 0.5) / len(names)
+            yield (point, *(round(end, 1) for end in (place, *heights)))  # type: ignore[misc]
 
 
 def series_page(releases: Releases, templates: Templates) -> Prose | None:
     """Put the headlines into words that two editions answer, or more; None where there is none."""
     queries = (Query(value, label=label) for label, value in config().changes.headlines.items())
-    step = WIDTH / len(releases)
-    places = {release: (index + 0.5) * step for index, release in enumerate(releases)}
-    series = [Series(query, points(releases, query), releases, places) for query in queries]
+    series = [Series(query, points(releases, query), releases) for query in queries]
     shown = [each for each in series if len(each.points) > 1]
     if not shown or PAGE.name in {page.name for page in config().pages}:
         return None
