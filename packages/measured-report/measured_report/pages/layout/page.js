@@ -62,8 +62,11 @@ function markPlace() {
   const targets = [...links.keys()];
   let current = null;
   const mark = () => {
-    const passed = targets.filter((target) => target.getBoundingClientRect().top < innerHeight / 3);
-    const found = passed.at(-1) ?? null;
+    const topOf = (target) => target.getBoundingClientRect().top;
+    const passed = targets.filter((target) => topOf(target) < innerHeight / 3);
+    // A short section that the address names ends in the upper third, and is the one that is read.
+    const named = passed.find((target) => target.id === decoded(location.hash) && topOf(target) >= -1);
+    const found = named ?? passed.at(-1) ?? null;
     if (found === current) return;
     for (const link of links.get(current) ?? []) link.removeAttribute("aria-current");
     for (const link of links.get(found) ?? []) link.setAttribute("aria-current", "location");
