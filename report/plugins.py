@@ -11,6 +11,7 @@ from markupsafe import Markup
 from experiments.facts.clip_record import CLIPS, FIRST, clips_state
 from measured_report.editions.status import State
 from measured_report.files.atomic import short_path
+from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.findings.chapters import results_digest
@@ -21,9 +22,11 @@ from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
 from report.shared.arithmetic import Sections
+from report.shared.wheel import wheel
 
 __all__ = ["Plugins", "scripts"]
 MEDIA = Path(__file__).with_name("media")
+LINT = ROOT / "packages/newton-lint"
 LAB = ROOT / "assets/lab"  # the engine that a page runs, and the scripts that do
 
 
@@ -73,7 +76,11 @@ class Plugins(plugins.Plugins):
 
     def names(self, section: Section) -> Mapping[str, Any]:
         read = Sections({section: chapter.results for section, chapter in self.edition.chapters.items()})
-        return {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
+        record = next((chapter.results.record for chapter in self.edition.chapters.values()), None)
+        names = {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
+        names |= {"machine": record.machine_text.partition(" (")[0] if record else ""}
+        names |= {"packages": _engine(record.identity.packages) if record else ""}
+        return {**names, "lint": wheel(LINT)[0], "root": self.edition.root}
 
     @property
     def data(self) -> Sequence[Path]:
@@ -87,10 +94,15 @@ class Plugins(plugins.Plugins):
         return {REPLAY: replay_page(project, poses, self.replay, self.clips, templates, self.edition.root)}
 
     @property
-    def files(self) -> Mapping[str, Path]:
-        if "lab" not in self.edition.chapters:
-            return {}
-        return {f"lab/{file.name}": file for file in (*LAB.glob("dist/*"), LAB / "lab.css")}
+    def files(self) -> Mapping[str, Path | bytes]:
+        name, packed = wheel(LINT)
+        files = (*LAB.glob("dist/*"), LAB / "lab.css") if "lab" in self.edition.chapters else ()
+        return {f"download/{name}": packed, **{f"lab/{file.name}": file for file in files}}
+
+
+def _engine(packages: Mapping[str, str]) -> str:
+    """Name what decides most of what is measured; the foot of the page has all."""
+    return " and ".join(f"{name} {packages[name]}" for name in (config().edition, "mujoco-warp") if name in packages)
 
 
 def scripts() -> Sequence[str]:

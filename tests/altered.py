@@ -184,6 +184,13 @@ def failing(records: Records, place: Place) -> list[Row]:
     return [failed(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
 
 
+def lacking(records: Records, place: Place) -> list[Row]:
+    """Each record lacks a row."""
+    rows = as_measured(records, place)
+    lost = Random(place[1]).randrange(len(rows))
+    return [*rows[:lost], *rows[lost + 1 :]] or rows
+
+
 def failed(row: Row) -> Row:
     lost = measured(row)
     ended = {"failure": FAILURE, "dropped": None, "class": "non-finite", "finite": False}
@@ -198,6 +205,7 @@ SCENARIOS = (
     moving("moving-x-minus-1", -1.0),
     noisier("noise-x-60", 60.0),
     Scenario("failing", failing),
+    Scenario("lacking", lacking),
 )
 CHECKED = "reversed"
 """The scenario whose site is built, with that of the newest release."""

@@ -5,6 +5,7 @@ import shutil
 import sys
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,8 @@ from markupsafe import Markup
 from toys import HERE, KEPT, REPORT, Toy, forget_sections, lay_out, link, made_once, program
 
 from measured_report.editions.project import Project, own_release
+from measured_report.files.atomic import replace, staging_folder
+from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.editions import Edition
@@ -70,12 +73,21 @@ def kernels(tmp_path_factory) -> None:
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory) -> Path:
-    """The site of what is tracked, apart from the checkout's own."""
+    """The site of what is tracked, apart from the checkout's own; what did not change since is derived and drawn once.
+
+    That an entry of the cache is only ever read where all is as it was ``findings/test_cache.py`` tests.
+    """
 
     def make(root: Path) -> None:
         link(root, "results", *SOURCES)
+        kept, cache = KEPT / "derived-of-tests", Cache(root).folder
+        with suppress(FileNotFoundError):
+            shutil.copytree(kept, cache)
         done = program("-c", REPORT, root, own_release())
         assert done.returncode == 0, done.stderr
+        with suppress(OSError), staging_folder(kept) as fresh:
+            shutil.copytree(cache, fresh)
+            replace(kept, fresh)
 
     return made_once(tmp_path_factory, "tracked", make) / "site"
 
@@ -102,6 +114,7 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     lay_out(folder := tmp_path / "project")
     for name in ("report.toml", "pyproject.toml"):
         (folder / name).unlink()
+    shutil.copy(ROOT / "templates/investigation.md.j2", folder / "templates")
     shutil.copytree(ROOT / "templates" / "pages", folder / "templates" / "pages", dirs_exist_ok=True)
     monkeypatch.setattr(sections, "__path__", [str(folder / "report" / "sections"), *sections.__path__])
     toy = Toy(Project("1.4.0", root=folder))

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import product
 from typing import Any
@@ -84,42 +84,48 @@ class Survey:
 
     def inert(self) -> set[str]:
         """Numbers of which no factor of ``FACTORS`` at their origin changes a claim's outcome or words."""
-        before = _shapes(self.perturbation.section(self.release, self.section, {}))
-        tried: dict[tuple[tuple[str, ...], str], dict[str, tuple[str, str]]] = {}
 
-        def moves(claim: str, leaves: tuple[str, ...], change: str) -> bool:
-            if (leaves, change) not in tried:
-                pointers = map(Pointer, leaves)
-                tried[leaves, change] = _shapes(self.perturbation.of(self.release, self.section, pointers, change))
-            return tried[leaves, change].get(claim) != before[claim]
+        @cache
+        def claims(leaves: tuple[str, ...], change: str) -> dict[str, Claim]:
+            return _claims(self.perturbation.of(self.release, self.section, map(Pointer, leaves), change))
 
-        found = set()
-        for claim, name, pointer in self.numbers():
-            if not any(moves(claim.name, *change) for change in changes(measured(self.values, pointer))):
-                found.add(f"{self.section}.{claim.name} {name}")
-        return found
+        def moves(claim: Claim, leaves: tuple[str, ...], change: str) -> bool:
+            after = claims(leaves, change).get(claim.name)
+            return not after or _shape(claim) != _shape(replace(after, wording=claim.wording))
+
+        return {
+            f"{self.section}.{claim.name} {name}"
+            for claim, name, pointer in self.numbers()
+            if not self.perturbation.says_before(self.release, self.section, claim)
+            and not any(moves(claim, *change) for change in changes(measured(self.values, pointer)))
+        }
 
 
-def _shapes(section: Section) -> dict[str, tuple[str, str]]:
-    """Return outcome and words of each claim, with a mark in the place of each number."""
-    return {claim.name: (claim.outcome.answer, NUMBER.sub("#", str(claim.sentence))) for claim in section.claims}
+def _claims(section: Section) -> dict[str, Claim]:
+    return {claim.name: claim for claim in section.claims}
+
+
+def _shape(claim: Claim) -> tuple[str, str]:
+    """Return outcome and words of a claim, with a mark in the place of each number."""
+    return claim.outcome.answer, NUMBER.sub("#", str(claim.sentence))
 
 
 def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
     """Numbers of a release's passages that could be anything, and the passages would stand; after what they need."""
-    values = _values(perturbation)
+    values, told = _values(perturbation), list(perturbation.pages).index(release)
 
     @cache
     def outcomes(section: str, leaves: tuple[str, ...], change: str) -> dict[str, Claim]:
-        claims = perturbation.of(release, section, map(Pointer, leaves), change).claims
-        return {claim.name: claim for claim in claims}
+        return _claims(perturbation.of(release, section, map(Pointer, leaves), change))
 
     def falls(needs: str, leaves: tuple[str, ...], change: str) -> bool:
         return not all(need.is_met(outcomes(need.section, leaves, change).get(need.claim)) for need in needs_of(needs))
 
+    said_before = {needs for page in list(perturbation.pages.values())[:told] for needs, _ in PASSAGE.findall(page)}
     return {
         f"{needs} {pointer.partition('/')[2]}"
         for needs, said in PASSAGE.findall(perturbation.pages[release])
+        if needs not in said_before
         for pointer in SOURCE.findall(said)
         if (leaves := measured(values, pointer)) and not any(falls(needs, *change) for change in changes(leaves))
     }

@@ -15,6 +15,7 @@ from measured_report.findings.chapters import Chapters
 from measured_report.findings.editions import Edition
 from measured_report.findings.sections import derive_section
 from measured_report.pages.prose import Templates
+from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
 from measured_report.records.record import Record
@@ -106,8 +107,18 @@ class Perturbation:
         own = self._results(release, name, records, traces)
         releases[release][name] = replace(releases[release][name], results=own)
         others = {other: releases[release][other].results for other in own.others}
+        return derive_section(replace(own, others=others), releases)
+
+    def worded(self, section: Section, name: str) -> Section:
+        """The same with all of its words, which take as long."""
         text = self.templates.text(f"sections/{name}.md.j2")
-        return derive_section(replace(own, others=others), releases).worded(name, text.name, text.words)
+        return section.worded(name, text.name, text.words)
+
+    def says_before(self, release: str, section: str, claim: Claim) -> bool:
+        """Whether a release that is told before this one answers so too: of the same numbers, in the same words."""
+        earlier = [self.releases[name] for name in list(self.pages)[: list(self.pages).index(release)]]
+        claims = [each for chapters in earlier if section in chapters for each in chapters[section].section.claims]
+        return (claim.name, claim.outcome.answer) in [(each.name, each.outcome.answer) for each in claims]
 
     def _results(
         self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str]

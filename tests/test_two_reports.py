@@ -60,7 +60,7 @@ def test_one_process_builds_several_reports_as_a_process_each_does(toy, tmp_path
     pendulum(second := tmp_path / "second")
     apart = {first: built(first, "page"), second: built(second, "report")}
     own = built_here(toy.project, monkeypatch)
-    for folder in (first, second, first):
+    for folder in (first, second):
         assert built_here(project_in(folder), monkeypatch) == apart[folder]
     assert all(len(each) > 10 for each in (own, *apart.values()))
     assert built_here(toy.project, monkeypatch) == own

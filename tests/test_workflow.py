@@ -17,7 +17,7 @@ from measured_report.files.config import report_in
 from measured_report.files.root import ROOT
 
 WORKFLOWS = ROOT / ".github/workflows", SKELETON / "dot.github/workflows"
-SCRIPT = re.compile(r"^        run: \|\n((?:          .*\n)+)", re.MULTILINE)
+SCRIPT = re.compile(r"^      [ -] run: \|\n((?:          .*\n)+)", re.MULTILINE)
 PROGRAM = """#!/bin/bash
 printf '%s|' "${0##*/}" "$@" >> "$FOLDER/log"; echo >> "$FOLDER/log"
 case "$1 $2" in
@@ -52,7 +52,7 @@ def run_script(
     + [("", "2", "It could")],
 )
 def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_path, answer, status, comment):
-    done = run_script(tmp_path, 2, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)
+    done = run_script(tmp_path, 3, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)
     assert done.returncode == 0 and (tmp_path / "output").read_text().startswith(f"status={status}\ncomment<<")
     said = (tmp_path / "comment.md").read_text()
     assert said.startswith(comment) and ("it took a while" in said) == (not answer)
@@ -74,7 +74,7 @@ def test_finding_8_workflows_name_what_they_run_by_its_content_and_keep_no_crede
 @pytest.mark.parametrize(("open_issue", "call"), [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")])
 def test_the_workflow_keeps_one_issue(tmp_path, open_issue, call):
     title = 'Upgrade: newton 1.9.0 "$(touch evil)"'
-    assert run_script(tmp_path, 3, OPEN_ISSUE=open_issue, TITLE=title, COMMENT="$(touch evil)").returncode == 0
+    assert run_script(tmp_path, 4, OPEN_ISSUE=open_issue, TITLE=title, COMMENT="$(touch evil)").returncode == 0
     assert (tmp_path / "log").read_text().splitlines()[-1] == f"{call}|--title|{title}|--body-file|comment.md|"
     assert not (tmp_path / "evil").exists()
 
@@ -90,11 +90,18 @@ def test_the_job_that_may_write_runs_nothing_that_was_measured(folder):
 
 @pytest.mark.parametrize("folder", WORKFLOWS, ids=["here", "new"])
 def test_what_was_measured_is_kept_and_used_the_next_time(folder, tmp_path):
-    text = (folder / "upgrade.yml").read_text()
-    assert text.count("path: results\n") == 2 and "git checkout --quiet -- results" in text
     run_script(tmp_path, 0, workflow=folder / "upgrade.yml", RUNS="3 2 1")
     calls = (tmp_path / "log").read_text().splitlines()[1:]
-    assert calls == [f"gh|run|download|{run}|--name|results|--dir|measured|" for run in (3, 2)], "3 found no release"
+    assert calls == [f"gh|run|download|{run}|--pattern|results-*|--dir|measured|" for run in (3, 2)], "3 has none"
+    kept = ("newton-1.9.0", "quick/newton-1.9.0", "newton-1.9.0@cpu")
+    for name in (*kept, "newton-1.9.0.1", "newton-1.4.0", "quick/newton-1.4.0", "newton-99.0.0", "timed/newton-1.9.0"):
+        (tmp_path / "before/results-1.9.0" / name).mkdir(parents=True)
+    (tmp_path / "results/newton-1.9.0").mkdir(parents=True)  # tracked
+    assert run_script(tmp_path, 1, workflow=folder / "upgrade.yml").returncode == 0
+    assert {
+        str(path.parent.relative_to(tmp_path / "results") / path.name) for path in (tmp_path / "results").rglob("*-*")
+    } == {*kept}
+    assert not (tmp_path / "results/newton-1.9.0/newton-1.9.0").exists()
 
 
 def test_a_pull_request_that_moves_to_another_release_is_compared_with_that_of_its_base(tmp_path):

@@ -7,29 +7,24 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import CASES, departure, noise_floor
-from report.shared.tables import table_of
 
 order = 70
 page = "cause"
 reads = ("noise",)
 label = "contact rows"
 
-ROWS = {"position residual": "residual_mm", "velocity": "velocity_mm_s", "force": "force_n"}
-
 
 def derive(results: Results) -> Section:
-    frames, rows, more_runs = ([row for row in results.rows if row.kind == kind] for kind in ("frame", "row", "run"))
+    frames, more_runs = ([row for row in results.rows if row.kind == kind] for kind in ("frame", "run"))
     first = {row.case: row for row in reversed(frames)}
     # Through MuJoCo C, and the same with the left-out acceleration in the contact rows.
     left_out, restored = ([results.row[f"{case}-{way}"] for case in CASES] for way in ("missing-term", "term-restored"))
     run = next((row for row in more_runs if row.case == "as-shipped"), results.row["as-shipped"])
-    shown = [row for row in rows if row.case == "as-shipped"]
     ends = _term_restored(results, left_out, restored)
-    tables = {"rows": table_of("row", [row.row for row in shown], ROWS, shown)}
     claims = [_far_inside_cone(results, run)]
     claims += [*_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s)]
     claims += [_slide_accounts(results, run), _missing_term(results, left_out, ends.outcome), ends]
-    return Section(tables=tables, claims=claims)
+    return Section(claims=claims)
 
 
 def _far_inside_cone(results: Results, run: Row) -> Claim:

@@ -1,5 +1,6 @@
 """What a release sets where nobody does, and the slip with that: the scene writes what 1.4.0 had."""
 
+from measured_report.files.config import config
 from measured_report.parts.claim import Claim, all_of, decided
 from measured_report.parts.section import Section
 from measured_report.records.columns import changed_parameters
@@ -17,7 +18,7 @@ MUJOCO = {"run_collision_detection": 1.0, "cone": 0.0}  # the engine finds the c
 def derive(results: Results) -> Section:
     row = results.row[CASE]
     changed = [name for name in changed_parameters(row.plain) if name not in RUN]
-    numbers = {"release": results.edition, "changed": ", ".join(changed)}
+    numbers = {"release": config().name_of(results.edition), "changed": ", ".join(changed)}
     cells = {name: cell_or_absent(results.row[f"solver-{name}"], "value") for name in MUJOCO}
     by_mujoco = all_of(*(decided(cell.value == MUJOCO[name], cell) for name, cell in cells.items()))
     as_scene = Claim("as_the_scene", decided(not changed, row.slip_mm), numbers)

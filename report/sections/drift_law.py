@@ -1,7 +1,6 @@
 """The law of the drift: what the runs of section stiffness drift, beside what the arm's motion says beforehand."""
 
-import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 
 from matplotlib.figure import Figure as Drawing
@@ -13,7 +12,6 @@ from measured_report.values.quantities import PERCENT, Quantity, Value, absent, 
 from measured_report.values.results import Results, Row
 from report.shared import arithmetic, drawing
 from report.shared.arithmetic import MS_PER_S, departure, largest_size, noise_floor, quantile, resolved
-from report.shared.tables import by_case
 
 order = 91
 page = "cause"
@@ -28,46 +26,43 @@ labels = {
 }
 
 SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
-PARTS = {"response": "response_s", "the term": "left_out_mm_s", "step": "step_mm_s"}
-PARTS |= {"law": "predicted_drift_mm_s", "measured": "drift_mm_s"}
 MOST = 0.9  # chosen: the law is asked of so many of the runs
-SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "solimp-dmax-0.9999")  # runs of the table
 
 
 def derive(results: Results) -> Section:
     formula = "drift measured with positions compensated, less that of the law, in size, of the latter"
     runs = list(filter(arithmetic.is_held, results.rows))
-    pairs = {row.case: (row.drift_mm_s, row.predicted_drift_mm_s) for row in runs}
-    offs = [results.value(f"off_kept_{case}", formula, departure(*pair)) for case, pair in pairs.items()]
-    follows, sources = _follows(results, runs, offs), [cell for pair in pairs.values() for cell in pair]
-    figure = Figure(partial(_draw, runs), sources, {"follows": follows.outcome == HOLDS})
-    tables = {"parts": by_case([row for row in runs if row.case in SHOWN], PARTS)}
-    return Section(tables=tables, figures={"law": figure}, claims=[_by_hand(results), follows])
+    laws = {row.case: _law(results, row) for row in runs}
+    offs = [results.value(f"off_kept_{row.case}", formula, departure(row.drift_mm_s, laws[row.case])) for row in runs]
+    follows, sources = _follows(results, runs, laws, offs), [*laws.values(), *(row.drift_mm_s for row in runs)]
+    figure = Figure(partial(_draw, runs, laws), sources, {"follows": follows.outcome == HOLDS})
+    return Section(figures={"law": figure}, claims=[_by_hand(results, laws), follows])
 
 
-def _by_hand(results: Results) -> Claim:
+def _law(results: Results, row: Row) -> Value:
+    """Derive what is printed: what the left-out acceleration makes, less what the step takes away."""
+    return results.value(f"law_{row.case}", "drift by the law, of both its parts", row.left_out_mm_s + row.step_mm_s)
+
+
+def _by_hand(results: Results, laws: Mapping[str, Value]) -> Claim:
+    """Tell both parts for shipped pads: the acceleration is of the arm's motion, and nothing of the cube's."""
     row, stiffness = results.row[SHIPPED], partial(arithmetic.Sections(results.others).cell, "stiffness", SHIPPED)
-    dmax = stiffness("dmax")
-    substep = arithmetic.other_value(results, "stiffness", "substep")
+    dmax, substep = stiffness("dmax"), arithmetic.other_value(results, "stiffness", "substep")
     step = results.value("step_ms", "substep in ms", MS_PER_S * substep)
     timeconst = results.value("timeconst_ms", "response over dmax", MS_PER_S * row.response_s / dmax)
-    formula = "twice the drift that the left-out acceleration makes, over the response"
+    formula = "mean of J̇q̇ along the shake, from the arm's motion"
     g = results.value("g", formula, 2 * row.left_out_mm_s / row.response_s)
-    trailing = results.value("trailing", "half of dmax · timeconst · ⟨J̇q̇⟩", dmax * timeconst * g / (2 * MS_PER_S))
-    back = results.value("back", "half of h · ⟨J̇q̇⟩", step * g / (2 * MS_PER_S))
-    rough = results.value("rough", "the first less the second", trailing - back)
+    back, rough = (
+        results.value("back", "what the step takes away", -row.step_mm_s),
+        laws.get(SHIPPED) or _law(results, row),
+    )
     off = results.value("rough_off", "how far that is from the drift, of the latter", departure(rough, row.drift_mm_s))
-    # a point that swings along an arc of radius r has v² / r toward its axis: on average half of (2πfA)² / r.
-    cells = (stiffness(f"shake_{name}") for name in ("amplitude_m", "frequency_hz"))
-    formula = "half of (2π · frequency · amplitude)², over the left-out acceleration"
-    arc = results.value("arc", formula, lambda g, a, f: 5e5 * (2 * math.pi * f * a) ** 2 / g, g, *cells, unit="mm")
-    is_of_arm = at_least(arc, 100.0, why="no wrist alone"), at_most(arc, 855.0, why="the reach of the arm")
-    numbers = {"arc": arc, "g": g, "dmax": dmax, "timeconst": timeconst, "step": step}
-    numbers |= {"trailing": trailing, "back": back, "rough": rough, "drift": row.drift_mm_s}
-    return Claim("by_hand", all_of(at_most(off, 5.0, why="nearly all of it"), *is_of_arm), numbers)
+    numbers = {"g": g, "dmax": dmax, "timeconst": timeconst, "step": step, "drift": row.drift_mm_s}
+    numbers |= {"trailing": row.left_out_mm_s, "back": back, "rough": rough}
+    return Claim("by_hand", at_most(off, 5.0, why="nearly all of it").having_read(g, dmax, timeconst, step), numbers)
 
 
-def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Claim:
+def _follows(results: Results, runs: Sequence[Row], laws: Mapping[str, Value], offs: Sequence[Value]) -> Claim:
     """Ask it of most runs: which at the edge keep the cube is chance, and so is the farthest of all."""
     bound = results.chosen("law_bound", "one law", 1.5, "%")
     middle, far = combined(partial(quantile, 0.5), *offs), combined(partial(quantile, MOST), *offs)
@@ -81,8 +76,8 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     fastest = results.value("drift_most", "fastest of these drifts", largest_size(drifts))
     floor = PERCENT * noise_floor(results, "drift_floor")
     noise = results.value("drift_noise", formula, floor / fastest)
-    formula, laws = "drift that the law gives to nine in ten runs, at least", [row.predicted_drift_mm_s for row in runs]
-    slow = results.value("law_least", formula, combined(partial(quantile, 1 - MOST), *map(abs, laws)))
+    formula = "drift that the law gives to nine in ten runs, at least"
+    slow = results.value("law_least", formula, combined(partial(quantile, 1 - MOST), *map(abs, laws.values())))
     scatter = results.value("law_noise", "noise of the drift, of that", floor / slow)
     outcome = all_of(at_most(most, bound), resolved(noise, bound)).having_read(width, distinct)
     if outcome == FAILS and (unclear := resolved(scatter, most)) != HOLDS:
@@ -100,10 +95,10 @@ def _follows(results: Results, runs: Sequence[Row], offs: Sequence[Value]) -> Cl
     return Claim("follows", outcome, numbers | {"is_wide": is_wide == HOLDS})
 
 
-def _draw(runs: Sequence[Row]) -> Drawing:
+def _draw(runs: Sequence[Row], laws: Mapping[str, Value]) -> Drawing:
     figure, axes = new_figure(7.2, 3.2)
     by_response = sorted(runs, key=lambda row: row.response_s.value)
-    law = [(1e3 * row.response_s.value, row.predicted_drift_mm_s.value) for row in by_response]
+    law = [(1e3 * row.response_s.value, laws[row.case].value) for row in by_response]
     axes.plot(*zip(*law, strict=True), color=INK, linestyle="-", linewidth=1.0, marker="", label="the law")
     for case, colour, label in (
         ("", SERIES[5], "other pads"),

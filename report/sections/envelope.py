@@ -6,6 +6,7 @@ from statistics import median
 import numpy as np
 import pandas as pd
 
+from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.records.columns import column_of
@@ -39,7 +40,7 @@ def derive(results: Results) -> Section:
 def _shakes(results: Results, trace: Series) -> Table:
     """Tell how some shakes of the map end, one in five of its amplitudes at the frequency next to that of the scene."""
     scene, frame = results.row["as-shipped-3cm-1hz"], trace.value
-    apart = (frame["shake_frequency_hz"] - scene.shake_frequency_hz.value).abs()
+    apart = (frame["shake_frequency_hz"] - AS_SHIPPED.shake_frequency_hz).abs()
     near = frame[apart == apart.min()]
 
     def cells(side: str, column: str) -> list[Value | str]:

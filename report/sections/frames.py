@@ -3,9 +3,8 @@
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, combined
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.shared.arithmetic import noise_floor
-from report.shared.tables import Column, table_of
 
 order = 60
 reads = ("noise",)
@@ -16,21 +15,7 @@ ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")  # pairs in whic
 
 
 def derive(results: Results) -> Section:
-    claims = [_cube_moves_in_fingers(results), _robot_is_still(results)]
-    parts = [_part(results, row) for row in results.rows]
-    columns: dict[str, Column] = {"displacement": "displacement_mm", "of the cube's way": parts}
-    pairs = table_of("what in what", [row.pair for row in results.rows], columns, results.rows)
-    return Section(tables={"pairs": pairs}, claims=claims)
-
-
-def _part(results: Results, row: Row) -> str:
-    """Say in words what part of the cube's displacement against the TCP a displacement is."""
-    cells = row.displacement_mm.value, results.row["cube-in-TCP"].displacement_mm.value
-    little = 0.01 * results.derived["robot_share_bound"].number
-    if None in cells or not cells[1]:
-        return ""
-    part = cells[0] / cells[1]
-    return "next to nothing" if part <= little else "a part" if part < 1 - little else "all"
+    return Section(claims=[_cube_moves_in_fingers(results), _robot_is_still(results)])
 
 
 def _cube_moves_in_fingers(results: Results) -> Claim:

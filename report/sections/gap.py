@@ -5,7 +5,6 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import noise_floor, spread
-from report.shared.tables import by_case
 from report.shared.variants import is_small
 
 order = 110
@@ -18,9 +17,7 @@ CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
 
 def derive(results: Results) -> Section:
     rows = [results.row[case] for case in CASES]
-    columns = {"slip": "slip_mm", "contacts": "mean_row_count", "that carry force": "mean_loaded_row_count"}
-    claims = [_not_the_cause(results, rows), _same_contacts_carry(rows)]
-    return Section(tables={"gaps": by_case(rows, columns)}, claims=claims)
+    return Section(claims=[_not_the_cause(results, rows), _same_contacts_carry(rows)])
 
 
 def _not_the_cause(results: Results, rows: list[Row]) -> Claim:

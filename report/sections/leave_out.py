@@ -1,20 +1,19 @@
 """Parts that the scene has and does not use: the cost of each, and that nothing changes without it."""
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from markupsafe import Markup
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import Claim, Outcome, all_of, at_least, greater, within
-from measured_report.parts.figures import INK, new_figure, say_value, write
+from measured_report.parts.figures import FAINT, INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import PERCENT, Quantity, Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import DEVICES, largest_size, noise_floor
-from report.shared.drawing import CURE, SHIPPED, STIFF, name_lines
+from report.shared.drawing import STIFF, name_lines
 from report.shared.tables import table_of
 from report.shared.timing import RowsBy, resolution, worlds_name
 
@@ -37,6 +36,7 @@ labels = {
 }
 
 MANY_COUNT = 16384  # the most worlds, for which there is a target
+ALONE_COUNT = 4096  # the number for which every step was timed alone
 COUNTS = {"there": "present", "used": "used"}
 REFERENCE, ALL = "untrimmed", "without-all"
 Timed = Mapping[tuple[str, str, int], Row]  # rows by device, case and number of worlds; empty where not measured
@@ -130,70 +130,40 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
-@dataclass(frozen=True)
-class Fall:
-    """What frames of so many worlds take less, in percent of one exactly as shipped."""
-
-    worlds: int
-    steps: Mapping[str, tuple[Quantity, Row]]  # by case, with one thing left out, timed in turn with all
-    rest: Value  # what all left out together save beyond the sum of these
-    ends: tuple[Row, Row]  # exactly as shipped, and without all of it
-
-
-def _fall(results: Results, timed: Timed, device: str, worlds: int) -> Fall:
-    alone = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)
-    steps = {case: (_saved(results, timed, device, case, worlds), timed[device, case, worlds]) for case in alone}
-    formula = "what a frame without all of it takes less, less what it takes less for each thing that was timed alone"
-    whole, parts = _saved(results, timed, device, ALL, worlds), (step for step, _ in steps.values())
-    beyond = whole - sum(part for part in parts if part.value is not None)
-    rest = results.value(f"{device}_together_{worlds}_less", formula, beyond)
-    return Fall(worlds, steps, rest, (timed[device, REFERENCE, worlds], timed[device, ALL, worlds]))
-
-
 def cost_figure(results: Results, timed: Timed) -> Figure:
-    """Show the fewest worlds and the most."""
+    """Show what each thing costs by itself, with the number of worlds for which each was timed alone."""
     device = _device(timed)
     counts = sorted({1, *(worlds for of, case, worlds in timed if (of, case) == (device, REFERENCE))})
-    falls = [_fall(results, timed, device, worlds) for worlds in dict.fromkeys((counts[-1], 1))]
-    line, ends = Markup("{}: {}, then {}"), [[end.frame_ms for end in fall.ends] for fall in falls]
-    lines = [line.format(worlds_name(fall.worlds), *each) for fall, each in zip(falls, ends, strict=True)]
-    before, after = ends[0]
-    numbers: dict[str, Any] = {"times": Markup("; ").join(lines), "worlds": worlds_name(counts[-1])}
-    sources = [cell for fall in falls for cell in (*(step for step, _ in fall.steps.values()), fall.rest)]
-    numbers |= {"before": before, "after": after}
-    return Figure(lambda: _draw_falls(falls), [*sources, before, after], numbers)
+    worlds = ALONE_COUNT if ALONE_COUNT in counts else counts[-1]
+    cases = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)
+    steps = [(_saved(results, timed, device, case, worlds), timed[device, case, worlds]) for case in cases]
+    many = (worlds_name(counts[-1]), device, counts[-1])
+    ends = dict.fromkeys((("one world", device, 1), many, ("one world, CPU", "cpu", 1)))
+    whole = {name: _saved(results, timed, of, ALL, count) for name, of, count in ends}
+    whole = {name: saved for name, saved in whole.items() if saved.value is not None}
+    before, after = (timed[device, case, worlds].frame_ms for case in (REFERENCE, ALL))
+    numbers: dict[str, Any] = {"worlds": worlds_name(worlds), "before": before, "after": after}
+    numbers["times"] = Markup("; ").join(Markup("{}: {}").format(*item) for item in whole.items())
+    cells = [saved for saved, _ in steps if saved.value is not None]
+    return Figure(lambda: _draw_costs(steps, whole), [*cells, *whole.values(), before, after], numbers)
 
 
-def _draw_falls(falls: Sequence[Fall]) -> Drawing:
-    first = falls[0].steps
-    order = sorted(first, key=lambda case: -(first[case][0].value or -1e3))
-    drawing, grid = new_figure(7.2, 1.4 + 0.26 * len(order), ncols=len(falls), sharey=True, squeeze=False)
-    for axes, fall in zip(grid[0], falls, strict=True):
-        _draw_fall(axes, fall, order)
-        axes.set_title(worlds_name(fall.worlds))
-    names = [first[case][1].label for case in order]
-    name_lines(grid[0][0], ["exactly as shipped", *names, "together, beyond these", "without all of it"])
-    drawing.supxlabel("time of a frame [% of that exactly as shipped]", fontsize=10)
-    return drawing
-
-
-def _draw_fall(axes: Axes, fall: Fall, order: Sequence[str]) -> None:
-    """Draw a bar from what is left before a thing is left out to what is left after, with its interval."""
-    left = 100.0
-    style: dict[str, Any] = {"height": 0.62, "linewidth": 0}
-    axes.barh(0, left, color=SHIPPED, **style)
-    say_value(axes, left, 0, f"{write(fall.ends[0].frame_ms)} ms")
-    steps = [(fall.steps[case][0], fall.steps[case][1].ratio_resolution.value) for case in order]
-    for place, (saved, seen) in enumerate([*steps, (fall.rest, None)], 1):
-        if saved.value is None:
-            say_value(axes, 0.0, place, "not timed alone")
-            continue
-        axes.barh(place, -saved.value, left=left, color=STIFF if saved.value > 0 else INK, **style)
-        right, left = max(left, left - saved.value), left - saved.value
-        axes.errorbar(left, place, xerr=100 * (seen or 0.0), color=INK, linewidth=1.0, capsize=0, marker="")
-        say_value(axes, right, place, f"{write(saved)} %")
-    end = len(order) + 2
-    axes.barh(end, 100 * (fall.ends[1].frame_ratio.value or 0.0), color=CURE, **style)
-    say_value(axes, 100 * (fall.ends[1].frame_ratio.value or 0.0), end, f"{write(fall.ends[1].frame_ms)} ms")
-    axes.set_xlim(0, 135)
+def _draw_costs(steps: Sequence[tuple[Value, Row]], whole: Mapping[str, Value]) -> Drawing:
+    """Draw a bar for each step that was timed, unranked below the line if not seen, and all together in a corner."""
+    timed = [(saved, 100 * (row.ratio_resolution.value or 0.0), row) for saved, row in steps if saved.value is not None]
+    timed.sort(key=lambda step: -step[0].number if abs(step[0].number) > step[1] else math.inf)
+    drawing, axes = new_figure(7.2, 1.2 + 0.28 * len(timed))
+    seen_count = sum(abs(saved.number) > interval for saved, interval, _ in timed)
+    axes.axhline(seen_count - 0.5, color=INK, linewidth=0.8, linestyle=":", marker="")
+    for place, (saved, interval, _) in enumerate(timed):
+        is_seen = place < seen_count
+        axes.barh(place, saved.number, height=0.62, linewidth=0, color=STIFF if is_seen else FAINT)
+        axes.errorbar(saved.number, place, xerr=interval, color=INK, linewidth=1.0, capsize=0, marker="")
+        say_value(axes, max(saved.number, 0.0) + interval, place, f"{write(saved)} %" if is_seen else "not seen")
+    lines = ["all together", *(f"{name}: −{write(saved)} %" for name, saved in whole.items())]
+    axes.text(0.98, 0.04, "\n".join(lines), transform=axes.transAxes, ha="right", fontsize=9)
+    name_lines(axes, [row.label for *_, row in timed])
+    axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
+    axes.set_xlabel("what a frame then takes less [%]")
     axes.grid(axis="y", visible=False)
+    return drawing

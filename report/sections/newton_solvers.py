@@ -95,11 +95,10 @@ def _shake_table(rows: RowsBy) -> Table:
     """Say what each solver does in the shake, and in others how far the cube slips, if it is kept."""
     names = list(dict.fromkeys(variant for variant, _ in rows))
     shaken = [rows[name, "3cm"] for name in names]
-    columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm"}
-    columns |= {"slip": [_slip(row) for row in shaken], "creep": creep_or_unseen}
+    columns: dict[str, Column] = {"hand goes": "hand_amplitude_mm", "slip": [_slip(row) for row in shaken]}
+    columns |= {"on the way": [_slip(row, "wander_mm") for row in shaken], "creep": creep_or_unseen}
     means = {"along over normal force": "friction_share", "normal force": "normal_force_n"}
-    means["penetration"] = "penetration_mm"
-    for above, mean in means.items():
+    for above, mean in (means | {"penetration": "penetration_mm"}).items():
         columns[above] = ["lost" if row.plain.get("dropped") else row[mean] for row in shaken]
     for above, shake in (("with weight", "weight"), ("shaken 100 mm", "10cm"), ("held still", "held")):
         columns[above] = [_slip(rows[name, shake]) for name in names]
@@ -113,8 +112,8 @@ def _time_table(times: RowsBy) -> Table:
     return table_of("solver", map(_label, names), columns)
 
 
-def _slip(row: Row) -> Any:
-    return "fails" if row.plain.get("failure") else cell_or_lost(row, "slip_mm")
+def _slip(row: Row, column: str = "slip_mm") -> Any:
+    return "fails" if row.plain.get("failure") else cell_or_lost(row, column)
 
 
 def _hands(results: Results, rows: RowsBy) -> dict[str, Value]:
@@ -133,16 +132,18 @@ def _others_hold(rows: RowsBy, times: RowsBy, hands: dict[str, Value], bound: Qu
     holding = [name for name, test in tests.items() if test == HOLDS]
     unclear = [test for test in tests.values() if test.is_inconclusive]
     read = [slip for name in holding or slips for slip in slips[name]]
-    taken = [(name, times[name, TIMED_WORLDS[0]].frame_ratio) for name in holding]
-    timed = {name: ratio for name, ratio in taken if ratio.value is not None}
+    taken = {name: times[name, TIMED_WORLDS[0]].frame_ratio for name in holding}
+    timed = {name: ratio for name, ratio in taken.items() if ratio.value is not None}
     fastest = min(timed, key=lambda name: timed[name].number, default="")
     names = [_label(name) for name in holding if "-" not in name]
     warp, ratio = rows["warp", "3cm"].slip_mm, timed.get(fastest, absent("1", "none of them was timed"))
     numbers = {"solvers": " and ".join(names), "fastest": _label(fastest), "bound": bound, "warp": warp}
     outcome = unclear[0] if unclear and not holding else decided(bool(holding), *read)
     numbers |= {"is_timed": bool(fastest), "are_many": len(names) > 1, "ratio": ratio if fastest else ""}
-    numbers |= {"is_longer": (ratio.value or 0.0) - 1.0 > (ratio.noise or 0.0)}
-    return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio), numbers)
+    way = rows[fastest or "warp", "3cm"].wander_mm
+    numbers |= {"is_longer": (ratio.value or 0.0) - 1.0 > (ratio.noise or 0.0), "way": way}
+    numbers["gives"] = bool(fastest) and at_least(way, bound) == HOLDS
+    return Claim("others_hold", all_of(outcome, at_least(warp, bound)).having_read(ratio, way), numbers)
 
 
 def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) -> Claim:
@@ -174,8 +175,7 @@ def _contacts_strain(results: Results, rows: RowsBy) -> Claim:
 def _rows_overflow(results: Results, rows: RowsBy) -> Claim:
     """Tell whether as many rows as Steel comes with are too few for the arm and the cube, and enough are enough."""
     few, enough = rows["steel-32-rows", "3cm"], rows["steel", "3cm"]
-    is_so = bool(few.failure) and not enough.failure
-    needed = enough.peak_constraint_count
+    is_so, needed = bool(few.failure) and not enough.failure, enough.peak_constraint_count
     given = results.chosen("rows_given", "given: as the solver comes with", 32)
     return Claim("rows_overflow", all_of(decided(is_so, needed), at_least(needed, given)), {"needed": needed})
 

@@ -4,7 +4,8 @@ from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.tables import by_case
 
-order = 25
+order = 125
+page = "fix"
 label = "see it move"
 labels = {
     "as-shipped": "shipped pads",

@@ -14,7 +14,6 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import Value, combined, constant
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import DEVICES, MM_PER_M, departure, spread
-from report.shared.tables import by_case
 
 order = 10
 label = "the shake test"
@@ -47,10 +46,8 @@ def derive(results: Results) -> Section:
     shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
     _scene(results, shipped, stiff)
     slips, steady = _slips(results, shipped), _steady(results, shipped, results.trace("as-shipped"))
-    slipping = [row for row in results.rows if "slip_mm" in row]
-    tables = {"cases": by_case(slipping, {"slip": "slip_mm", "drift": "drift_mm_s"})}
     claims = [slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)]
-    return Section(tables=tables, claims=claims)
+    return Section(claims=claims)
 
 
 def _scene(results: Results, shipped: Row, stiff: Row) -> None:

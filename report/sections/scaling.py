@@ -5,7 +5,7 @@ from itertools import takewhile
 
 from measured_report.parts.claim import Claim, all_of, at_least
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import PERCENT, Value, combined
+from measured_report.values.quantities import PERCENT, Value, absent, combined
 from measured_report.values.results import Results, Row
 from report.shared.tables import Column, table_of
 from report.shared.timing import TIMED_WORLDS, fine_enough, resolution, worlds_name
@@ -28,8 +28,11 @@ def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "way" not in row]
     worst = resolution(results, "resolution", rows)
     columns: dict[str, Column] = {"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": "frame_ratio"}
-    columns |= {"all substeps": "world_substeps_per_s", "memory": "bytes_per_world"}
-    columns |= {"buffers": "buffer_bytes_per_world"}
+    columns |= {
+        "all substeps": "world_substeps_per_s",
+        "memory": "bytes_per_world",
+        "buffers": "buffer_bytes_per_world",
+    }
     tables = {"worlds": table_of("worlds", [str(row.worlds) for row in rows], columns, rows, resolution=worst)}
     cheap = _first_worlds_are_cheap(results, rows)
     if len(rows) == len(results.rows):  # on a CPU, and in releases that were measured before
@@ -48,8 +51,11 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     bound = results.chosen("cheap_bound", "a frame no longer than this many times that of one world", 2.0)
     formula = "most worlds with which, as with all fewer, a frame takes no longer than so many times that of one"
     cheap = results.value("cheap_worlds", formula, cheap_count, bound, *times)
-    outcome = at_least(cheap, rows[1].worlds)
-    return Claim("first_worlds_are_cheap", outcome, {"cheap": cheap, "bound": bound, "next": rows[1].worlds})
+    following = rows[1].worlds if len(rows) > 1 else absent("1", "no more worlds were timed")
+    taken = next((row.frame_ms for row in rows if row.worlds.value == cheap.value), times[1])
+    ratio = results.value("cheap_ratio", "time of a frame with so many worlds over that of one", taken / times[1])
+    numbers = {"cheap": cheap, "ratio": ratio, "bound": bound, "next": following}
+    return Claim("first_worlds_are_cheap", at_least(cheap, following), numbers)
 
 
 def _beside_benchmark(results: Results) -> tuple[Table, Claim]:
@@ -68,8 +74,7 @@ def _beside_benchmark(results: Results) -> tuple[Table, Claim]:
             name = f"length_{way}_{count}".replace("-", "_")
             taken = gains[-1] if way == "testspeed" else row.frame_ratio
             lengths.append(results.value(name, formula, PERCENT * taken))
-    columns |= {"contacts": [row.contact_count for row in rows.values()]}
-    columns |= {"rows": [row.row_count for row in rows.values()]}
+    columns |= {name: [row[f"{name[:-1]}_count"] for row in rows.values()] for name in ("contacts", "rows")}
     timed = [row for row in results.rows if "way" in row and row.way != "testspeed"]
     worst = resolution(results, "table_resolution", timed)
     least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", combined(min, *gains))

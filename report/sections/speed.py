@@ -32,4 +32,4 @@ def _same_time(results: Results, worst: Value) -> Claim:
     departure = PERCENT * (abs(row.frame_ratio - 1) + row.ratio_resolution)
     change = results.value("stiff_pads_only_change", formula, departure, is_noise=True)
     outcome = at_most(change, 3.0, why="a slowdown that would matter")
-    return Claim("stiff_pads_only_same_time", outcome.having_read(worst), {"change": change})
+    return Claim("stiff_pads_only_same_time", outcome.having_read(worst), {"change": change, "ratio": row.frame_ratio})

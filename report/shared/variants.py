@@ -8,7 +8,7 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import largest_size, noise_floor, other_value, resolved
-from report.shared.tables import by_case, case_html
+from report.shared.tables import case_html
 
 
 @dataclass(frozen=True)
@@ -28,26 +28,11 @@ def change_of(results: Results, case: str) -> Quantity:
 
 
 def variant_section(results: Results, variants: Variants, *claims: Claim) -> Section:
-    """Make the section of variants: their table, whether one is the cause, and more claims."""
+    """Make the section of variants: whether one of them is the cause, and more claims."""
     bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, "%")
     largest, floor = results.derived["largest_difference"], noise_floor(results, "slip_floor")
     cause = is_small(results, "cause", largest, bound, variants.baseline.slip_mm, floor)
-    changes = [change_of(results, row.case) for row in variants.rows]
-    readings = [reading(change, floor, results.derived["cause_limit"]) for change in changes]
-    columns = {"slip": "slip_mm", "change": ["", *changes], "reading": ["as shipped", *readings]}
-    table = by_case([variants.baseline, *variants.rows], columns)
-    return Section(tables={"cases": table}, claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
-
-
-def reading(change: Quantity, floor: Quantity, limit: Quantity) -> str:
-    """Say what a change of slip is, beside the noise and what a cause would change."""
-    if None in (change.value, floor.value, limit.value):
-        return ""
-    if abs(change.number) <= max(floor.number, change.noise or 0.0):
-        return "no difference"
-    if abs(change.number) < limit.number:
-        return "too little for a cause"
-    return "slips less" if change.number < 0 else "slips farther"
+    return Section(claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
 
 
 def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) -> Variants:

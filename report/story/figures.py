@@ -1,66 +1,11 @@
-"""Figures of the story: the suspects and the mechanism."""
-
-from collections.abc import Collection, Mapping, Sequence
+"""The figure of the story: the mechanism."""
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 from matplotlib.patches import Arc, Rectangle
 
-from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
-from measured_report.values.quantities import Quantity
-from report.shared.drawing import SHIPPED, STIFF, mark_points, name_lines
-
-FIX = "the pads' ke and kd"
-
-
-def draw_suspects(
-    slips: Mapping[str, Sequence[Quantity]], others: Collection[str], shipped: Quantity, bound: Quantity
-) -> Drawing:
-    """Draw the slip of each run [mm], a line for each thing that was changed; ``others`` are no suspects."""
-    drawing, axes = new_figure(7.2, 0.9 + 0.32 * len(slips))
-    for place, (name, cells) in enumerate(slips.items()):
-        measured = [cell for cell in cells if cell.value is not None]
-        colour = {FIX: STIFF}.get(name, SHIPPED if name in others else SERIES[5])
-        points = [(cell.value, place) for cell in measured]
-        mark_points(axes, points, marker="o", markersize=6, color=colour, alpha=0.75)
-        for cell in measured if name in others else []:
-            above = {"xytext": (0, 6), "textcoords": "offset points", "ha": "center"}
-            axes.annotate(write(cell), (cell.number, place), fontsize=8.5, **above)
-    if shipped.value is not None and bound.value is not None:
-        margin = 0.01 * bound.value * shipped.value
-        axes.axvspan(shipped.value - margin, shipped.value + margin, color=FAINT, alpha=0.45, linewidth=0, zorder=0)
-        axes.axvline(shipped.value, color=INK, linestyle="--", linewidth=1.0, marker="")
-    name_lines(axes, slips)
-    axes.margins(y=0.12)
-    axes.set(xlabel="slip [mm]", xlim=(0.0, None))
-    axes.grid(axis="y", visible=False)
-    return drawing
-
-
-def draw_setup(numbers: Mapping[str, Quantity]) -> Drawing:
-    """Draw the cube between the pads from the front, and how the hand moves it: with dimensions, not to scale."""
-    labels = {name: f"{write(number)} {number.unit}" for name, number in numbers.items()}
-    drawing, (grasp, motion) = new_figure(7.2, 2.2, ncols=2)
-    grasp.set_title("The grip")
-    grasp.add_patch(Rectangle((-1.0, -1.0), 2.0, 2.0, facecolor=FAINT, edgecolor=INK))
-    grasp.annotate(f"{labels['edge']}\n{labels['mass']}", (0.0, 0.0), fontsize=9, ha="center", va="center")
-    for side in (-1, 1):
-        grasp.add_patch(Rectangle((1.25 * side - 0.25, -0.6), 0.5, 1.2, facecolor=SERIES[0], edgecolor=SERIES[0]))
-        _arrow(grasp, np.array([2.8 * side, 0.0]), np.array([1.55 * side, 0.0]), SERIES[1])
-        grasp.annotate(labels["grip"], (2.3 * side, 0.25), color=SERIES[1], fontsize=9, ha="center")
-    grasp.set(xlim=(-3.2, 3.2), ylim=(-1.2, 1.2), aspect="equal")
-    motion.set_title("The shake")
-    time = np.linspace(0.0, 3.0, 200)
-    motion.plot(time, np.sin(2 * np.pi * time), color=INK, linestyle="-", marker="")
-    motion.axhline(0.0, color=FAINT, linewidth=1.0, marker="")
-    _arrow(motion, np.array([3.15, 0.0]), np.array([3.15, 1.0]), SERIES[1])
-    motion.annotate(labels["amplitude"], (3.25, 0.5), color=SERIES[1], fontsize=9, va="center")
-    motion.annotate(f"{labels['frequency']}, for {labels['duration']}", (1.5, -1.45), fontsize=9, ha="center")
-    motion.set(xlim=(-0.1, 4.3), ylim=(-1.6, 1.2))
-    for axes in (grasp, motion):
-        axes.set_axis_off()
-    return drawing
+from measured_report.parts.figures import FAINT, INK, SERIES, new_figure
 
 
 def draw_mechanism() -> Drawing:
@@ -75,7 +20,7 @@ def draw_mechanism() -> Drawing:
 
 
 def _draw_arc(axes: Axes) -> None:
-    axes.set_title("1. The pad follows a curve")
+    axes.set_title("1. A turning joint moves the pad")
     joint, radius, angle = np.array([0.0, 0.0]), 3.0, np.radians(58)
     outward, along = np.array([np.cos(angle), np.sin(angle)]), np.array([np.sin(angle), -np.cos(angle)])
     pad = joint + radius * outward
@@ -96,7 +41,7 @@ def _draw_arc(axes: Axes) -> None:
 def _draw_brake(axes: Axes) -> None:
     axes.set_title("2. Friction brakes, and nothing pulls back")
     axes.add_patch(Rectangle((0.0, 2.1), 2.4, 0.75, facecolor=SERIES[0], alpha=0.3, edgecolor=SERIES[0]))
-    axes.annotate("pad, on its curve", (1.2, 2.47), fontsize=9, ha="center", va="center")
+    axes.annotate("pad, on turning joints", (1.2, 2.47), fontsize=9, ha="center", va="center")
     axes.add_patch(Rectangle((0.0, 0.2), 2.4, 1.1, facecolor=FAINT, edgecolor=INK))
     axes.annotate("cube", (1.2, 0.62), fontsize=9, ha="center", va="center")
     _arrow(axes, np.array([2.5, 2.47]), np.array([4.0, 2.47]), SERIES[1])

@@ -1,20 +1,26 @@
 """Error against run time: engines and cures in one figure, and the rule by which one of them is advised."""
 
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
+from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided, greater
-from measured_report.parts.figures import SERIES, new_figure
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.parts.figures import INK, SERIES, new_figure, tick_at, write
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
+from report.sections.reproduction import FRAME_RATE
 from report.shared.arithmetic import Sections
 from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
-from report.shared.timing import TIMED_WORLDS
+from report.shared.timing import TIMED_WORLDS, worlds_name
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
 SOLVERS = "newton_solvers"  # where Newton's other solvers are measured
 RATIOS = ("frame_ratio", "time_ratio")
+SHAKE = ("shake_duration_s", "shake_frequency_hz")
 FLAGS = ("is_argument", "is_other", "has_many", "is_longer", "has_patch")
 UNSEEN = {  # section and value of how much longer the frames of a way may take and are not seen to
     "stiff pads": ("speed", "stiff_pads_only_change"),
@@ -55,8 +61,7 @@ class Way:
 
     def creep_mm(self, sections: Sections) -> float | None:
         """Return the slip of a cycle of the shake, or what would be seen where it is less."""
-        columns = "shake_duration_s", "shake_frequency_hz"
-        slip, (seconds, per_second) = self.slip(sections), (self.slip(sections, column).value for column in columns)
+        slip, (seconds, per_second) = self.slip(sections), (self.slip(sections, column).value for column in SHAKE)
         is_measured = None not in (slip.value, seconds, per_second)
         return max(slip.number, slip.noise or 0.0) / (seconds * per_second) if is_measured else None
 
@@ -95,44 +100,85 @@ WAYS = (
         "the root cure, stiff pads", PATCH, _cure("implicitfast-400-stiff", "centred-kept"), "cure_cost/firm", CURE, "D"
     ),
 )
+BOUNDS = {"advice": ("reproduction", "slip_bound"), "ends_creep": ("newton_solvers", "ended_bound")}
 C_WAYS = (  # on a core of the processor, and in as many worlds as it has cores: not advised
     Way("MuJoCo C", NOTHING, "solver/as-shipped-mujoco-c", "error_runtime/as-shipped/c/substeps-16", SHIPPED, "v"),
     Way("C, stiff pads", ARGUMENT, "solver/stiff-pads-mujoco-c", "error_runtime/stiff/c/substeps-16", STIFF, "v"),
 )
+MARKED = ("as shipped", "stiff pads", "RK4, stiff pads", "the root cure", "MuJoCo C", "C, stiff pads")
+OTHERS = ("Steel", "Kamino")  # the first of these that was timed is marked too
+GAP = 0.17  # decades between two names that stand one above the other
+TIMES = ("error_runtime", {count: f"worlds-{count}" for count in (ALONE, MANY)}, "ms_per_s")  # of one simulated second
 
 
 def figure(sections: Sections) -> Figure:
-    """Draw the creep of each way against the time of a world's frame, alone and among many."""
-    rows = sections.results["cure_cost"].rows if "cure_cost" in sections.results else []
-    shipped = {row.worlds.value: row for row in rows if row.case == "as-shipped" and row.frame_ms.value is not None}
-    ways = {way: way.ratios(sections) for way in (*WAYS, *C_WAYS) if shipped and way.creep_mm(sections) is not None}
+    """Draw the creep of some ways against the time of a world's frame, alone and among many."""
+    section, cases, column = TIMES
+    seconds = {count: sections.cell(section, case, column) for count, case in cases.items()}
+    frames_ms = {count: cell.number / FRAME_RATE / count for count, cell in seconds.items() if cell.value is not None}
+    other = next((way for way in WAYS if way.name in OTHERS and way.ratios(sections)), None)
+    marked = [way for way in (*WAYS, *C_WAYS) if way.name in MARKED or way is other]
+    ways = {way: way.ratios(sections) for way in marked if way.creep_mm(sections) is not None}
+    marks = [
+        Mark(way, way.creep_mm(sections), times, way.slip(sections).number > (way.slip(sections).noise or 0.0))
+        for way, ratios in ways.items()
+        if (times := [ratio.number * frames_ms[count] for count, ratio in ratios.items() if count in frames_ms])
+    ]
+    shake = [sections.cell("reproduction", "as-shipped", column).value for column in SHAKE]
+    bounds = [sections.value(*place) for place in BOUNDS.values()]
+    lines = [(bound, bound.number / math.prod(shake)) for bound in bounds if None not in (bound.value, *shake)]
+    gain, stiff = sections.value("reproduction", "stiff_gain"), WAYS[1].slip(sections)
+    numbers: dict[str, Any] = {"gain": gain}
+    numbers["is_cut"] = all_of(at_least(gain, 10.0, why="an order of magnitude"), at_most(stiff, bounds[0])) == HOLDS
+    numbers["is_ended"] = any(way.effort == PATCH and way.keeps(sections, bounds[1]) == HOLDS for way in ways)
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(sections), *ratios.values())]
-    many = shipped[MANY].worlds if MANY in shipped else absent("1", "no frames were timed")
-
-    def times(ratios: dict[int, Quantity]) -> list[Quantity]:
-        return [ratio * (shipped[n].frame_ms.number / n) for n, ratio in ratios.items() if n in shipped]
-
-    def draw() -> Drawing:
-        drawing, axes = new_figure(7.2, 5.0)
-        for way, ratios in ways.items():
-            x = [time.value for time in times(ratios)]
-            style = {"marker": way.marker, "markevery": 1, "linestyle": ":", "linewidth": 0.8}
-            axes.plot(x, [way.creep_mm(sections)] * len(x), label=way.name, color=way.colour, **style)
-        axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8)
-        return drawing
-
-    right = all_of(*(greater(*each) for each in map(times, ways.values()) if len(each) > 1)).answer
-    return Figure(draw, [*cells, *(row.frame_ms for row in shipped.values())], {"many": many, "right": right})
+    return Figure(lambda: _draw(marks, lines), [*cells, *seconds.values(), *bounds], numbers)
 
 
-def advice(sections: Sections) -> list[Claim]:
-    """Advise what keeps the slip below one that can be seen, and below a tenth of that."""
-    bounds = {"advice": ("reproduction", "slip_bound"), "ends_creep": ("newton_solvers", "ended_bound")}
-    return [_chosen(sections, name, sections.value(*bound)) for name, bound in bounds.items()]
+class Mark(NamedTuple):
+    """Place a way: slip of a cycle [mm] and times of a world's frame [ms]; what is not seen stands at its bound."""
+
+    way: Way
+    creep: float
+    times: list[float]
+    is_seen: bool
 
 
-def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
+def _draw(marks: Sequence[Mark], lines: Sequence[tuple[Quantity, float]]) -> Drawing:
+    drawing, axes = new_figure(7.2, 4.6)
+    for bound, creep in lines:
+        axes.axhline(creep, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), marker="", alpha=0.5)
+        at = {"xycoords": ("axes fraction", "data"), "va": "bottom", "fontsize": 8.5}
+        axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, creep), **at)
+    last = math.inf
+    for way, creep, times, is_seen in sorted(marks, key=lambda mark: -mark.creep):
+        style = {"marker": way.marker, "markerfacecolor": way.colour if is_seen else "none", "markersize": 8}
+        axes.plot(times, [creep] * len(times), color=way.colour, linestyle=":", linewidth=0.9, markevery=1, **style)
+        beside: dict[str, Any] = {"color": way.colour, "fontsize": 9.5, "textcoords": "offset points"}
+        if way in C_WAYS:  # below their marks
+            axes.annotate(way.name, (max(times), creep), xytext=(0, -8), ha="center", va="top", **beside)
+        else:  # as far down as keeps a name clear of the one above
+            last = min(math.log10(creep), last - GAP)
+            axes.annotate(way.name, (max(times), 10**last), xytext=(8, 0), va="center", **beside)
+    axes.set(xscale="log", yscale="log", xlabel="time of a world's frame [ms]", ylabel="slip [mm/cycle]")
+    axes.set_xlim(right=60 * max((max(mark.times) for mark in marks), default=1.0))
+    axes.set_ylim(top=3 * max((mark.creep for mark in marks), default=1.0))
+    tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
+    tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
+    pair = next((mark for mark in sorted(marks, key=lambda mark: -mark.creep) if len(mark.times) > 1), None)
+    for name, time in zip((worlds_name(ALONE), f"{worlds_name(MANY)}, each"), pair.times if pair else (), strict=False):
+        style = {"textcoords": "offset points", "fontsize": 8.5, "ha": "left" if time == pair.times[1] else "center"}
+        axes.annotate(name, (time, pair.creep), xytext=(-4, 8), va="bottom", **style)
+    axes.text(0.01, 0.02, "↙ better", transform=axes.transAxes, fontsize=8.5)
+    return drawing
+
+
+def advice(sections: Sections, every: Mapping[str, Sections]) -> list[Claim]:
+    """Advise what keeps the slip below one that can be seen, and below a tenth of that; ``every`` release is asked."""
+    return [_chosen(sections, name, sections.value(*bound), every) for name, bound in BOUNDS.items()]
+
+
+def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, Sections]) -> Claim:
     """Choose the fastest of those ways in Newton that keep the slip below the bound and take the least effort."""
     tests = {way: way.keeps(sections, bound) for way in WAYS}
     holding = [way for way, test in tests.items() if test == HOLDS]
@@ -144,21 +190,28 @@ def _chosen(sections: Sections, name: str, bound: Quantity) -> Claim:
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": none, "ratio": none, "bound": bound}
-    numbers |= dict.fromkeys(("many", "seen", "patch", "patch_slip", "patch_ratio"), "")  # it does without
+    numbers |= dict.fromkeys(("many", "off", "patch", "patch_slip", "patch_ratio", "patch_many", "elsewhere"), "")
     if near or not timed:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
     way = min(timed, key=paces.__getitem__)
     ratios = way.ratios(sections)
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
+    off = sections.cell(SOLVERS, f"{way.timed.rpartition('/')[2]}-3cm", "wander_mm")  # from its place, on the way
     numbers |= {"way": way.name, "slip": way.slip(sections), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
-    numbers["seen"] = "" if seen.value is None else seen
-    is_longer = any(ratio.number - 1.0 > (ratio.noise or 0.0) for ratio in ratios.values())
+    numbers["off"] = off if at_least(off, bound) == HOLDS else ""
+    least = 0.01 * (seen.value or 0.0)
+    is_longer = any(ratio.number - 1.0 > max(ratio.noise or 0.0, least) for ratio in ratios.values())
     patches = [way for way in times if way.effort == PATCH]
     flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
         patch = min(patches, key=paces.__getitem__)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
-    read = [cell for cell in (seen, *(way.slip(sections) for way in tests)) if cell.value is not None]
+        numbers["patch_many"] = patch.ratios(sections).get(MANY, "")
+    slips = {release: way.slip(other) for release, other in every.items() if way.is_other}
+    more = [(slip, release) for release, slip in slips.items() if slip.value is not None and slip.value > bound.number]
+    numbers["elsewhere"] = Markup(", ").join(Markup("{} in {}").format(*pair) for pair in more)
+    read = [seen, off, *(slip for slip, _ in more), *(way.slip(sections) for way in tests)]
+    read = [cell for cell in read if cell.value is not None]
     read += [*ratios.values(), *(times[way] for way in (*timed, *patches))]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]

@@ -20,7 +20,6 @@ from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hol
 from newton_lint.stepped import runs_of
 from newton_lint.target import Target
 from tests.newton_lint.cases import Case
-from tests.newton_lint.test_questions import TIPS
 
 FLAT = "0.9 0.9 0.001 0.5 2"
 SOFT = "0.1 0.1 0.001 0.5 2"
@@ -204,13 +203,6 @@ def test_discrete_weighs_what_a_row_says_of_itself():
     assert other / one == pytest.approx(1.0 + 2.0 / 9.0 + 0.9 / 81.0)
 
 
-@pytest.mark.parametrize(("grip", "spare"), [(27, (2 * 27 - 0.5 * 9.81) / 0.5), (28, None)])
-def test_a_grip_that_bears_little_besides_its_load_is_weak(grip, spare):
-    """From 100 m/s² of (μ N - m g) / m on it is firm, 54.9 N here; the pads press as the motors do."""
-    found = grips("grip", Case("pinch", (("grip", grip),)).target)
-    assert [each.value for each in found] == ([] if spare is None else [pytest.approx(spare, rel=0.01)])
-
-
 def test_fingers_oppose_each_other_from_120_degrees_on():
     [one, other, *_] = hold_of()[2].touches
     for degrees, between in ((119.0, False), (121.0, True)):
@@ -218,44 +210,6 @@ def test_fingers_oppose_each_other_from_120_degrees_on():
         turned = replace(other, normal=np.array([math.sin(angle), 0.0, math.cos(angle)]), geoms=(0, 7))
         assert _is_between([one, turned]) == between
     assert not _is_between([one, replace(other, normal=-one.normal)])  # of the same pair of geoms
-
-
-@pytest.mark.parametrize(
-    ("timeconst", "degrees", "said"),
-    [(0.02, 0, True), (0.0029, 0, True), (0.0026, 0, False), (0.02, 44, True), (0.02, 46, False)],
-)
-def test_between_two_fingers_that_close_it_would_creep(timeconst, degrees, said):
-    """By m g / 2 · (1 - d) w timeconst / 2, from 1 mm/s on; fingers close up to a cosine of 0.7 to each other."""
-    way = f"{math.cos(math.radians(degrees))} {math.sin(math.radians(degrees))} 0"
-    text = TIPS.replace('impratio="100"/>', f'timestep="0.001"/><default><geom solref="{timeconst} 1" {{}}/></default>')
-    text = text.format(f'solimp="{FLAT}"').replace('"1 0 0"', f'"{way}"').replace('"-1 0 0"', f'"-{way}"')
-    text = text.replace("0.03 0 0", "0.05 0 0").replace("30 30", "0 0")
-    model = mujoco.MjModel.from_xml_string(text)
-    found = grips("slip", Target("scene", model))
-    weight = float(model.body_invweight0[[model.body("body").id, model.body("left").id], 0].sum())
-    creep = 1e3 * 0.05 * 9.81 / 2.0 * 0.1 * weight * timeconst / 2.0
-    assert [each.value for each in found] == ([pytest.approx(creep, rel=1e-3)] if said else [])
-    assert all(each.used == pytest.approx(0.1 * creep, rel=1e-3) and "2 times" in each.message for each in found)
-
-
-MOTORS = '<actuator><motor joint="l"/><motor joint="r"/></actuator>'
-WELD = '<equality><weld body1="hand"/></equality>'
-
-
-@pytest.mark.parametrize(
-    ("joint", "rest", "said"),
-    [
-        ("<freejoint/>", MOTORS + WELD, True),
-        ("<freejoint/>", MOTORS, False),
-        ("", '<actuator><motor joint="l"/></actuator>', True),
-        ("", "", False),
-    ],
-)
-def test_a_hand_is_driven_and_does_not_fall(joint, rest, said):
-    text = TIPS.replace("0.03 0 0", "0.05 0 0").replace('impratio="100"', "").partition("  <actuator>")[0]
-    hand = f'<body name="hand">{joint}<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'
-    model = mujoco.MjModel.from_xml_string(text.replace('<body name="hand">', hand) + rest + "</mujoco>")
-    assert bool(grips("slip", Target("scene", model))) == said
 
 
 def test_candidates_creep_as_the_law_says():

@@ -148,40 +148,28 @@ def test_an_overlap_is_a_warning_where_it_presses_or_throws(depth, scale, thrown
     assert not found or str(found.advice) == f"move one by {1e3 * depth:.3g} mm"
 
 
-@pytest.mark.parametrize(("depth_mm", "share", "said"), [(19, 0.0, 0), (21, 0.0, 1), (21, 0.48, 1), (21, 0.52, 0)])
-def test_what_lies_is_sunk_from_a_fifth_of_half_its_thickness_on(depth_mm, share, said):
-    """A box of 0.1 m by g (1 - d) timeconst² / 4; twice as deep as at the start, of which a share is taken."""
+@pytest.mark.parametrize(("depth_mm", "said"), [(0.9, False), (1.1, True), (5, True)])
+def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
+    """A box of 0.1 m by g (1 - d) timeconst² / 4; to a millimetre, or two fifths, with the timeconst that is named."""
     timeconst = math.sqrt(1e-3 * depth_mm / (9.81 * 0.1 / 4.0))
     floor = f'priority="1" solref="{timeconst} 1" solimp="0.9 0.9 0.001" friction="1"'
-    target = of(g=-9.81, z=0.1 - 1e-3 * depth_mm, floor=floor, type="box")
-    seen = ran(target)
-    found = rules(target, replace(seen, first={(0, 1): share * 1e-3 * depth_mm})).get("depth")
-    assert bool(found) == bool(said)
-    assert not found or found.value == pytest.approx(depth_mm, rel=1e-3)
-    assert not found or f"{2.0 * 9.81 / 4.0:.3g} N on a point" in found.message
-
-
-@pytest.mark.parametrize("integrator", ["Euler", "RK4"])
-def test_a_wall_stops_what_flies_where_it_is_as_thick_as_a_damped_spring_yields(integrator):
-    """A critically damped spring yields by v / (e ω), ω = 1 / (dmax timeconst), and half a step passes before."""
-    wall = '<geom name="wall" type="box" size="0.01 1 1" pos="-1 0 1"/>'
-    key = '<keyframe><key qpos="-2 0 1 1 0 0 0" qvel="20 0 0 0 0 0"/></keyframe>'
-    target = of(more=wall, rest=key, option=f'integrator="{integrator}"')
-    runs = runs_of(target.model, target)
-    [found] = [each for each in stepped(scene_of(target), target, runs) if each.rule == "tunnel"]
-    deep = 20.0 * (0.001 + 0.95 * 0.02 / math.e)
-    assert found.value == pytest.approx(20.0) and f"{2.2e3 * (deep - 0.1):.3g} mm stop it" in str(found.advice)
-    assert f"through 20 mm, {0.99 / 20.0:.2g} s after keyframe 0" in found.message
-
-
-@pytest.mark.parametrize(("z", "said"), [(19.0, True), (20.5, False)])
-def test_what_falls_for_two_seconds_is_followed(z, said):
-    """By v = √(2 g h) and t = √(2 h / g)."""
-    slab = '<geom type="box" size="1 1 0.005"/>'
-    target = of(g=-9.81, z=z, more=slab, floor='contype="0" conaffinity="0"')
-    found = rules(target, ran(target)).get("tunnel")
+    found = rules(target := of(g=-9.81, z=0.1, floor=floor, type="box"), ran(target)).get("depth")
     assert bool(found) == said
-    assert not said or found.value == pytest.approx(math.sqrt(2.0 * 9.81 * (z - 0.005)))
+    assert not found or found.value == pytest.approx(depth_mm, rel=0.04)
+    after = float(str(found.advice).partition(" → ")[2].split()[0]) if found else 0.0
+    assert not found or after == pytest.approx(min(1.0, 0.4 * depth_mm), rel=0.04)
+
+
+@pytest.mark.parametrize(("y", "said"), [(0.0, True), (1.5, False)])
+def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(y, said):
+    """20 m/s take it through 20 mm in half a step; 80 mm are more than 20 · 19 / e ms, as a damped spring yields."""
+    wall = '<geom name="wall" type="box" size="0.01 1 1" pos="-1 0 1"/>'
+    key = f'<keyframe><key qpos="-2 {y} 1 1 0 0 0" qvel="20 0 0 0 0 0"/></keyframe>'
+    target = of(more=wall, rest=key)
+    runs = runs_of(target.model, target)
+    found = [each for each in stepped(scene_of(target), target, runs) if each.rule == "tunnel"]
+    assert [each.value for each in found] == ([pytest.approx(20.0)] if said else [])
+    assert not said or "a thickness of 80 mm stops it, measured" in str(found[0].advice)
 
 
 @pytest.mark.parametrize(("timeconst", "said"), [(0.043, False), (0.047, True)])
@@ -189,7 +177,7 @@ def test_a_weld_is_open_from_a_millimetre_on(timeconst, said):
     """By (1 - d) g timeconst², as a contact is pressed in."""
     weld = f'<equality><weld body1="ball" solref="{timeconst} 1" solimp="0.95 0.95 0.001"/></equality>'
     target = of(g=-9.81, rest=weld)
-    found = rules(target, ran(target, 1.0)).get("weld")
+    found = rules(target, ran(target, 1.0)).get("equality")
     assert bool(found) == said
     assert not found or found.value == pytest.approx(50.0 * 9.81 * timeconst**2, rel=0.02)
 
@@ -221,20 +209,6 @@ def test_a_joint_sags_by_its_row_as_a_contact_creeps(timeconst, share, kind, sai
     turned = math.degrees(speed / 0.3) * 0.09 / (0.09 + 0.4 * 0.05**2)  # and the ball's own inertia
     assert not found or found.value == pytest.approx(1e3 * speed if kind == "slide" else turned, rel=0.01)
     assert not found or f"{found.value:.3g} → 0 {found.unit}, in MuJoCo C" in str(found.advice)  # noslip leaves R out
-
-
-@pytest.mark.parametrize(("count", "said"), [(990, False), (1010, True)])
-def test_a_hull_of_a_thousand_vertices_is_said(count, said, tmp_path):
-    """Of points on a sphere all are on their hull."""
-    z = np.linspace(-0.99, 0.99, count)
-    turn, wide = 2.4 * np.arange(count), np.sqrt(1.0 - z**2)
-    points = np.stack([wide * np.cos(turn), wide * np.sin(turn), z], axis=1).ravel()
-    path = tmp_path / "scene.xml"
-    asset = f'<asset><mesh name="rock" vertex="{" ".join(f"{each:.6f}" for each in points)}"/></asset>'
-    path.write_text(BALL.format(**USUAL | {"more": '<geom type="mesh" mesh="rock" pos="5 0 9"/>', "rest": asset}))
-    target = Target("scene", mujoco.MjModel.from_xml_path(str(path)), path=path)
-    found = rules(target, ran(target, 0.01)).get("hull")
-    assert (found.value if found else None) == (count if said else None)
 
 
 HARM = [

@@ -11,7 +11,6 @@ from by_hand import lines_of, mismatches, read, releases_of, results_of, unbacke
 from measured_report.findings.sections import derive_section
 from measured_report.values.quantities import Quantity
 from report.sections import envelope, reproduction, upgrade
-from report.sections.error_runtime.runs import is_clamped
 from report.shared.arithmetic import Sections
 from report.story import frontier, story
 
@@ -130,9 +129,3 @@ def test_a_steady_drift_moves_as_far_early_as_late(late, change, outcome):
     results = replace(results_of("reproduction", "1.4.0", "as-shipped.shake_frequency_hz=1"), frame=frame)
     expected = f"increment_earlier=1 increment_later={late} steady_cycle_count=4 increment_change={change}"
     assert list(unlike(f"{expected} drift_is_steady={outcome}", reproduction.derive(results), results.derived)) == []
-
-
-def test_a_timeconst_below_two_substeps_is_raised():
-    given = "a.timeconst_ms=3 a.substep_ms=2 b.timeconst_ms=5 b.substep_ms=2"
-    rows = results_of("error_runtime", "1.4.0", f"!* {given}").row
-    assert [is_clamped(rows[case]) for case in "ab"] == [True, False]

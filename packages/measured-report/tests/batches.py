@@ -1,12 +1,13 @@
 """Batches without physics, for the tests of measuring: each leaves a line of who measured it."""
 
 import os
+import pickle
 import signal
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.batch import Batch, Plan, Result
 from measured_report.measuring.section import Section
 from measured_report.records.identity import identity_of
 from measured_report.records.record import load_record
@@ -66,6 +67,14 @@ def is_running(process: int) -> bool:
         return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
+
+
+GARBAGE = (None, 3, b"x", Result(b"x", {}, "", "", 0.0), Result(pickle.dumps(1), None, "soon", "late", "long"))
+
+
+def garbage(batch: Batch, device: str) -> object:
+    """What a worker may return in the place of a result, as the batch's name says."""
+    return GARBAGE[int(batch.name)]
 
 
 def double(rows: list) -> dict:

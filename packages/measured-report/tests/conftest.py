@@ -2,7 +2,7 @@
 
 import shutil
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -33,33 +33,36 @@ def entered(outside) -> Iterator[None]:
         yield
 
 
-@pytest.fixture
-def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
-    """A report that is current."""
-    monkeypatch.setattr("sys.dont_write_bytecode", True)  # a file changes here within the second that a cache tells
-    lay_out(folder := tmp_path / "project")
-    with report_in(folder):
+@contextmanager
+def entered_toy(folder: Path) -> Iterator[Toy]:
+    lay_out(folder)
+    with report_in(folder), pytest.MonkeyPatch.context() as patch:
+        patch.setattr("sys.dont_write_bytecode", True)  # a file changes here within the second that a cache tells
         toy = Toy(Project("1.4.0"))
         toy.measure()
         yield toy
 
 
 @pytest.fixture(scope="session")
-def kept(tmp_path_factory) -> Path:
-    """What a build of the project leaves, once one was asked for."""
-    return tmp_path_factory.mktemp("kept")
+def model(tmp_path_factory) -> Toy:
+    """A toy that was built, of which others are copies."""
+    with entered_toy(tmp_path_factory.mktemp("model") / "project") as toy:
+        toy.build()
+        return toy
 
 
 @pytest.fixture
-def built(toy, kept) -> Toy:
-    """The project with its site; a copy, but for the first that asks, as is what is kept for the next build."""
-    if not any(kept.iterdir()):
-        toy.build()
-        shutil.copytree(toy.project.site, kept / "site")
-        shutil.copytree(Cache(toy.project.root).folder, kept / "cache")
-    else:
-        shutil.copytree(kept / "site", toy.project.site)
-        shutil.copytree(kept / "cache", Cache(toy.project.root).folder)
+def toy(tmp_path, model) -> Iterator[Toy]:
+    """A report that is current; what its model derived and drew is kept for its first build."""
+    with entered_toy(tmp_path / "project") as toy:
+        shutil.copytree(Cache(model.project.root).folder, Cache(toy.project.root).folder)
+        yield toy
+
+
+@pytest.fixture
+def built(toy, model) -> Toy:
+    """The project with its site."""
+    shutil.copytree(model.project.site, toy.project.site)
     return toy
 
 

@@ -3,6 +3,7 @@
 import gzip
 import json
 import os
+import re
 from collections.abc import Callable, Mapping
 from functools import reduce
 from operator import getitem
@@ -31,12 +32,13 @@ def _with(*path: str | int, value: Any = GONE) -> Change:
 
 NO_NUMBERS = ("6.36", True, [], {}, float("nan"), float("inf"), 1e308, -1e308, 10**400, -1.0, None)
 NO_TEXTS = (None, 3, 1.5, True, [], {}, "", "\x00", "a\ue000b", "x" * 5000, "\u202etext", "a\uffff", "two\nlines")
+NO_TEXTS += ("\u3164", "\u2800", "a" + "\u0301" * 390)
 NO_MAPPINGS = (None, 3, "text", [], [1])
 NO_DATES = (
     "soon",
     "2026-01-02",
     "2026-01-02t03:04:05z",
-    *(f"{year}-01-02T03:04:05+00:00" for year in ("0001", "1999", "9999")),
+    *(f"{year}-01-02T03:04:05+00:00" for year in ("0001", "1999", "2099", "9999")),
 )
 VERSIONS = (
     "evil @ file:///tmp/evil.whl",
@@ -58,6 +60,7 @@ FIELDS: dict[str, Change] = {
     "unit of no column": _with("units", "drift_mm_s", value="mm/s"),
     **{f"seconds {value!r:.20}": _with("measured", "seconds", value=value) for value in (*NO_NUMBERS, "soon")},
     **{f"date {value!r:.20}": _with("measured", "date", value=value) for value in (*NO_TEXTS, *NO_DATES)},
+    "ended before it began": _with("measured", "started", value="2026-01-02T03:04:06+00:00"),
     **{f"commit {value!r:.20}": _with("measured", "commit", value=value) for value in (3, [], "\x00", "x" * 5000)},
     **{f"command {value!r:.20}": _with("measured", "command", value=value) for value in (None, 3, [], "\x07", "a\nb")},
     **{f"measured {value!r:.20}": _with("measured", value=value) for value in (*NO_MAPPINGS, {})},
@@ -163,9 +166,16 @@ PLACES: Mapping[str, Callable[[Path], object]] = {
 """What may be in the place of a record or a trace, by name."""
 
 
+def unsealed(text: str) -> str:
+    """The text of a record as of before there were seals."""
+    return re.sub(',\n "seal": "[0-9a-f]{64}"', "", text)
+
+
 def damage(path: Path, name: str) -> None:
-    """Damage the record or the trace at ``path`` in the way ``name``."""
+    """Damage the record, whose seal would tell of any way, or the trace at ``path`` in the way ``name``."""
     kind, _, way = name.partition(": ")
+    if kind in ("field", "text"):
+        path.write_text(unsealed(path.read_text(encoding="utf-8")), encoding="utf-8")
     if kind == "field":
         data = json.loads(path.read_text(encoding="utf-8"))
         FIELDS[way](data)

@@ -202,9 +202,7 @@ class Toy:
         return (self.project.site / "index.html").read_text(encoding="utf-8")
 
     def write(self, name: str, text: str) -> None:
-        path = self.project.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
+        put(self.project.root, name, text)
         forget_sections()
 
     def record(self, rows=ROWS, **changes) -> Record:
@@ -238,26 +236,33 @@ def forget_sections() -> None:
     importlib.invalidate_caches()
 
 
+def put(folder: Path, name: str, text: str) -> None:
+    (folder / name).parent.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_text(text, encoding="utf-8")
+
+
 def lay_out(folder: Path) -> None:
     """Write a report without a record."""
-    toy = Toy(Project("1.4.0", root=folder))
-    toy.write("report.toml", SETTINGS)
-    toy.write("pyproject.toml", f'[project]\ndependencies = ["newton[sim]=={INSTALLED["newton"]}"]\n')
+    put(folder, "report.toml", SETTINGS)
+    put(folder, "pyproject.toml", f'[project]\ndependencies = ["newton[sim]=={INSTALLED["newton"]}"]\n')
     for name, version in INSTALLED.items():
-        toy.write(f"{name.replace('-', '_')}-{version}.dist-info/METADATA", f"Name: {name}\nVersion: {version}\n")
-    toy.write("experiments/__init__.py", "")
-    toy.write("experiments/scene.py", SCENE)
-    toy.write("experiments/toy.py", EXPERIMENT)
-    toy.write("experiments/cards.py", CARDS)
-    toy.write("report/sections/toy.py", MODULE)
-    toy.write("templates/sections/toy.md.j2", TEMPLATE)
-    toy.write("templates/front.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
-    toy.write("templates/story.md.j2", "# The story\n")
+        put(folder, f"{name.replace('-', '_')}-{version}.dist-info/METADATA", f"Name: {name}\nVersion: {version}\n")
+    put(folder, "experiments/__init__.py", "")
+    put(folder, "experiments/scene.py", SCENE)
+    put(folder, "experiments/toy.py", EXPERIMENT)
+    put(folder, "experiments/cards.py", CARDS)
+    put(folder, "report/__init__.py", "")  # or a path of the tests that has this package would come before
+    put(folder, "report/sections/__init__.py", "")
+    put(folder, "report/sections/toy.py", MODULE)
+    put(folder, "templates/sections/toy.md.j2", TEMPLATE)
+    put(folder, "templates/front.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
+    put(folder, "templates/story.md.j2", "# The story\n")
     for page in ("cause", "limits"):
-        toy.write(f"templates/pages/{page}.md.j2", f"# {page.capitalize()}\n")
-    toy.write("assets/robot.urdf", "<robot/>")
-    toy.write("build.py", (SKELETON / "build.py").read_text(encoding="utf-8"))
-    toy.write("CITATION.cff", "title: A toy\nauthors:\n  - name: Its authors\n")
+        put(folder, f"templates/pages/{page}.md.j2", f"# {page.capitalize()}\n")
+    put(folder, "assets/robot.urdf", "<robot/>")
+    put(folder, "build.py", (SKELETON / "build.py").read_text(encoding="utf-8"))
+    put(folder, "CITATION.cff", "title: A toy\nauthors:\n  - name: Its authors\n")
+    forget_sections()
 
 
 def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], None]) -> Path:

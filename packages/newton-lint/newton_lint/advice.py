@@ -71,13 +71,15 @@ def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str
     return either(Advice(changes, gain), *([Advice(singles, "")] if singles != changes else []))
 
 
-def longer_solref(scene: Scene, pair: int, timeconst_s: float) -> Advice:
-    """Return the timeconst that is used for what is authored shorter."""
+def longer_solref(
+    scene: Scene, pair: int, timeconst_s: float, gain: str = "says what is used, and changes nothing"
+) -> Advice:
+    """Return a timeconst for what is authored shorter, by itself the one that is used."""
 
     def longer(solref: Sequence[float]) -> str | None:
         return f"{timeconst_s:.6g} {solref[1]:g}" if 0.0 < solref[0] < timeconst_s else None
 
-    return for_contact(scene, pair, longer, "says what is used, and changes nothing")
+    return for_contact(scene, pair, longer, gain)
 
 
 def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:
@@ -130,10 +132,9 @@ def whole_solref(scene: Scene, pair: int) -> Advice:
 
 
 def in_order(scene: Scene, geom: int) -> Advice:
-    """Return a solimp with its entries between 0 and 1 and dmax no less than dmin, softer at no depth."""
-    dmin, dmax, width, midpoint, power = scene.model.geom_solimp[geom].tolist()
-    low, high = (min(max(bound, 0.0), 1.0) for bound in (dmin, max(dmin, dmax)))
-    entries = (low, high, max(width, 0.0), min(max(midpoint, 0.0), 1.0), max(power, 1.0))
+    """Return a solimp whose dmax is no less than its dmin, softer at no depth."""
+    dmin, dmax, *shape = scene.model.geom_solimp[geom].tolist()
+    high = min(max(dmin, dmax), 1.0)
     less = (1.0 - clamped(dmax)) / (1.0 - clamped(high))  # R/b of a deep contact has (1 - dmax) / dmax · dmax
-    gain = f"creep of a deep contact under load goes down by {less:.3g}" if less > 1.0 else "says what is used"
-    return for_geom(scene, geom, {"solimp": " ".join(f"{entry:g}" for entry in entries)}, gain)
+    entries = " ".join(f"{entry:g}" for entry in (min(dmin, 1.0), high, *shape))
+    return for_geom(scene, geom, {"solimp": entries}, f"creep of a deep contact under load goes down by {less:.3g}")

@@ -1,4 +1,4 @@
-"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe`` and ``newton-lint page``.
+"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe``, ``pair`` and ``page``.
 
 See docs/lint.md.
 """
@@ -7,6 +7,7 @@ import argparse
 import contextlib
 import importlib
 import os
+import re
 import sys
 import traceback
 from collections.abc import Iterator, Sequence
@@ -19,6 +20,8 @@ PROGRAM = "newton-lint"
 SUBCOMMANDS = ("prescribe", "page", "pair")
 """Commands besides the lint itself, each a module."""
 SEVERITIES = ("note", "warning", "error")
+RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
+"""A row of rules.md."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -67,6 +70,22 @@ def _import_mujoco() -> None:
             del os.environ[name]
 
 
+def rules() -> dict[str, str]:
+    """Return what each rule finds, and with which severity."""
+    text = Path(__file__).with_name("rules.md").read_text(encoding="utf-8")
+    return {name: f"{name} ({severity}): {what}" for name, severity, what in RULE.findall(text)}
+
+
+class Tell(argparse.Action):
+    def __call__(self, parser, namespace, rule, option_string=None) -> None:
+        """Print the version, or what a rule finds."""
+        if option_string == "--version":
+            print(PROGRAM, version())
+        else:
+            print(rules().get(rule) or parser.error(f"there is no rule {rule}: there are {', '.join(rules())}"))
+        parser.exit(CLEAN)
+
+
 def _linted(options: argparse.Namespace) -> int:
     from newton_lint.output import printable, written
     from newton_lint.report import report_of
@@ -110,9 +129,12 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
     """Return what is asked for, of the command before the project's table."""
     from newton_lint.prediction import Load
     from newton_lint.report import Request
+    from newton_lint.target import TargetError
 
-    ignore = [*table.get("ignore", []), *(options.ignore.split(",") if options.ignore else [])]
-    load = Load(options.acceleration, options.load, options.press)
+    ignore = [*table.get("ignore", []), *map(str.strip, options.ignore.split(",") if options.ignore else [])]
+    if unknown := [rule for rule in ignore if rule not in rules()]:
+        raise TargetError(f"there is no rule {', '.join(unknown)} to ignore: there are {', '.join(rules())}")
+    load = Load(options.acceleration, options.load)
     below = options.below or table.get("below")
     return Request(engine_of(options, table), load, work_of(options), below, frozenset(ignore), not options.no_step)
 
@@ -139,6 +161,13 @@ def _pipe_may_close() -> Iterator[None]:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
 
 
+def version() -> str:
+    metadata = importlib.import_module("importlib.metadata")  # which takes as long as all that a rule does
+    with contextlib.suppress(metadata.PackageNotFoundError):
+        return metadata.version(PROGRAM)
+    return "of a checkout"
+
+
 def lint_parser() -> Parser:
     """Make the parser of the lint's own options."""
     about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
@@ -150,12 +179,13 @@ def lint_parser() -> Parser:
     add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
+    add("--version", action=Tell, nargs=0, help="say which release it is")
+    add("--explain", action=Tell, metavar="RULE", help="say what a rule finds")
     add("--ignore", metavar="RULES", help="rules that do not count, with commas between")
     add("--fix", action="store_true", help="write changes that were measured to do no harm into the files")
     add("--dry-run", action="store_true", help="the same, and print the patch in place of writing it")
-    add("--no-step", action="store_true", help="do not simulate the scene for 0.2 s")
+    add("--no-step", action="store_true", help="do not simulate the scene")
     add("--exclude", action="append", default=[], metavar="PATTERN", help="files of folders that are left out")
-    add("--press", type=positive, default=0.0, metavar="N", help="normal force on each contact point: how deep it goes")
     add_work(parser)
     add("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
     add("--acceleration", type=positive, default=0.0, metavar="M/S²", help="ω² r of a support that turns")

@@ -25,8 +25,8 @@ DEEPER, DEEPER_M = 1.1, 5e-5
 FASTER, FASTER_M_S = 1.05, 2e-3
 SLOWER, SLOWEST = 1.8, 3.0
 """How much deeper contacts may get, what rests may move faster, and how much more effort or time it may take."""
-SHALLOW_M = 2e-3
-"""Depth that a body may have which no longer falls through."""
+SHALLOW_M, FALLS_M_S = 2e-3, 3.0
+"""Depth that a body may have which no longer falls through, and the speed of what does."""
 FREES = ("lost", "stiff", "thrown", "unstable")
 """Rules of what costs little, and has no contacts, only because it falls or flies."""
 MOST_TRIES, PASSES = 40, 4
@@ -58,6 +58,8 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
     # What flew or fell touched nothing: that it lies now is no harm.
     lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
     lies |= "lost" in rules and new.deepest_m < SHALLOW_M
+    old_fall, new_fall = (float(run.speeds_m_s.max(initial=0.0)) for run in (old, new))
+    lies |= old_fall > FALLS_M_S > 2.0 * new_fall and new.late_m < SHALLOW_M
     for name, field in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
         old_depth, new_depth = getattr(old, field), getattr(new, field)
         if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
@@ -83,6 +85,8 @@ class Mending:
         self.texts: dict[Path, bytes] = dict(target.texts)
         self.outcomes: dict[str, str] = {}
         """Of each change that was tried, by its line, why it is not written; empty where it is."""
+        self.idle: set[str] = set()
+        """Those that change no motion."""
         self.rules: set[str] = set()
         while self._pass():
             pass
@@ -101,7 +105,10 @@ class Mending:
             if not (candidate := next(untried, None)):
                 break
             line, findings, changes = candidate
+            runs = self.runs
             self.outcomes[line] = self._outcome(findings, changes)
+            if runs is not self.runs and all(map(_alike, runs, self.runs)):
+                self.idle.add(line)
         return list(self.outcomes.values()).count("") > len(written)
 
     def _candidates(self) -> Iterator[tuple[str, list[Finding], Sequence[Change]]]:
@@ -153,6 +160,7 @@ class Mending:
     def lines(self, written: bool) -> Iterator[str]:
         """Yield a line for each change that was tried."""
         for line, why in self.outcomes.items():
+            line += ", which changes no motion" if line in self.idle else ""
             yield f"{line}: {f'is not written: {why}' if why else 'written' if written else 'can be written'}"
 
     def patch(self) -> Iterator[str]:
@@ -162,6 +170,10 @@ class Mending:
             old, new = (version.decode(errors="replace").splitlines(keepends=True) for version in versions)
             for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
                 yield line.rstrip("\r\n")
+
+
+def _alike(old: Run, new: Run) -> bool:
+    return np.array_equal(old.data.qpos, new.data.qpos)
 
 
 def _key(finding: Finding) -> tuple[str, str, str]:

@@ -62,11 +62,12 @@ def text_of(report: Report) -> Iterator[str]:
     if hold := report.hold:
         rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
         yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
-    if report.creep:
-        yield "predicted creep, which is no finding:"
-    for prediction in report.creep[:WORST]:
+    is_asked = any(vars(report.load).values())
+    if report.creep and is_asked:
+        yield "predicted creep:"
+    for prediction in report.creep[:WORST] if is_asked else ():
         yield f"  {creep_line(prediction, report.load)}"
-    if len(report.creep) > WORST:
+    if len(report.creep) > WORST and is_asked:
         yield f"  and {len(report.creep) - WORST} more: --json has them"
 
 
@@ -74,7 +75,7 @@ def sentence(group: Sequence[Finding]) -> str:
     """Return findings that say the same, as a sentence."""
     finding = group[0]
     unit = f" {finding.unit}" if finding.unit != "1" else ""
-    text = f"{finding.parameter} {finding.value:.4g}{unit} {finding.message}"
+    text = f"{finding.parameter} {finding.value:.4g}{unit} " * bool(finding.parameter) + finding.message
     if finding.used is not None:
         text += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"
     if not finding.shape:
@@ -99,8 +100,6 @@ def creep_line(prediction: Prediction, load: Load) -> str:
         least, most = prediction.load_mm_s
         between = rated(most) if rated(least) == rated(most) else f"{rated(least)} to {rated(most)}"
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
-    if load.press_n:
-        parts.append(f"pressed {prediction.depth_mm:.3g} mm deep by {load.press_n:g} N on a contact point")
     pairs = f"{_named(shapes)} on {_named(partners)}{f' ({count} pairs)' if count > 1 else ''}"
     return f"{pairs}: {'; '.join(parts)}"
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+import mujoco
 import numpy as np
 
 from newton_lint.combined import Contacts
@@ -11,10 +12,11 @@ from newton_lint.law import M, clamped, normal_damping, response_of, settled_dep
 from newton_lint.output import printable
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import NEW_GAP
-from newton_lint.target import TargetError, read_target
+from newton_lint.target import TargetError, newtons, read_target
 
 WIDTH = 22
+NEW_GAP = tuple(map(int, mujoco.__version__.split(".")[:2])) >= (3, 9)
+"""Whether this release presses from margin on, and not from margin − gap on."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -24,7 +26,9 @@ def main(arguments: Sequence[str]) -> int:
     add_work(parser)
     options = parser.parse_args(arguments)
     target = read_target(options.target)
-    scene = scene_of(target, engine_of(options, {}))
+    engine = engine_of(options, {})
+    of_newton = (target.name, "newton_lint.newton_models.rules", "Shapes.of", target.newton_model, engine)
+    scene = newtons(*of_newton) if target.newton_model is not None else scene_of(target, engine)
     geoms = [_geom(scene, target.name, name) for name in options.geoms]
     pairs = np.flatnonzero(np.isin(scene.contacts.first, geoms) & np.isin(scene.contacts.second, geoms))
     if not len(pairs):

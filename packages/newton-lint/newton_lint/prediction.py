@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+import mujoco
 import numpy as np
 
 from newton_lint.grouping import distinct_rows
-from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of, settled_depth_m
+from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
 from newton_lint.scene import Scene
 
 
@@ -18,7 +19,6 @@ class Load:
     acceleration_m_s2: float = 0.0
     """Along the contact, and left out by its rows."""
     load_n: float = 0.0
-    press_n: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -37,8 +37,6 @@ class Prediction:
     """Slide under the load, the less first: of a contact as deep as solimp's width and one that hardly touches."""
     acceleration_mm_s: float
     is_free: bool = False
-    depth_mm: float = 0.0
-    """How deep the normal force presses a contact point."""
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
@@ -58,7 +56,11 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
         pair = int(rows[index])
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(contacts.contact(pair), scene.option, load, between, is_free):
-            creeps.append(prediction)
+            least, most = prediction.load_mm_s
+            if (named := contacts.named[pair]) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
+                mu1, mu2 = scene.model.pair_friction[named, :2]
+                most *= max(1.0, float(mu1 / max(mu2, mujoco.mjMINMU)) ** 2)
+            creeps.append(replace(prediction, load_mm_s=(least, most)))
     return sorted(creeps, key=_order)
 
 
@@ -91,7 +93,6 @@ def predicted(
         load_mm_s=(loads[0], loads[1]),
         acceleration_mm_s=M * deep.acceleration_s * load.acceleration_m_s2,
         is_free=is_free,
-        depth_mm=M * settled_depth_m(contact, option, load.press_n) if load.press_n else 0.0,
     )
 
 

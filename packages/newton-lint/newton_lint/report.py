@@ -4,18 +4,25 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+import mujoco
+import numpy as np
+
 from newton_lint.findings import SEVERITIES, Change, Finding
 from newton_lint.grip import SLIP_MM_S, gripped
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
-from newton_lint.settle import Hold, Work, settled_hold
+from newton_lint.settle import Hold, Work, settled_hold, weigh
 from newton_lint.source import Element, Source
 from newton_lint.step_rules import stepped
 from newton_lint.stepped import Run, runs_of
 from newton_lint.target import READER, Target, TargetError, newtons
 
+OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
+"""Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
+HUGE, NUMBERS = 1e100, ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
+"""Numbers whose squares are infinite, and what is looked at for them."""
 NEWTONS = "newton_lint.newton_models.report"
 
 
@@ -56,7 +63,14 @@ class Report:
 
 
 def report_of(target: Target, request: Request) -> Report:
-    """Lint a target; a TargetError where there is no body to be held, or Newton is needed and missing."""
+    """Lint a target; a TargetError where there is no body to be held, MuJoCo stops, or Newton is needed and missing."""
+    try:
+        return _report_of(target, request)
+    except mujoco.FatalError as error:
+        raise TargetError(f"{target.name}: MuJoCo stops at it: {' '.join(str(error).split())}") from error
+
+
+def _report_of(target: Target, request: Request) -> Report:
     if target.newton_model is not None:
         return newtons(target.name, NEWTONS, "report_of", target, request)
     scene = scene_of(target, request.engine)
@@ -66,7 +80,10 @@ def report_of(target: Target, request: Request) -> Report:
     hold = settled_hold(scene, target, work) if work else None
     findings += hold.findings(scene, request.below_mm_s or SLIP_MM_S) if hold else []
     runs = runs_of(scene.model, target) if request.step else []
-    findings += _run_findings(scene, target, runs, findings) if request.step else []
+    for run in runs:
+        weigh(scene, run.data)
+    findings += stepped(scene, target, runs) if request.step else []
+    findings = _noted(scene, runs, findings)
     findings += [] if refused else gripped(scene, runs, work.body if work else "")
     findings += [_untouched(work)] if work and not hold else []
     findings += _newton_findings(target, request, findings) if request.engine.name == "newton" and target.path else []
@@ -83,11 +100,18 @@ def report_of(target: Target, request: Request) -> Report:
     )
 
 
-def _run_findings(scene: Scene, target: Target, runs: Sequence[Run], findings: Sequence[Finding]) -> list[Finding]:
-    """Return what runs show, without a depth that the law has predicted of the same shapes."""
-    predicted = [{finding.shape, *finding.against} for finding in findings if finding.rule == "depth"]
-    results = stepped(scene, target, runs)
-    return [item for item in results if item.rule != "depth" or not any(item.shape in shapes for shapes in predicted)]
+def _noted(scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]) -> list[Finding]:
+    """Return findings, those of parameters of what touches nothing as notes: it may be no part of what is done."""
+    touched = {scene.names[geom] for run in runs for pair in run.first for geom in pair}
+    touched |= {scene.names[geom] for run in runs for geom in run.data.contact.geom.ravel().tolist() if geom >= 0}
+
+    def touches(finding: Finding) -> bool:
+        return finding.shape in touched and not (finding.against and touched.isdisjoint(finding.against))
+
+    may_touch = not runs or any(run.bad for run in runs)
+    is_idle = [item.rule in OF_CONTACTS and not (may_touch or touches(item)) for item in findings]
+    pairs = zip(findings, is_idle, strict=True)
+    return [replace(item, severity="note") if idle and item.severity == "warning" else item for item, idle in pairs]
 
 
 def _untouched(work: Work) -> Finding:
@@ -100,7 +124,16 @@ def _newton_findings(target: Target, request: Request, findings: Sequence[Findin
     rules = {finding.rule for finding in findings}
     imported = replace(target, newton_model=newtons(target.name, READER, "imported", target.path))
     report = newtons(target.name, NEWTONS, "report_of", imported, request)
-    return [finding for finding in report.findings if finding.rule not in rules]
+    changes = []
+    assert target.model is not None  # what Newton alone reads is no target of this
+    gravity, taken = float(target.model.opt.gravity[2]), float(np.ravel(imported.newton_model.gravity.numpy())[2])
+    if not np.isclose(gravity, taken, rtol=1e-3):
+        message = f"m/s² is what the scene says, and Newton's importer takes {taken:.4g}"
+        changes.append(Finding("importer", "", "gravity", gravity, message, used=taken))
+    if target.model.npair:
+        message = "are not read by Newton's own contacts (newton#3644)"
+        changes.append(Finding("importer", "", "pairs", float(target.model.npair), message))
+    return [*changes, *(finding for finding in report.findings if finding.rule not in rules)]
 
 
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:
@@ -109,6 +142,12 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
         raise TargetError(f"{target.name}: is no model of MuJoCo's")
     if target.model.opt.timestep > 10.0:  # mj_step takes any, and the number of steps would round to none
         raise TargetError(f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate")
+    numbers = {name: getattr(target.model, name) for name in dir(target.model) if name.startswith(NUMBERS)}
+    numbers = {name: values for name, values in numbers.items() if values.dtype == np.float64}
+    numbers |= {name: np.atleast_1d(getattr(target.model.opt, name)) for name in ("impratio", "gravity", "timestep")}
+    for name, values in numbers.items():
+        if np.abs(values[np.isfinite(values)]).max(initial=0.0) > HUGE or not np.isfinite(values).all():
+            raise TargetError(f"{target.name}: {name} has numbers of {HUGE:g} and more, whose squares are infinite")
     return Scene(engine.configured(target.model), Source.of(target.path, target.model, target.texts), engine)
 
 

@@ -10,30 +10,26 @@ from newton_lint import advice
 from newton_lint.advice import FAR
 from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, Wording, findings_of
-from newton_lint.law import DEFAULT_SOLREF, M
+from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import engine, gap, lost, override, pyramid, unread
+from newton_lint.scene_rules import closed, engine, fixed, lost, override, pyramid, unread, visual
 from newton_lint.source import Element
 
 SAME = 1e-5
 """Relative difference up to which two parameters are the same."""
 STIFF = 1.9
 """b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
-DEEP_M = 1e-3
-"""Depth from which what lies is said to sink in."""
 Values = tuple[np.ndarray, np.ndarray | float]
 Advise = Callable[[int], Advice | None]
 DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
-SLIDING, SPINNING, ROLLING = 3, 4, 6
-"""Least condim with which a contact resists to each."""
 
 
 def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
-    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction, depth, unused)
+    rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction)
     names = scene.names
     findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
-    scene_rules = (lost, pyramid, gap, unread, override, engine)
+    scene_rules = (lost, fixed, visual, closed, pyramid, unread, override, engine)
     return findings + [finding for rule in scene_rules for finding in rule(scene)]
 
 
@@ -52,20 +48,12 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
-    """Yield entries of solimp beyond 0 and 1, or in the wrong order."""
-    counted = np.flatnonzero(scene.counts)
-    dmin, dmax, width, midpoint, power = scene.model.geom_solimp[counted].T
-    faults = {  # with what getsolparam makes of each; the order alone it takes as it is
-        "solimp[0]": ((dmin < 0.0) | (dmin > 1.0), dmin, np.clip(dmin, 0.0001, 0.9999), "is no share of 0 to 1"),
-        "solimp[1]": ((dmax < 0.0) | (dmax > 1.0), dmax, np.clip(dmax, 0.0001, 0.9999), "is no share of 0 to 1"),
-        "solimp[2]": (width < 0.0, width, np.maximum(width, 0.0), "is no width"),
-        "solimp[3]": ((midpoint < 0.0) | (midpoint > 1.0), midpoint, np.clip(midpoint, 0.0, 1.0), "is no share"),
-        "solimp[4]": (power < 1.0, power, np.maximum(power, 1.0), "is below 1, the least power"),
-        "solimp": (dmin > dmax, dmin, dmax, "is larger than dmax: the deeper, the softer, and creep grows with load"),
-    }
-    for name, (wrong, values, used, message) in faults.items():
-        wording, hits = Wording("solimp", name, message), (values[wrong], used[wrong])
-        yield _geom_hits(scene, wording, counted[wrong], hits, "solimp", partial(advice.in_order, scene))
+    """Yield a dmin above dmax, as getsolparam takes both."""
+    dmin, dmax = np.clip(scene.model.geom_solimp[:, :2], mujoco.mjMINIMP, mujoco.mjMAXIMP).T
+    geoms = np.flatnonzero(scene.counts & (dmin > dmax))
+    wording = Wording("solimp", "solimp", "is larger than dmax: the deeper, the softer, and creep grows with load")
+    values = dmin[geoms], dmax[geoms]
+    yield _geom_hits(scene, wording, geoms, values, "solimp", partial(advice.in_order, scene))
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
@@ -78,13 +66,15 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         limit = option.timestep_s / ratio if option.discrete else np.full(len(authored), 2.0 * option.timestep_s)
         below = np.flatnonzero((authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME)))
     least = "one step over the dampratio" if option.discrete else "two steps"
-    wording = Wording("timeconst", "timeconst", f"is below {least}, which the engine clamps it to", unit="s")
+    message, is_default = f"is below {least}, which the engine clamps it to", authored[below] == DEFAULT_SOLREF[0]
 
     def advise(pair: int) -> Advice:
         longer = advice.longer_solref(scene, pair, float(limit[pair]))
         return advice.either(longer, advice.shorter_step(scene, float(authored[pair])))
 
-    yield _pair_hits(scene, wording, below, (authored[below], limit[below]), advise)
+    for severity, pairs in (("warning", below[~is_default]), ("note", below[is_default])):  # which nobody wrote
+        wording = Wording("timeconst", "timeconst", message, "s", severity)
+        yield _pair_hits(scene, wording, pairs, (authored[pairs], limit[pairs]), advise)
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:
@@ -93,27 +83,35 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     dmax = np.clip(contacts.solimp[:, 1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
     first, second = contacts.solref.T
     gain = -second / dmax * step - 0.5 * first / dmax**2 * step**2
+    taken = (first <= 0.0) & (second <= 0.0)
+    if not scene.option.refsafe:
+        is_short = (first > 0.0) & (second > 0.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            own = 2.0 * step / (dmax * first) + 0.5 * (step / (dmax * first * second)) ** 2
+        taken, gain = taken | is_short, np.where(is_short, own, gain)
     # The integrator discrete takes both terms implicitly, and bears any.
-    stiff = np.flatnonzero((first <= 0.0) & (second <= 0.0) & (gain >= STIFF) & (not scene.option.discrete))
-    message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe leaves it alone"
-    wording = Wording("stiff", "solref[1]", message, severity="error")
-    softer = partial(advice.softer_solref, scene)
-    yield _pair_hits(scene, wording, stiff, (second[stiff], np.nan), lambda pair: softer(pair, float(dmax[pair])))
+    stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
+    why = "leaves it alone" if scene.option.refsafe else "is off"
+    message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe {why}"
+    wording = Wording("stiff", "solref", message, severity="error")
+
+    def softer(pair: int) -> Advice:
+        if first[pair] > 0.0:
+            return advice.longer_solref(scene, pair, 2.0 * step, "as stiff as the time step bears")
+        return advice.softer_solref(scene, pair, float(dmax[pair]))
+
+    yield _pair_hits(scene, wording, stiff, (np.where(first > 0.0, first, second)[stiff], np.nan), softer)
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
-    """Yield a contact that yields as the square of its damping ratio, or, as may be meant, one that bounces."""
+    """Yield a contact that yields as the square of its damping ratio."""
     first, second = scene.contacts.solref.T
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
     sound = (first > 0.0) == (second > 0.0)  # a mixed one is replaced, which solref-format says
-    message = "is far above 1: the contact yields by its square"
-    for is_far, severity, text in (
-        (sound & (ratio > FAR) & np.isfinite(ratio), "warning", message),
-        (sound & (ratio < 1.0 / FAR), "note", "is far below 1: the contact bounces"),
-    ):
-        wording, far = Wording("dampratio", "dampratio", text, severity=severity), np.flatnonzero(is_far)
-        yield _pair_hits(scene, wording, far, (ratio[far], 1.0), partial(advice.whole_solref, scene))
+    far = np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio))
+    wording = Wording("dampratio", "dampratio", "is far above 1: the contact yields by its square")
+    yield _pair_hits(scene, wording, far, (ratio[far], 1.0), partial(advice.whole_solref, scene))
 
 
 def one_sided(scene: Scene) -> Iterator[Hits]:
@@ -133,6 +131,17 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     wording, values = Wording("one-sided", "solref", message, unit="s"), (authored[shape], stiffest[shape])
     advise = partial(advice.of_higher_priority, scene)
     yield _geom_hits(scene, wording, shape, values, "solref", lambda geom: advise(geom, stiffest[geom]))
+    softest = np.zeros(len(authored))
+    for geoms in (contacts.first, contacts.second):
+        np.maximum.at(softest, geoms[plain], contacts.solref[plain, 0])
+        softest[geoms[contacts.outranked]] = np.inf
+    shape = np.flatnonzero((authored >= FAR * DEFAULT_SOLREF[0]) & (softest > 0.0) & (1.5 * softest < authored))
+    message = "is soft on this side only: the other geom's stiff solref is mixed in, in every pair"
+    wording, values = Wording("one-sided", "solref", message, "s", "note"), (authored[shape], softest[shape])
+    rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
+    gain = "its solref, solimp, friction and condim alone count; or the same solref and solimp on the other geom"
+    advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
+    yield _geom_hits(scene, wording, shape, values, "solref", advise)
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
@@ -150,57 +159,6 @@ def friction(scene: Scene) -> Iterator[Hits]:
     wording, values = Wording("friction", "friction", message), (authored[low], least[low])
     advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
     yield _geom_hits(scene, wording, low, values, "friction", advise)
-
-
-def depth(scene: Scene) -> Iterator[Hits]:
-    """Yield bodies that their own weight presses far into what they lie on: by (1 - dmax) g (timeconst dampratio)²."""
-    contacts, model, option = scene.contacts, scene.model, scene.option
-    shape = np.where(scene.free[model.geom_bodyid[contacts.first]], contacts.first, contacts.second)
-    partner, body = contacts.first + contacts.second - shape, model.body_weldid[model.geom_bodyid[shape]]
-    first, second = contacts.solref.T
-    lies = scene.free[body] & ~scene.free[model.geom_bodyid[partner]] & (first * second > 0.0)
-    lies &= np.isclose(model.body_subtreemass[body], model.body_mass[body])  # links that it carries press too
-    is_clamped = option.refsafe and not option.discrete
-    timeconst = np.maximum(first, 2.0 * option.timestep_s) if is_clamped else first
-    with np.errstate(divide="ignore"):
-        inverse_k = np.where(first > 0.0, (timeconst * second) ** 2, -1.0 / first)
-    soft = (1.0 - np.clip(contacts.solimp[:, 1], 0.0, 1.0)) * inverse_k
-    mu, rows = contacts.friction[:, 0], np.maximum(contacts.condim - 1, 1)
-    is_pyramid = (option.cone == "pyramidal") & (contacts.condim > 1)
-    # mj_makeImpedance: all edges have one R, 2 μ²/impratio times the first's, which matches the cone's friction.
-    steep = np.where(is_pyramid, (1.0 + mu**2) * mu**2 / option.impratio / rows, 1.0)
-    deep_m = float(np.linalg.norm(model.opt.gravity)) * soft * steep / scene.point_counts[shape]
-    deep = np.flatnonzero(lies & (deep_m > DEEP_M))
-
-    def shallower(pair: int) -> Advice:
-        share = DEEP_M / deep_m[pair]
-        less = max(timeconst[pair] * share**0.5, 2.0 * option.timestep_s)
-        direct = f"{first[pair] / share:.4g} {second[pair] / share**0.5:.3g}" if first[pair] < 0.0 else ""
-        gain = f"{M * deep_m[pair]:.3g} → {M * DEEP_M:.3g} mm: depth goes by the square of the timeconst"
-        return advice.for_contact(scene, pair, lambda solref: direct or f"{less:.3g} {solref[1]:g}", gain)
-
-    message = "is how deep its weight presses it in, whatever its mass: stiffness grows with mass; "
-    wording = Wording("depth", "depth", f"{message}solref and solimp decide", "mm", "note")
-    element = _solref_elements(scene, deep, partner[deep])
-    yield Hits(wording, shape[deep], M * deep_m[deep], np.nan, partner[deep], deep, element, shallower)
-
-
-def unused(scene: Scene) -> Iterator[Hits]:
-    """Yield friction of a kind for which a geom's contacts have no rows."""
-    contacts, model = scene.contacts, scene.model
-    largest = np.zeros(model.ngeom, dtype=int)
-    plain = contacts.named < 0
-    np.maximum.at(largest, contacts.first[plain], contacts.condim[plain])
-    equal = plain & ~contacts.outranked
-    np.maximum.at(largest, contacts.second[equal], contacts.condim[equal])
-    for column, least, kind in ((0, SLIDING, "sliding"), (1, SPINNING, "spinning"), (2, ROLLING, "rolling")):
-        values = model.geom_friction[:, column]
-        authored = ~np.isclose(values, DEFAULT_FRICTION[column], rtol=SAME) & (values != 0.0)
-        geoms = np.flatnonzero((largest > 0) & (largest < least) & authored)
-        message = f"against {kind} has no rows in its contacts: their condim is below {least}"
-        wording = Wording("unused", f"friction[{column}]", message, severity="note")
-        advise = partial(advice.for_geom, scene, attributes={"condim": str(least)}, gain=f"its contacts resist {kind}")
-        yield _geom_hits(scene, wording, geoms, (values[geoms], np.nan), "friction", advise)
 
 
 def _geom_hits(

@@ -1,5 +1,6 @@
 """Rules of a whole scene: what its options, flags, pairs and bits make of contacts."""
 
+import contextlib
 from collections.abc import Iterator
 
 import mujoco
@@ -14,35 +15,99 @@ from newton_lint.warp_engine import refusal
 
 STEEP = 3.0
 """Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
-NEW_GAP = tuple(map(int, mujoco.__version__.split(".")[:2])) >= (3, 9)
-"""Whether this release presses from margin on, and not from margin − gap on."""
+NEAR_M = 1e-3
+"""What is farther from all else hangs in the air."""
+HEAVIER, TWICE, HOLLOW = 1.7, 0.1, 2.0
+"""Times as heavy as without geoms that are only seen, how near to 2 is twice; times as large as its mesh a hull is."""
+MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 def lost(scene: Scene) -> Iterator[Finding]:
     """Yield bodies that move freely, and that gravity takes through all that there is to stop them."""
     model, contacts = scene.model, scene.contacts
-    weld = model.body_weldid[model.geom_bodyid]  # what is fixed together falls together
-    collides = np.isin(np.arange(model.ngeom), read(model))
-    met, loose = np.zeros(model.nbody, dtype=bool), np.zeros(model.nbody, dtype=bool)
-    met[weld[contacts.first]] = met[weld[contacts.second]] = True
-    loose[weld[collides & scene.free[model.geom_bodyid]]] = True
+    tree = model.body_rootid[model.geom_bodyid]
+    collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)  # of all masks that are off
+    is_free = scene.free[tree]
+    met = {*tree[contacts.first].tolist(), *tree[contacts.second].tolist()}
     falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & WEIGHTLESS
-    stops = bool((collides & ~scene.free[model.geom_bodyid]).any())
+    others = np.flatnonzero(~is_free)
     off = bool(model.opt.disableflags & OFF)  # without constraints mj_collision finds none either
     why = 'contacts are disabled by <flag contact="disable"/>' if off else "no geom's bits meet those of its geoms"
-    for body in np.flatnonzero(loose & ~met).tolist() if falls and stops else ():
-        geom = int(np.flatnonzero(collides & (weld == body))[0])
+    for body in sorted({*tree[is_free & collides].tolist()} - met) if falls and len(others) else ():
+        bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
+        geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
         value = float(model.geom_contype[geom])
         message = f"meets no geom of another body, and falls through all of them: {why}"
-        bits = int(np.bitwise_or.reduce(model.geom_contype[weld != body], initial=0)) or 1
-        advice = None if off else for_geom(scene, geom, {"contype": f"{bits}", "conaffinity": f"{bits}"}, "it is met")
+        attributes = {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
+        advice = None if off else for_geom(scene, geom, attributes, "it is met")
         element = scene.source.authored(geom, "contype") or scene.source.geom(geom)
-        yield Finding("lost", scene.bodies[body], "contype", value, message, element=element, advice=advice)
+        name, severity = scene.bodies[body], "note" if off else "warning"  # which somebody wrote
+        yield Finding("lost", name, "contype", value, message, severity=severity, element=element, advice=advice)
+
+
+def fixed(scene: Scene) -> Iterator[Finding]:
+    """Yield bodies that say their mass, have no joint and touch nothing: they hang in the air."""
+    model, data, tree = scene.model, mujoco.MjData(scene.model), scene.model.body_rootid[scene.model.geom_bodyid]
+    mujoco.mj_kinematics(model, data)
+    static = np.flatnonzero(~np.isin(tree, model.body_rootid[model.jnt_bodyid])).tolist()
+    for body in np.flatnonzero((model.body_parentid == 0) & (model.body_mocapid < 0))[1:].tolist():
+        geoms = [geom for geom in static if tree[geom] == body and model.geom_contype[geom]]
+        elements = [element for geom in geoms if (element := scene.source.geom(geom)) and "mass" in element.attributes]
+        pairs = ((geom, other) for other in range(model.ngeom) for geom in geoms if tree[other] != body)
+        near = (mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M for pair in pairs)
+        if elements and not any(near):
+            name, mass, element = scene.bodies[body], float(model.body_subtreemass[body]), elements[0]
+            message = "has no joint: it is fixed to the world, where it hangs in the air"
+            advice = Advice((), "a <freejoint/> in it lets it fall")
+            yield Finding("fixed", name, "mass", mass, message, (), None, "kg", "note", element, advice)
+
+
+def visual(scene: Scene) -> Iterator[Finding]:
+    """Yield bodies to whose mass geoms add that touch nothing, as those that are only seen do."""
+    model, root = scene.model, scene.source.root
+    if root is None or root.tag != "mujoco" or model.npair:
+        return
+    with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
+        spec, count = mujoco.MjSpec.from_file(str(root.file)), 0
+        for body in () if spec.compiler.inertiagrouprange[0] else spec.bodies[1:]:
+            seen = [geom for geom in body.geoms if not geom.contype and not geom.conaffinity]
+            if 0 < len(seen) < len(body.geoms) and not body.explicitinertial:
+                for geom in seen:
+                    geom.mass, count = 0.0, count + 1
+        light = spec.compile() if count else model
+        times = model.body_mass / np.maximum(light.body_mass, mujoco.mjMINVAL) * (model.body_weldid > 0)
+        heavier = times > HEAVIER
+        is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()  # else it may be meant
+        for body in np.flatnonzero(heavier).tolist():
+            mass, used = float(model.body_mass[body]), float(light.body_mass[body])
+            message = f"is {times[body]:.2g} times that without geoms that touch nothing and are only seen"
+            advice = Advice((), f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg')
+            severity, name = "warning" if is_twice else "note", scene.bodies[body]
+            yield Finding("visual", name, "mass", mass, message, (), None, "kg", severity, advice=advice)
+
+
+def closed(scene: Scene) -> Iterator[Finding]:
+    """Yield meshes that collide as their convex hull, which closes what is hollow."""
+    model, touch = scene.model, (scene.model.geom_contype | scene.model.geom_conaffinity) != 0
+    for geom in np.flatnonzero(touch & (model.geom_type == MESH)).tolist():
+        mesh = int(model.geom_dataid[geom])
+        if (start := int(model.mesh_graphadr[mesh])) < 0:  # it has no hull
+            continue
+        vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]].astype(float)
+        corners = vertices[model.mesh_face[model.mesh_faceadr[mesh] :][: model.mesh_facenum[mesh]]]
+        count, faces = model.mesh_graph[start : start + 2].tolist()
+        hull = vertices[model.mesh_graph[start + 2 + 3 * count + 3 * faces :][: 3 * faces].reshape(-1, 3)]
+        full, hollow = (abs(float(np.linalg.det(triangles).sum())) for triangles in (hull, corners))
+        if full > HOLLOW * hollow > 0.0:
+            message = "times its volume is its convex hull, which is what collides: nothing gets into what is hollow"
+            advice = Advice((), "several convex geoms in its place, as CoACD or obj2mjcf make")
+            element, value = scene.source.geom(geom), full / hollow
+            yield Finding("closed", scene.names[geom], "hull", value, message, (), None, "1", "note", element, advice)
 
 
 def pyramid(scene: Scene) -> Iterator[Finding]:
-    """Yield what a pyramidal cone makes of a high impratio, and of friction above 1."""
+    """Yield what a pyramidal cone makes of a high impratio, and of high friction."""
     option, contacts = scene.option, scene.contacts
     rows = contacts.condim > 1
     if option.cone != "pyramidal" or not rows.any():
@@ -52,25 +117,10 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
     if option.impratio > 1.0:
         message = "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart"
         yield _scene_finding(scene, "pyramid", "impratio", option.impratio, message, advice)
-    if steepest > 1.0:
+    if steepest > STEEP:
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)  # its R by mj_makeImpedance, of condim 3, over an ellipse's
         message = f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more"
-        severity = "warning" if steepest > STEEP else "note"
-        yield _scene_finding(scene, "pyramid", "friction", steepest, message, advice, severity)
-
-
-def gap(scene: Scene) -> Iterator[Finding]:
-    """Yield geoms with a margin and a gap, of which MuJoCo 3.9 changed the meaning."""
-    model = scene.model
-    for geom in np.flatnonzero(scene.counts & (model.geom_gap > 0.0) & (model.geom_margin >= model.geom_gap))[:1]:
-        margin, wide = float(model.geom_margin[geom]), float(model.geom_gap[geom])
-        old = f"presses from margin − gap, {margin - wide:.3g} m, on and lists contacts from margin on"
-        new = f"presses from margin, {margin:.3g} m, on and lists contacts from margin + gap on"
-        now, then = (new, f"before 3.9 it {old}") if NEW_GAP else (old, f"from 3.9 on it {new}")
-        gain = f'for what it was before 3.9 write margin="{margin - wide:.6g}"' if NEW_GAP else "see MuJoCo's changelog"
-        message = f"beside a margin of {margin:.3g} m: this release {now}; {then}"
-        element, shape = scene.source.authored(int(geom), "gap"), scene.names[geom]
-        yield Finding("gap", shape, "gap", wide, message, (), None, "m", "note", element, Advice((), gain))
+        yield _scene_finding(scene, "pyramid", "friction", steepest, message, advice)
 
 
 def unread(scene: Scene) -> Iterator[Finding]:
@@ -102,15 +152,15 @@ def engine(scene: Scene) -> Iterator[Finding]:
     if scene.engine.name != "warp":
         return
     if refused := refusal(scene.model):
-        message = f"of MuJoCo Warp refuses it: {refused}"
-        yield _scene_finding(scene, "engine", "put_model", 1.0, message, severity="error")
+        message = f"MuJoCo Warp refuses this model: {refused}"
+        yield _scene_finding(scene, "engine", "", 1.0, message, severity="error")
     elif refused is None:
-        message = "of MuJoCo Warp is not installed, and cannot be asked: pip install mujoco-warp"
-        yield _scene_finding(scene, "engine", "put_model", 0.0, message)
+        message = "MuJoCo Warp is not installed, and cannot be asked: pip install mujoco-warp"
+        yield _scene_finding(scene, "engine", "", 0.0, message)
 
 
 def _scene_finding(
     scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"
 ) -> Finding:
-    element = scene.source.option(parameter)
+    element = scene.source.option(parameter) if parameter else None
     return Finding(rule, "", parameter, value, message, severity=severity, element=element, advice=advice)

@@ -29,6 +29,8 @@ STIFFER = 1e4
 RUNAWAY, LEAST_M_S = 3.0, 0.05
 """What moves faster than so many times the creep, and than this [m/s], is not held."""
 Points = Sequence[tuple[Response, float]]
+EXACT = int(getattr(mujoco.mjtEnableBit, "mjENBL_DIAGEXACT", 0))
+"""The flag, which old releases have not."""
 FORCES = ("normal_n", "tangential_n")
 """Readings that are 0 where a point is not there."""
 
@@ -194,19 +196,35 @@ def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> Read
     shares = np.abs(force[1:3]) / contact.friction[:2]
     is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
     used = float(shares.sum() if is_pyramid else np.hypot(*shares)) / force[0]
-    stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
-    weight = data.efc_R[contact.efc_address] * d / (1.0 - d)  # mj_makeImpedance: R = (1 - d) / d · weight
-    if scene.option.discrete:
-        h = model.opt.timestep
-        weight *= 1.0 + damping * h + stiffness * d * h * h
-    if is_pyramid and contact.dim > 1:
-        mu = contact.friction[0]
-        weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))  # so much of R and of the weight has an edge
+    weight = _weight(scene, data, index)
     along1, along2 = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
     softer = along1 + along2 * (contact.friction[0] / contact.friction[1]) ** 2 if along1 + along2 else 1.0
     tangential = sign * (force[1:3] @ frame[1:])
     return Reading(force[0], tangential, frame[0].copy(), contact.pos.copy(), used, weight, softer)
+
+
+def _weight(scene: Scene, data: mujoco.MjData, index: int) -> float:
+    """Return the diagonal of A that the engine gives a contact that has rows."""
+    model, contact = scene.model, data.contact[index]
+    stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
+    weight = data.efc_R[contact.efc_address] * d / (1.0 - d)  # mj_makeImpedance: R = (1 - d) / d · weight
+    if scene.option.discrete:
+        h = model.opt.timestep
+        weight *= 1.0 + damping * h + stiffness * d * h * h
+    if model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL) and contact.dim > 1:
+        mu = contact.friction[0]
+        weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))  # so much of R and of the weight has an edge
+    return float(weight)
+
+
+def weigh(scene: Scene, data: mujoco.MjData) -> None:
+    """Give pairs that touch the weights of the engine, where it takes the diagonal itself and no approximation."""
+    pairs = pair_indices(scene) if scene.model.opt.enableflags & EXACT else {}
+    for index in range(data.ncon if pairs else 0):
+        pair = pairs.get(tuple(sorted(data.contact[index].geom.tolist())))
+        if pair is not None and data.contact[index].efc_address >= 0:
+            scene.contacts.weight[pair] = _weight(scene, data, index)
 
 
 def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: mujoco.MjData) -> Hold:

@@ -1,6 +1,6 @@
 """Rules on what a scene does when it is stepped; each change that they name has been measured."""
 
-import contextlib
+import copy
 import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -9,13 +9,11 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
-from newton_lint.advice import for_option
+from newton_lint.advice import either, for_option
 from newton_lint.findings import Advice, Change, Finding
-from newton_lint.law import EULER, IMPLICITFAST, M, clamped, normal_damping, stiffness
-from newton_lint.pairs import HFIELD, PLANE
-from newton_lint.rules import DEEP_M
+from newton_lint.law import EULER, IMPLICITFAST, M
+from newton_lint.rest import at_rest, is_servo, rest_of
 from newton_lint.scene import Scene, changed
-from newton_lint.scene_rules import WEIGHTLESS
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of, starts
 from newton_lint.target import Target
 
@@ -25,8 +23,6 @@ CALMER = 0.5
 """Share of it that is left where a change mends it."""
 OVERLAP_M, OVERLAP_SHARE = 1e-3, 0.05
 """Overlap at the start from which it is looked at, also as a share of the smaller geom."""
-SUNK = 0.2
-"""Share of half its thickness by which what lies is sunk."""
 FORCE = 100.0
 """Times the weight of all that moves from which a force between links of one robot is out of proportion."""
 LIMITED = 0.5
@@ -35,15 +31,13 @@ DIFFERS_M = 1e-3
 """What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
 SAG, HELD, AGREES = 5e-3, 0.99, 0.7
 """Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
-MOST_FLYING, MOST_MET, LATEST_S, STOPS_S = 20, 20, 2.0, 0.1
-"""Bodies whose flight is followed, geoms ahead of one, how late it may hit, and time in which what it hits stops it."""
-MANY, FEW = 1000, 64
-"""Vertices of a convex hull that are many, and as many as do."""
-HINGE, MESH = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtGeom.mjGEOM_MESH)
-DRY_FRICTION, EQUALITY = map(int, (mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF, mujoco.mjtConstraint.mjCNSTR_EQUALITY))
-WELDS = int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD)
-Way = tuple[dict[str, float], dict[str, str]]
-"""Options of the model, and how they are written."""
+HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
+Way = tuple[mujoco.MjModel, dict[str, str], str]
+"""A changed model, what of the change are options, and the rest of it in words."""
+ITERATED, GIVES = ("solver", "thrown", "unstable"), ("depth", "equality", "limit", "servo")
+HELD_S = 2.0
+"""Time for which a change has to hold, from each start, before it is said to mend what blows up."""
 
 
 def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
@@ -52,11 +46,19 @@ def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
     if not runs:
         message = f"move, and more than {MOST_DOFS} are not stepped"
         return [Finding("unstepped", "", "nv", float(scene.model.nv), message, severity="note")]
-    rules = (_unstable, _tunnels, _overlapping, _sunk, _sagging, _open)
-    for (index, run), rule in itertools.product(enumerate(runs), rules):
-        for finding in rule(scene, target, run, index):
-            findings.setdefault((finding.rule, finding.shape, finding.against), finding)
-    return [*findings.values(), *_hulls(scene, target, runs[0])]
+    for index, run in enumerate(runs):
+        rest = None if run.bad else rest_of(scene.model, run.data, run.start)
+        early = (rule(scene, target, run, index) for rule in (_unstable, _overlapping, _sagging))
+        late = at_rest(scene, target, run, rest, index) if rest else ()
+        for finding in itertools.chain(*early, late):
+            key = finding.rule, finding.shape, finding.against
+            if key not in findings or finding.value > findings[key].value:
+                findings[key] = finding
+    # What the solver leaves overlapping is no fault of the places, nor what an overlap jams one of what gives.
+    unsolved = any("iterations=" in str(item.advice) for item in findings.values() if item.rule in ITERATED)
+    jammed = any(item.rule == "overlap" and item.severity == "warning" for item in findings.values())
+    effects = ("overlap",) * unsolved + GIVES * jammed
+    return [replace(item, severity="note") if item.rule in effects else item for item in findings.values()]
 
 
 def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> Run:
@@ -64,39 +66,103 @@ def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> 
     return run_of(model, data, name, time_s)
 
 
+def _ways(scene: Scene, data: mujoco.MjData, limited: bool) -> Iterator[Way]:
+    """Yield changes that may calm a scene: options, then what servos bear whose force turns too fast for the step."""
+    model, half = scene.model, 0.5 * scene.model.opt.timestep
+    if limited:
+        more = max(3, 10 * model.opt.iterations)
+        yield changed(model, iterations=more), {"iterations": str(more)}, ""
+    # Euler integrates what depends on velocity explicitly, but for the damping of joints.
+    implicit = {"integrator": "implicitfast"} if model.opt.integrator == EULER else {}
+    if implicit:
+        yield changed(model, integrator=IMPLICITFAST), implicit, ""
+    stiff = _stiff(model, data)
+    for what in ("kv", "kp", "armature") if stiff else ():
+        after = changed(model, integrator=IMPLICITFAST) if implicit and what == "kv" else copy.copy(model)
+        yield after, implicit if what == "kv" else {}, _calmed(after, stiff, what)
+    yield changed(model, timestep=half), {"timestep": f"{half:g}"}, ""
+    yield changed(model, timestep=0.5 * half), {}, f"a quarter of the time step, {0.5 * half:g},"
+
+
+def _stiff(model: mujoco.MjModel, data: mujoco.MjData) -> list[tuple[int, int, float, float]]:
+    """Return servos with kp h²/m beyond 1, with their dof, that number, and the mass m [kg or kg m²] of the dof.
+
+    Implicit integrators bear 4 + 2 kv h/m, with any kp from kv = kp h/2 on; Euler 4 - 2 kv h/m.
+    """
+    mujoco.mj_forward(model, data)
+    stiff, unit, moved = [], np.zeros((1, model.nv)), np.zeros((1, model.nv))
+    for servo in np.flatnonzero(is_servo(model)).tolist():
+        dof = int(model.jnt_dofadr[model.actuator_trnid[servo, 0]])
+        unit[:] = 0.0
+        unit[0, dof] = 1.0
+        mujoco.mj_solveM(model, data, moved, unit)
+        mass = 1.0 / max(float(moved[0, dof]), mujoco.mjMINVAL)
+        pull = model.actuator_gainprm[servo, 0] * model.actuator_gear[servo, 0] ** 2
+        if (ratio := float(pull * model.opt.timestep**2 / mass)) > 1.0:
+            stiff.append((servo, dof, ratio, mass))
+    return stiff
+
+
+def _calmed(model: mujoco.MjModel, stiff: Sequence[tuple[int, int, float, float]], what: str) -> str:
+    """Change what is too stiff, and say how: damping with which implicitfast bears it, or kp or inertia that any do."""
+    texts, more = [], ""
+    for servo, dof, ratio, mass in stiff:
+        if what == "kv":
+            value = model.actuator_gainprm[servo, 0] * model.opt.timestep
+            model.actuator_biasprm[servo, 2] = -value
+        elif what == "kp":
+            model.actuator_gainprm[servo, 0] /= ratio
+            model.actuator_biasprm[servo, 1:3] /= ratio
+            value, less = model.actuator_gainprm[servo, 0], -model.actuator_biasprm[servo, 2]
+            more = f' kv="{less:.3g}"' if less else ""
+        else:
+            model.dof_armature[dof] += (ratio - 1.0) * mass
+            value = model.dof_armature[dof]
+        texts.append(f'{what}="{value:.3g}"{more} on {model.joint(model.dof_jntid[dof]).name or f"dof {dof}"}')
+    return ", ".join(texts)
+
+
 def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     model, opt = scene.model, scene.model.opt
-    half = 0.5 * opt.timestep
-    more = {"iterations": max(3, 10 * opt.iterations)}
-    ways: list[Way] = [(more, {"iterations": str(more["iterations"])})] if run.at_limit > LIMITED else []
-    # Euler integrates what depends on velocity explicitly, but for the damping of joints.
-    ways += [({"integrator": IMPLICITFAST}, {"integrator": "implicitfast"})] if opt.integrator == EULER else []
-    ways += [({"timestep": half}, {"timestep": f"{half:g}"}), ({"timestep": 0.25 * opt.timestep}, {})]
     fast = float(run.thrown_m_s.max(initial=0.0))
+    begins = list(starts(model, target))
 
-    def mended(good: Callable[[Run], bool]) -> Advice | None:
-        for options, authored in ways:
-            if good(_again(target, changed(model, **options), index, run.time_s)):
-                stiff = "a quarter of the time step does: contacts are too stiff"
-                return for_option(scene, authored, "measured: that calms it" if authored else stiff)
-        return None
+    def mended(good: Callable[[Run], bool], time_s: float = HELD_S) -> Advice | None:
+        """Return the change that leaves a good run of some time from each start."""
+        advices: list[Advice] = []
+        for after, options, text in _ways(scene, begins[index][1], run.at_limit > LIMITED):
+            tried = (
+                _again(target, after, other, time_s)
+                for other in range(index, index + 1 if time_s < HELD_S else len(begins))
+            )
+            if all(good(again) and again.time_s > 0.99 * time_s for again in tried):
+                calms = "calms it, measured over 2 s"
+                advices.append(for_option(scene, options, f"{text} {calms}" if text else calms))
+        return either(*advices[:3]) if advices else None
 
+    stiff = _stiff(model, begins[index][1]) if run.bad else []
     if run.bad:
         advice = mended(lambda after: not after.bad)
-        message = f"is the engine's warning after {run.time_s:.3g} s from {run.start}: the simulation blows up"
+        message = f"after {run.time_s:.3g} s from {run.start} accelerations become infinite, and MuJoCo starts anew"
+        for servo, _, ratio, _ in stiff[:1]:
+            name = model.actuator(servo).name or model.joint(model.actuator_trnid[servo, 0]).name
+            bears = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
+            message += f": servo {name} has a kp·h²/m of {ratio:.3g}, and the step bears {bears}"
         element = advice.changes[0].element if advice and advice.changes else None
-        yield Finding("unstable", "", run.bad, 1.0, message, severity="error", element=element, advice=advice)
-    elif fast > THROWN_M_S and (advice := mended(lambda after: after.thrown_m_s.max() < CALMER * fast)):
+        yield Finding("unstable", "", "", run.time_s, message, severity="error", element=element, advice=advice)
+    elif fast > THROWN_M_S and mended(lambda after: after.thrown_m_s.max() < CALMER * fast, run.time_s):
+        advice = mended(lambda after: not after.bad and after.thrown_m_s.max() < CALMER * fast)
         body = scene.bodies[model.jnt_bodyid[free_joints(model)[int(run.thrown_m_s.argmax())]]]
         message = f"is what contacts throw it off with from {run.start}, and nothing else drives it"
         yield Finding("thrown", body, "speed", fast, message, unit="m/s", severity="error", advice=advice)
     elif run.at_limit > LIMITED and opt.iterations:
-        after = _again(target, changed(model, **more), index, run.time_s)
+        more = str(max(3, 10 * opt.iterations))
+        after = _again(target, changed(model, iterations=int(more)), index, run.time_s)
         calmer = float(np.max(run.speeds_m_s - after.speeds_m_s, initial=0.0))
         if run.deepest_m - after.deepest_m > DIFFERS_M or calmer > 100.0 * DIFFERS_M:
             message = f"are used up in {run.at_limit:.0%} of the steps from {run.start}, and contacts are not solved"
             gain = f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
-            advice = for_option(scene, ways[0][1], gain)
+            advice = for_option(scene, {"iterations": more}, gain)
             element, value = scene.source.option("iterations"), float(opt.iterations)
             yield Finding("solver", "", "iterations", value, message, element=element, advice=advice)
 
@@ -129,99 +195,14 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
             message += f": it throws them apart at {thrown:.2g} m/s"
         gain = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
         exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), gain)
-        advice = exclude if one_tree else Advice((), f"{margin and 'lower it or '}move one by {M * depth:.3g} mm")
+        advice = (
+            exclude if one_tree else Advice((), f"{margin and 'lower the margin, or '}move one by {M * depth:.3g} mm")
+        )
         # Robots come with a keyframe to start from: qpos0 of their links may overlap.
         severity = "note" if not hard or (model.nkey and run.start == "the start") else "warning"
         shape, partner = (scene.names[geom] for geom in pair)
         element, against = scene.source.geom(pair[1]) or scene.source.geom(pair[0]), (partner,)
         yield Finding("overlap", shape, "overlap", M * depth, message, against, None, "mm", severity, element, advice)
-
-
-def _sunk(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
-    """Yield what lies and is pressed in by a share of its thickness, as what bears far more than its own weight is."""
-    model, data, sizes = scene.model, run.data, _thin(scene.model)
-    speeds = np.linalg.norm(data.cvel[:, 3:], axis=1)
-    distances = data.contact.dist.tolist()
-    for contact, (pair, distance) in enumerate(zip(data.contact.geom.tolist(), distances, strict=True)):
-        moves = 0.5 * run.time_s * max(speeds[model.geom_bodyid[pair]])
-        rests = not run.bad and min(pair) >= 0 and moves < -distance
-        thin, partner = sorted(pair, key=lambda geom: sizes[geom])
-        if rests and -distance > SUNK * sizes[thin] and -distance > 2.0 * run.first.get(tuple(pair), 0.0):
-            newtons, after = float(contact_forces(model, data, [contact])[0, 0]), f"{run.time_s:.2g} s from {run.start}"
-            message = f"is how deep {newtons:.3g} N on a point press it in after {after}: a contact is only as stiff "
-            message += "as its lighter body is heavy"  # R is of the sum of both body_invweight0
-            against, depth, shape = (scene.names[partner],), -M * distance, scene.names[thin]
-            advice = Advice((), "a shorter timeconst, a solimp nearer to 1, or masses nearer to each other")
-            element = scene.source.geom(thin)
-            yield Finding("depth", shape, "depth", depth, message, against, None, "mm", "note", element, advice)
-
-
-def _thin(model: mujoco.MjModel) -> np.ndarray:
-    """Return half the thickness of each geom where it is thinnest; infinite of what has no other side [m]."""
-    sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
-    sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
-    return sizes
-
-
-def _tunnels(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
-    """Yield what flies or falls through a geom that is too thin to stop it."""
-    model, step_s, sizes = scene.model, scene.model.opt.timestep, _thin(scene.model)
-    data = list(starts(model, target))[index][1]
-    mujoco.mj_forward(model, data)
-    weight = model.opt.gravity * (not model.opt.disableflags & WEIGHTLESS)
-    for body in model.jnt_bodyid[free_joints(model)[:MOST_FLYING]].tolist():
-        begin, flies = data.xipos[body], data.cvel[body, 3:]
-        way = flies if np.linalg.norm(flies) > THROWN_M_S else weight
-        ahead = way / max(float(np.linalg.norm(way)), mujoco.mjMINVAL)
-        far, pair, geom, wall = _met(scene, data, body, ahead)
-        first = float(flies @ ahead)
-        speed = math.sqrt(max(first**2 + 2.0 * far * float(weight @ ahead), 0.0))
-        time_s = 2.0 * far / max(first + speed, mujoco.mjMINVAL)
-        if pair < 0 or time_s > LATEST_S or run.bad:
-            continue
-        contact, option = scene.contacts.contact(pair), scene.option
-        dmax = clamped(contact.solimp[1])
-        stiff = stiffness(contact, option, dmax) ** 0.5
-        damped = 0.5 * (math.e - 1.0) * normal_damping(contact, option, dmax)
-        deep = speed * max(step_s, 0.5 * step_s + 1.0 / max(stiff + damped, mujoco.mjMINVAL))  # within 2 %
-        if deep > sizes[wall] + sizes[geom]:
-            after = _again(target, model, index, time_s + STOPS_S).data
-            moved = after.xipos[body] - begin - after.geom_xpos[wall] + data.geom_xpos[wall]
-            if float(moved @ ahead) > far + 2.0 * sizes[wall] + sizes[geom]:
-                message = f"takes it through {M * 2.0 * sizes[wall]:.3g} mm, {time_s:.2g} s after {run.start}"
-                gain = f"{M * 2.2 * (deep - sizes[geom]):.3g} mm stop it, or a shorter time step and timeconst"
-                shape, against, element = scene.names[geom], (scene.names[wall],), scene.source.geom(wall)
-                finding = Finding("tunnel", shape, "speed", speed, message, against, None, "m/s", "error", element)
-                yield replace(finding, advice=Advice((), gain))
-
-
-def _met(scene: Scene, data: mujoco.MjData, body: int, ahead: np.ndarray) -> tuple[float, int, int, int]:
-    """Return how far ahead of a body the first geom is that it can touch, their pair, the body's geom and that one."""
-    body_of, contacts, hit, far = scene.model.geom_bodyid, scene.contacts, np.zeros(1, dtype=np.int32), 0.0
-    for _ in range(MOST_MET if ahead.any() else 0):
-        more = mujoco.mj_ray(scene.model, data, data.xipos[body] + far * ahead, ahead, None, 1, body, hit)
-        if more < 0.0:
-            break
-        far += more + 1e-9  # mj_ray would hit the same surface again
-        for geoms, partners in itertools.permutations((contacts.first, contacts.second)):
-            for pair in np.flatnonzero((partners == hit[0]) & (body_of[geoms] == body)).tolist():
-                return far, pair, int(geoms[pair]), int(hit[0])
-    return far, -1, -1, -1
-
-
-def _open(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
-    """Yield welds and connects that what they hold pulls open."""
-    model, data = scene.model, run.data
-    is_equality = data.efc_type == EQUALITY
-    for equality in () if run.bad else np.unique(data.efc_id[is_equality]).tolist():
-        rows = is_equality & (data.efc_id == equality)
-        open_m = float(np.linalg.norm(data.efc_pos[rows][:3]))  # of a weld's six rows the last three are of rotation
-        if model.eq_type[equality] in WELDS and open_m > DEEP_M:
-            solref = " ".join(f"{entry:g}" for entry in model.eq_solref[equality])
-            message = f"is how far it is open after {run.time_s:.2g} s from {run.start}, with a solref of {solref}"
-            advice = Advice((), "a shorter timeconst, a solimp nearer to 1")
-            name = model.eq(equality).name or f"equality_{equality}"
-            yield Finding("weld", name, "gap", M * open_m, message, unit="mm", severity="note", advice=advice)
 
 
 def _sagging(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
@@ -252,24 +233,3 @@ def _sags(model: mujoco.MjModel, run: Run) -> dict[int, float]:
         if is_held and min(ratios) > AGREES and max(ratios) < 1.0 / AGREES:
             speeds[dof] = rate
     return speeds
-
-
-def _hulls(scene: Scene, target: Target, run: Run) -> Iterator[Finding]:
-    """Yield meshes that collide with more vertices than it takes, and what a step costs with fewer."""
-    model = scene.model
-    touch = (model.geom_contype | model.geom_conaffinity) != 0
-    meshes = sorted({*model.geom_dataid[touch & (model.geom_type == MESH)].tolist()})
-    graphs = {mesh: model.mesh_graphadr[mesh] for mesh in meshes}
-    counts = {mesh: int(model.mesh_graph[start]) for mesh, start in graphs.items() if start >= 0}  # -1: no hull
-    worst = max(counts, key=lambda mesh: counts[mesh], default=-1)
-    if counts.get(worst, 0) < MANY or target.path is None:
-        return
-    with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
-        spec = mujoco.MjSpec.from_file(str(target.path))
-        for mesh in spec.meshes:
-            mesh.maxhullvert = FEW
-        after = _again(target, spec.compile(), 0, run.time_s)
-        before_us, after_us = (1e6 * cost_s * model.opt.timestep for cost_s in (run.cost_s, after.cost_s))
-        message = f"vertices has its convex hull: a step takes {before_us:.3g} µs, and with {FEW} {after_us:.3g} µs"
-        name, advice = model.mesh(worst).name, Advice((), f'maxhullvert="{FEW}" on its <mesh>')
-        yield Finding("hull", name, "hull", counts[worst], message, severity="note", advice=advice)

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
+from operator import attrgetter
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -171,7 +172,7 @@ def _of(target: str, scene: Any) -> Target:
 def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
     """Ask the part for Newton's models, which takes seconds to import; TargetError where Newton is missing or fails."""
     try:
-        return getattr(importlib.import_module(module), function)(*arguments)
+        return attrgetter(function)(importlib.import_module(module))(*arguments)
     except ImportError as error:
         raise TargetError(f"{target}: {NEEDS_NEWTON} ({_line(error)})") from error
     except Exception as error:  # whatever the importers meet in a file that is none of theirs

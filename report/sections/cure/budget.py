@@ -1,13 +1,18 @@
 """The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
+from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Section, Table
+from measured_report.parts.figures import SERIES, new_figure, write
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import MM_PER_M, cell_count, rows_with
-from report.shared.tables import cell_or_lost, table_of
+from report.shared.drawing import mark_points, name_lines
+from report.shared.tables import table_of
 
 SHIPPED = "newton-implicitfast-50-shipped-{}-plain-rounded"
 STIFF = "newton-implicitfast-50-stiff-{}-plain-rounded"
@@ -31,6 +36,11 @@ NAMES = {  # names by case, which has a gap for the shake: contacts, integrator,
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
 """Columns of the parts of the slip that are predicted from the arm's motion, and what they are called."""
 SHOWN = (SHIPPED, STIFF, TERM, BEST)  # variants whose parts are shown
+SHAKES = {  # label, colour and mark of each shake
+    "3cm": ("the shake", SERIES[0], "o"),
+    "10cm": ("a wider shake", SERIES[1], "s"),
+    "held": ("held still", SERIES[5], "^"),
+}
 OTHER_CONTACTS = {  # the root cure with other contacts than Newton's and with another cone
     "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
     "pyramid": "pyramidal-euler-400-shipped-3cm-full-kept",
@@ -42,17 +52,39 @@ def derive(results: Results) -> Section:
     for name, case in OTHER_CONTACTS.items():
         slip = results.row[case].slip_mm
         others.append(Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip}))
-    tables = {"use": _use_table(results), "budget": _budget_table(results)}
-    return Section(tables=tables, claims=[_what_to_use(results), _budget_closes(results), *others])
+    return Section(
+        tables={"budget": _budget_table(results)},
+        figures={"use": _use_figure(results)},
+        claims=[_what_to_use(results), _budget_closes(results), *others],
+    )
 
 
-def _use_table(results: Results) -> Table:
+def _use_figure(results: Results) -> Figure:
     cases = [case for case in NAMES if case != KF_OFF or results.row[case.format("3cm")]]
-    columns = {
-        above: [cell_or_lost(results.row[case.format(shake)], "slip_mm") for case in cases]
-        for above, shake in (("shaken 30 mm", "3cm"), ("shaken 100 mm", "10cm"), ("held still", "held"))
-    }
-    return table_of("what is done", [NAMES[case] for case in cases], columns)
+    rows = {shake: [results.row[case.format(shake)] for case in cases] for shake in SHAKES}
+    cells = [row.slip_mm for column in rows.values() for row in column if row]
+    return Figure(lambda: _draw_use([NAMES[case] for case in cases], rows), cells)
+
+
+def _draw_use(names: Sequence[str], rows: Mapping[str, Sequence[Row]]) -> Drawing:
+    """Draw the slips of each way, a mark for each shake; a cube that is lost is a cross on the edge."""
+    drawing, axes = new_figure(7.2, 1.2 + 0.34 * len(names))
+    slips = [row.slip_mm.value for column in rows.values() for row in column if row and row.slip_mm.value]
+    edge = 4 * max(slips, default=1.0)
+    for shake, (label, colour, marker) in SHAKES.items():
+        points = [(row.slip_mm.value, place) for place, row in enumerate(rows[shake]) if row]
+        mark_points(axes, points, label=label, color=colour, marker=marker, markersize=7)
+        lost = [(edge, place) for place, row in enumerate(rows[shake]) if row and row.plain.get("dropped")]
+        mark_points(axes, lost, color=colour, marker="X", markersize=8)
+    for place, row in enumerate(rows["3cm"]):
+        if row and row.slip_mm.value is not None:
+            above = {"xytext": (0, 5), "textcoords": "offset points", "ha": "center"}
+            axes.annotate(write(row.slip_mm), (row.slip_mm.number, place), fontsize=8, **above)
+    name_lines(axes, names)
+    axes.set(xscale="log", xlabel="slip [mm]")
+    axes.margins(y=0.1)
+    drawing.legend(loc="outside upper left", ncols=3)
+    return drawing
 
 
 def _what_to_use(results: Results) -> Claim:

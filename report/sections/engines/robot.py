@@ -25,7 +25,7 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
         "shaken 100 mm": [cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models],
         "held still": [cell_or_lost(rows[model, "held"], "slip_mm") for model in models],
         **{"along over normal force": "friction_share", "penetration": "penetration_mm", "path off": "path_off_mm"},
-        "armature": [ARMATURES[rows[model, "3cm"].plain["armature"]] for model in models],
+        "armature": [ARMATURES.get(rows[model, "3cm"].plain.get("armature"), "") for model in models],
     }
     names = [{MUJOCO: "MuJoCo C", **labels}[model] for model in models]
     step = results.chosen("robot_step", "given: the time step of the shake", 1000.0 / 960.0, "ms")

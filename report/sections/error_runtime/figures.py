@@ -9,6 +9,7 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from measured_report.values.results import Row
 from report.sections.error_runtime.runs import ENGINES, ERROR, PADS, TIME, Points, counts
+from report.sections.reproduction import FRAME_RATE
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}
@@ -22,7 +23,7 @@ def draw_numerical(points: Points) -> Drawing:
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
         axes.set_title(title)
         _set_axes(axes, rows, points.worlds[-1:])
-        axes.set_xlabel("run time [ms per simulated s]")
+        axes.set_xlabel("time of a world's frame [ms]")
         if (floor := points.floors[pads].value) is not None:
             axes.axhspan(LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
             _say_level(axes, floor, " Warp's rounding", "top")
@@ -46,7 +47,7 @@ def _say_level(axes: Axes, level: float, text: str, side: str) -> None:
 
 
 def _set_axes(axes: Axes, rows: Sequence[Row], worlds: Sequence[Row]) -> None:
-    times = [row[TIME].value for row in rows] + [_time_per_world(row) for row in worlds if row[TIME].value]
+    times = [_frame_ms(row) for row in (*rows, *worlds) if row[TIME].value]
     axes.set(xscale="log", yscale="log")
     limits = (LEAST_ERROR_MM, 4.0 * max(row[ERROR].value for row in rows))
     axes.set(xlim=(0.4 * min(times), 4.0 * max(times)), ylim=limits)
@@ -54,17 +55,18 @@ def _set_axes(axes: Axes, rows: Sequence[Row], worlds: Sequence[Row]) -> None:
     axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
 
 
-def _time_per_world(row: Row) -> float:
-    return row[TIME].value / row.worlds.value
+def _frame_ms(row: Row) -> float:
+    """Return the time of a world's frame, as the figure of the front page has it."""
+    return row[TIME].value / FRAME_RATE / (row.worlds.value if "worlds" in row else 1)
 
 
 def _place(row: Row) -> tuple[float, float]:
-    return row[TIME].value, max(row[ERROR].value, LEAST_ERROR_MM)
+    return _frame_ms(row), max(row[ERROR].value, LEAST_ERROR_MM)
 
 
 def _draw_engine(axes: Axes, rows: Sequence[Row], front: frozenset[str], backend: str) -> None:
     colour = COLOURS[backend]
-    best = sorted((row for row in rows if row.case in front), key=lambda row: row[TIME].value)
+    best = sorted((row for row in rows if row.case in front), key=_frame_ms)
     if best:
         x, y = zip(*(_place(row) for row in best), strict=True)
         style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
@@ -83,7 +85,7 @@ def _mark_worlds(axes: Axes, points: Points) -> None:
     one = points.shipped("stiff", points.engines[0])
     for row in points.worlds[-1:]:
         if one and one[ERROR].value and row[TIME].value:
-            place = (_time_per_world(row), one[ERROR].value)
+            place = (_frame_ms(row), one[ERROR].value)
             _star(axes, place, one, f"{write(row.worlds)} worlds, each", (-4, -16))
 
 

@@ -52,17 +52,6 @@ class Points:
         solutions = (row for row in self.references if row["pads"] == pads and is_own_model(row))
         return next(solutions, self[f"{pads}/reference"])[GRASP]
 
-    def best(self, backend: str) -> list[Row]:
-        """Select a backend's front by pads and time, but for rows that gain less than Warp's floor on the last."""
-        rows = [row for row in self.settings if row.case in self.backend_front and row.backend == backend]
-        best: list[Row] = []
-        for row in sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row[TIME].value or 0.0)):
-            floor = 0.0 if row.backend == "mujoco-c" else self.floors[row["pads"]].value or 0.0
-            is_first = not best or best[-1]["pads"] != row["pads"]
-            if is_first or row[ERROR].value < best[-1][ERROR].value - floor:
-                best.append(row)
-        return best
-
 
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method in METHODS and row.knob and row["pads"] in PADS]
@@ -107,9 +96,3 @@ def uses_all_iterations(row: Row) -> bool:
 def is_own_model(row: Row) -> bool:
     """Tell whether cone and impratio are as shipped, so that the errors of two rows are from one solution."""
     return not ("cone" in row or "impratio" in row)
-
-
-def is_clamped(row: Row) -> bool:
-    """Tell whether MuJoCo raises the contacts' timeconst to two substeps."""
-    cells = row.timeconst_ms.value, row.substep_ms.value
-    return None in cells or cells[0] < 2.0 * cells[1]

@@ -9,11 +9,10 @@ from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import absent
 from measured_report.values.results import Results, Row
-from report.sections.stability import claims
-from report.sections.stability.claims import NOT_ONE, count, family, unseen
-from report.sections.stability.figures import draw_maps
+from report.sections.stability import claims, limits
+from report.sections.stability.claims import count, family
+from report.sections.stability.figures import draw_limits, draw_maps
 from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, is_stable
-from report.shared.tables import table_of
 
 order = 145
 page = "limits"
@@ -31,18 +30,6 @@ labels = {
     "gravity--9.81": "gravity upward",
 }
 
-LIMITS = {  # extremes: the claim that has the limit of each, and its numbers of what holds and what breaks
-    "step, stiff pads": ("safe_settings", "step", ""),
-    "ke, kd left alone, shipped step": ("safe_settings", "limit", "breaks"),
-    "timeconst over step, without the clamp": ("clamp_off", "last", "first"),
-    "load over Coulomb's limit, shaken harder": ("shake_crossover", "kept", "lost"),
-    "the same, gripped less": ("grip_crossover", "kept", "lost"),
-    "friction of the pads, least": ("friction_extremes", "kept", "lost"),
-    "edge of a cube that pads hardly sink into, least": ("sizes", "shipped", "too_small"),
-    "mass, most, with a grip to match": ("masses", "heavy", ""),
-    "start in ground or pads": ("overlaps", "deepest", ""),
-}
-
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
@@ -55,12 +42,10 @@ def derive(results: Results) -> Section:
     tests += [*(claims.crossover(results, name, margin) for name in ("shake", "grip")), claims.friction(results)]
     tests += [claims.masses(results), claims.size(results, depth), claims.overlap(results), claims.gravity(results)]
     tests += [claims.long(results)]
-    by_name = {claim.name: claim for claim in tests}
-    ends = [(by_name[name], holds, breaks) for name, holds, breaks in LIMITS.values()]
-    columns = {"holds": [claim.numbers[holds] or NOT_ONE for claim, holds, _ in ends]}
-    columns["breaks"] = [claim.numbers[end] or NOT_ONE if end else unseen(claim) for claim, _, end in ends]
-    figures = {"maps": _maps(results, critical, default_kd, is_so)}
-    return Section(tables={"limits": table_of("what", LIMITS, columns)}, figures=figures, claims=tests)
+    lines = limits.limits(results, {claim.name: claim for claim in tests}, critical, default_kd)
+    cells = [cell for line in lines for cell in (line.low, line.high, line.broken) if cell.source]
+    figures = {"maps": _maps(results, critical, default_kd, is_so), "limits": Figure(lambda: draw_limits(lines), cells)}
+    return Section(figures=figures, claims=tests)
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row], is_so: bool) -> Figure:

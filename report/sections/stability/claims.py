@@ -96,14 +96,6 @@ def _creep(row: Row) -> Quantity:
     return replace(row.creep_mm_s, noise=row.creep_floor_mm_s.value)
 
 
-NOT_ONE = absent("1", "there is not one limit")
-
-
-def unseen(claim: Claim) -> str:
-    """Say of a limit that nothing was seen to break, where that was to be seen."""
-    return "not seen" if claim.outcome == HOLDS else ""
-
-
 def clamp(results: Results) -> Claim:
     rows = family(results, "clamp")
     failing, holding = ([row for row in rows if is_stable(row) == holds] for holds in (False, True))

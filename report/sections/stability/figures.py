@@ -14,10 +14,12 @@ from matplotlib.path import Path
 from matplotlib.ticker import LogLocator
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from measured_report.parts.figures import MAP_INK, is_narrow, new_figure, tick_at, write
+from measured_report.parts.figures import INK, MAP_INK, is_narrow, new_figure, tick_at, write
 from measured_report.values.results import Row
 from report.sections.reproduction import FRAME_RATE
+from report.sections.stability.limits import Limit
 from report.sections.stability.passing import CLASSES
+from report.shared.drawing import SHIPPED, STIFF, name_lines
 
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 CREEPS = ((0.03, "#eaf3fb"), (0.1, "#d3e5f6"), (0.3, "#b7d3ef"), (1.0, "#97bfe7"), (math.inf, "#74a8dd"))
@@ -46,7 +48,41 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
                 patch = Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4)
                 handles.append((patch, Line2D([], [], marker=mark or rate, **style)))
     names = [rates if name == "creeping" else name for name in CLASSES if name in classes]
+    if is_narrow():  # a scale in the place of the numbers
+        handles += [Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4) for _, colour in CREEPS]
+        ends = [0.0, *(bound for bound, _ in CREEPS)]
+        names += [f"creep over {low:g} mm/s" for low in ends[:-1]]
     drawing.legend(handles, names, loc="outside upper center", ncols=4, fontsize=9, handlelength=2.6, handleheight=1.5)
+    return drawing
+
+
+def draw_limits(limits: Sequence[Limit]) -> Drawing:
+    """Draw each extreme as a bar over multiples of the scene as shipped: a cross breaks, an arrow was not seen to."""
+    drawing, axes = new_figure(7.6, 0.9 + (0.46 if is_narrow() else 0.34) * len(limits))
+    for place, limit in enumerate(limits):
+        low, high = (cell.number / limit.shipped for cell in (limit.low, limit.high))
+        axes.plot(
+            [low, high], [place, place], color=STIFF, linewidth=8, marker="", solid_capstyle="butt", linestyle="-"
+        )
+        axes.plot([low, high], [place, place], color=STIFF, linestyle="", marker="|", markersize=8, markevery=1)
+        is_lost = limit.broken.value is not None
+        end = limit.broken.number / limit.shipped if is_lost else 1.6 * high
+        style = {"color": SHIPPED, "marker": "X", "markersize": 8} if is_lost else {"color": STIFF, "marker": ">"}
+        axes.plot(end, place, markevery=1, **style)
+        text = f"{write(limit.low)} holds" if low == high else f"{write(limit.low)} to {write(limit.high)} hold"
+        text += f"; {write(limit.broken)} breaks" if is_lost and not limit.over else ""
+        if limit.over and is_lost:
+            text = f"{write(limit.over[0])} % over holds; {write(limit.over[1])} % breaks"
+        at = {"xy": (0.0, place - 0.22), "va": "bottom"} if is_narrow() else {"xy": (1.02, place), "va": "center"}
+        axes.annotate(text, xycoords=("axes fraction", "data"), fontsize=8.5, annotation_clip=False, **at)
+    axes.axvline(1.0, color=INK, linewidth=1.0, linestyle=":", marker="")
+    axes.annotate("as shipped", (1.0, -0.65), fontsize=8.5, ha="center", va="bottom", annotation_clip=False)
+    name_lines(axes, [limit.name for limit in limits])
+    axes.set(xscale="log", xlabel="times the scene as shipped")
+    axes.set_xlim(0.5 * axes.get_xlim()[0], 3 * axes.get_xlim()[1])
+    tick_at(axes.xaxis, [10.0**power for power in range(-4, 5, 2)])
+    axes.set_ylim(len(limits) - 0.4, -0.6)
+    axes.grid(axis="y", visible=False)
     return drawing
 
 

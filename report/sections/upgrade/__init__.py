@@ -5,6 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from measured_report.changes.compare import Flip, FlipList, flips
+from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
 from measured_report.parts.section import Section
@@ -52,7 +53,7 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     old, new = ends.cells(tables.SLIP)
     moved = change(results, "slip_change", old, new)
     grows = (moved.value or 0) > 0
-    numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": grows}
+    numbers = ends.names | {"before": old, "after": new, "noise": noise, "grows": grows}
     least = results.value("slip_change_least", "a tenth of the older slip", old / 10)
     outcome = all_of(unchanged(old, new, moved, noise), resolved(noise, least))
     return Claim("slip_is_the_same", ends.one or outcome, numbers)
@@ -70,7 +71,11 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
     outcome = next((step for step in outcomes.values() if step.name == "unknown"), outcome)
     if len(measured) < 3:
         outcome = Outcome("unknown", "no release between was measured")
-    return Claim("in_one_step", nothing_to_explain(same) or outcome, {"steps": steps})
+    return Claim(
+        "in_one_step",
+        nothing_to_explain(same) or outcome,
+        {"steps": [[*map(config().name_of, step)] for step in steps]},
+    )
 
 
 def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[str]) -> Claim:
@@ -95,7 +100,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     moved = all_of(grows) if grows == HOLDS else greater(Quantity(1.0, "1", "", noise=0.0), most)
     outcome = OPPOSITE if moved == HOLDS else HOLDS if None not in (least.value, most.value) else grows
     outcome = machines_differ(ends.releases, "speed") or outcome
-    numbers = {"a": ends.old, "b": ends.new, "grows": grows == HOLDS, "least": least, "most": most, "count": count}
+    numbers = ends.names | {"grows": grows == HOLDS, "least": least, "most": most, "count": count}
     timed = [chapters["speed"].results.record for chapters in ends.releases.values() if "speed" in chapters]
     numbers["device"] = DEVICES[timed[-1].machine["device"]] if timed else ""
     return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
@@ -122,11 +127,10 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
         nothing_to_explain(same_slip) or at_most(_miss(results, name, start, end, goal), tolerance)
         for name, start, end, goal in (("taken", new, taken, old), ("given", old, given, new), ("off", new, off, old))
     )
-    names = {"a": ends.old, "b": ends.new}
     return [
-        Claim("friction_timeconst_is_new", is_new, names | {"own": own}),
-        Claim("taking_it_away_brings_it_back", brings_back, names | {"taken": taken, "before": old}),
-        Claim("giving_it_does_the_same", ends_it, names | {"given": given}),
+        Claim("friction_timeconst_is_new", is_new, ends.names | {"own": own}),
+        Claim("taking_it_away_brings_it_back", brings_back, ends.names | {"taken": taken, "before": old}),
+        Claim("giving_it_does_the_same", ends_it, ends.names | {"given": given}),
         Claim("release_has_a_switch", switches, {"off": off}),
         Claim("cause", ends.one or all_of(is_new, brings_back, ends_it)),
         *_as_before(results, ends),
@@ -141,12 +145,11 @@ def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
     elsewhere = results.value("elsewhere_change", formula, larger, across=True)
     formula = "change in slip with a pyramidal cone, of the older slip"
     moved = results.value("pyramid_change", formula, departure(*pyramid[::-1]), across=True)
-    labels = {"a": ends.old, "b": ends.new}
     for name, slips, numbers in (
         ("mujoco_contacts", elsewhere, {"found": contacts[1], "c": engine[1], "elsewhere": elsewhere}),
         ("pyramid", moved, {"before": pyramid[0], "after": pyramid[1], "moved": moved}),
     ):
-        yield Claim(f"{name}_as_before", ends.one or at_most(slips, SAME, why="the same slip"), labels | numbers)
+        yield Claim(f"{name}_as_before", ends.one or at_most(slips, SAME, why="the same slip"), ends.names | numbers)
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
+from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import HOLDS, Outcome, beyond
 from measured_report.values.quantities import Quantity, Value, combined
@@ -46,6 +47,10 @@ class Ends:
     @property
     def new(self) -> str:
         return next(reversed(list(self.releases)))
+
+    @property
+    def names(self) -> dict[str, str]:
+        return {"a": config().name_of(self.old), "b": config().name_of(self.new)}
 
     @property
     def one(self) -> Outcome | None:

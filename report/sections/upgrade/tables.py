@@ -52,7 +52,7 @@ DRAWN = {
 
 def side_by_side(heading: str, releases: Releases, queries: Mapping[str, Query]) -> Table:
     lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in queries.values()]
-    columns = {f"Newton {release}": cells for release, cells in zip(releases, zip(*lines, strict=True), strict=True)}
+    columns = dict(zip(map(config().short_name, releases), zip(*lines, strict=True), strict=True))
     return table_of(heading, queries, columns)
 
 
@@ -70,12 +70,12 @@ def option_table(releases: Releases) -> Table:
         if len({getattr(values.get(release), "value", values.get(release)) for release in measured}) > 1
     } or {"none": dict.fromkeys(measured, "")}
     lines = {release: [values.get(release, "–") for values in differing.values()] for release in measured}
-    columns = {f"Newton {release}": list(map(Markup("{}").format, line)) for release, line in lines.items()}
+    columns = {config().short_name(release): list(map(Markup("{}").format, line)) for release, line in lines.items()}
     return table_of("", differing, columns)
 
 
 def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
-    slips = [(release, SLIP.cell(releases[release], release)) for release in releases]
+    slips = [(config().name_of(release), SLIP.cell(releases[release], release)) for release in releases]
     sources = [headline.cell(releases[release], release) for headline in DRAWN for release in releases]
     return Figure(lambda: _draw_slips(releases), sources, {"slips": slips, "steps": steps})
 
@@ -92,7 +92,7 @@ def _draw_slips(releases: Releases):
         shared.mark_points(axes, points, color=colour, linestyle=dashes, marker="o", label=label)
     axes.set_yscale("log")
     tick_125(axes.yaxis)
-    axes.set_xticks(range(len(releases)), [name.replace("+", "\n+") for name in releases])
+    axes.set_xticks(range(len(releases)), [config().short_name(name) for name in releases])
     axes.set(xlim=(-0.3, len(releases) - 0.5), xlabel="Newton release", ylabel="slip [mm]")
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing
@@ -108,7 +108,7 @@ def number_table(releases: Releases) -> Table:
             marks = {point.release: point.mark for point in history}
             for name, column in columns.items():
                 column.append(_marked(headline.cell(releases[name], name).bare, marks.get(name, "")))
-    return table_of("number", labels, columns)
+    return table_of("number", labels, {config().short_name(name): column for name, column in columns.items()})
 
 
 def _marked(number: Markup, mark: str) -> Markup:

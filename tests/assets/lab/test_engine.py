@@ -25,8 +25,9 @@ QUERIES = {
     "cone-pyramidal": "cone=pyramidal",
 }
 """What the page's address says for each tracked case."""
-WHOLE = ("as-shipped", "stiff-pads-10cm")
-RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "5"))
+WHOLE = "stiff-pads-10cm"
+"""Run to its end; the one as shipped is in the page, by ``test_lab_page.py``."""
+RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "3"))
 """Settings that are tried; 1000 take some minutes."""
 NUMBERS = {
     "ke": (1e2, 1e7),
@@ -62,10 +63,10 @@ def test_it_slips_as_the_tracked_runs_and_ends_in_their_class():
         moved = load_trace(trace_path(RECORD, case))[["x_mm", "y_mm", "z_mm"]].iloc[120]
         assert row["slip_mm"] == pytest.approx(np.linalg.norm(moved), rel=1e-3, abs=1e-4), case
     tracked = {row["case"]: row for row in json.loads(RECORD.read_text())["rows"]}
-    for case, row in zip(WHOLE, rows_in_node([QUERIES[case] for case in WHOLE], 688), strict=True):
-        assert row["class"] == tracked[case]["class"], case
-        assert row["slip_mm"] == pytest.approx(tracked[case]["slip_mm"], rel=0.01, abs=0.02), case
-        assert row["predicted_drift_mm_s"] == pytest.approx(row["drift_mm_s"], rel=0.02), case
+    [row] = rows_in_node([QUERIES[WHOLE]], 688)
+    assert row["class"] == tracked[WHOLE]["class"]
+    assert row["slip_mm"] == pytest.approx(tracked[WHOLE]["slip_mm"], rel=0.01, abs=0.02)
+    assert row["predicted_drift_mm_s"] == pytest.approx(row["drift_mm_s"], rel=0.02)
 
 
 @pytest.mark.slow

@@ -122,7 +122,7 @@ def test_the_slider_tells_what_the_law_makes_of_it(tab, address):
 @pytest.mark.parametrize("tab", [{"viewport": {"width": 320, "height": 640}}], indirect=True)
 def test_a_search_finds_what_stands_on_another_page(tab, address):
     tab.goto(f"{address}lab.html")
-    tab.fill(".search input", "noslip creep")
+    tab.fill(".search input", "friction coefficient")
     tab.wait_for_selector(".search a")
     assert tab.evaluate("document.documentElement.scrollWidth") <= tab.viewport_size["width"]
     link = tab.locator('.search a[href^="cause.html#"]').first

@@ -14,8 +14,8 @@ from experiments.simulation.simulation import Simulation, simulate
 from measured_report.files.root import ROOT
 from newton_lint.newton_models.compat import kf_is_read
 
-FRAME_COUNT = 330
-"""The set-up and 2 s of shake."""
+FRAME_COUNT = 272
+"""The set-up and 1 s of shake."""
 
 
 @pytest.fixture(scope="module")

@@ -84,7 +84,7 @@ def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
     faults = (fault.text for fault in comparison.faults[:NAMED])
     lines = [f"{editions}: {summary(comparison)}", "; ".join(count_texts), *faults]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
-    return [*lines, f"would have shown: {power(comparison)}", *_details(comparison, say)]
+    return [*lines, f"smallest change that would have been seen: {power(comparison)}", *_details(comparison, say)]
 
 
 def _details(comparison: Comparison, say: Say) -> list[str]:
@@ -104,21 +104,16 @@ def _details(comparison: Comparison, say: Say) -> list[str]:
 def _sums(comparison: Comparison) -> dict[str, Counter[str]]:
     sums: dict[str, Counter[str]] = {}
     for move in comparison.moves:
-        sums.setdefault(move.section, Counter(moved=0, better=0, worse=0)).update(
-            filter(None, ("moved", move.direction))
-        )
+        counts = sums.setdefault(move.section, Counter(moved=0, better=0, worse=0))
+        counts.update(filter(None, ("moved", move.direction)))
     return sums
 
 
 def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
-    flips = [
-        {"section": flip.section, "claim": flip.name}
-        | {
-            end: _claim_data(flip.section, claim, say)
-            for end, claim in zip(("before", "after"), flip.ends, strict=True)
-        }
-        for flip in comparison.flips
-    ]
+    flips = []
+    for flip in comparison.flips:
+        before, after = (_claim_data(flip.section, claim, say) for claim in flip.ends)
+        flips.append({"section": flip.section, "claim": flip.name, "before": before, "after": after})
     return {
         "a": comparison.releases[0],
         "b": comparison.releases[1],
@@ -204,17 +199,16 @@ def settings_text(settings: Sequence[Move]) -> str:
 
 
 def power(comparison: Comparison) -> str:
-    """Say the least change of each named number that would have rung, and which were not measured in both."""
+    """Say the least change of each named number that would have been seen, and which were not measured in both."""
     least: dict[str, float] = {}
     for cell in comparison.cells:
         threshold = config().changes.thresholds.get(cell.name)
         if threshold is not None and cell.share is not None and cell.before:
             label = column_of(cell.column).words
             least[label] = max(least.get(label, threshold), comparison.alone(cell) / abs(cell.before))
-    shares = ", ".join(f"{label} from {format_share(share)}" for label, share in least.items())
-    return (shares or "nothing that is named") + (
-        f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
-    )
+    shares = [f"{label} from {format_share(share)}" for label, share in least.items()] or ["nothing that is named"]
+    missing = f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
+    return ", ".join(shares) + missing
 
 
 COUNTED = ("comparisons", "told", "numbers", "moves")

@@ -8,7 +8,7 @@ import os
 import subprocess
 import tempfile
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -31,7 +31,7 @@ from measured_report.records.columns import REASON, column_of, columns_of, is_nu
 from measured_report.records.identity import git, identity_of
 from measured_report.records.proof import TIMED, UNEXECUTED, Code, Place
 from measured_report.records.record import Carried, Record, load_record, write_record
-from measured_report.values.evidence import key_of
+from measured_report.values.evidence import is_cost, key_of
 from measured_report.values.noise import chance_of, discoveries, welch
 
 ASIDE = "carry"  # the folder below `results` of the quick runs of the new code
@@ -47,8 +47,8 @@ class Run:
 
     code: Code
     records: Sequence[Record]  # of one run, or of several that do not repeat to the last bit
-    executed: Mapping[str, set[Place]]
-    timed: Mapping[str, set[Place]]  # what of it was executed while times were measured
+    executed: Set[Place]
+    timed: Set[Place]  # what of it was executed while times were measured
     work: Mapping[str, str]  # digests of what a device was given to do meanwhile, by batch
 
 
@@ -74,7 +74,9 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
             pairs = {name: _codes(name, tree, project.root) for name in commits if commits[name] == commit}
             runs = _run_both(project, release, tree, pairs, "cpu")
             reasons = {name: _reasons(runs[name], records[name]) for name in pairs}
-            beside = [name for name in pairs if device != "cpu" and any(map(_is_open, reasons[name]))]
+            # Runs on a GPU may settle what a CPU does not execute, and what is timed.
+            is_open = {name: any(why.startswith((UNEXECUTED, TIMED)) for why in reasons[name]) for name in pairs}
+            beside = [name for name in pairs if device != "cpu" and is_open[name]]
             for name in [name for name in pairs if name not in beside]:  # are kept, whatever becomes of the others
                 yield name, _kept(project, records[name], runs[name], (commit[:SHORT], after), reasons[name])
             is_new = {name: any(reason.startswith(UNEXECUTED) for reason in reasons[name]) for name in beside}
@@ -91,15 +93,6 @@ def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str]
     if not reasons:
         _write(project, record, runs, commits)
     return few(reasons, 2)
-
-
-def has_times(record: Record) -> bool:
-    return any("cost" in column_of(name).kinds for name in record.units)
-
-
-def _is_open(reason: str) -> bool:
-    """Tell whether runs on a GPU may settle it."""
-    return reason.startswith((UNEXECUTED, TIMED))
 
 
 def _codes(name: str, *roots: Path) -> Codes:
@@ -178,12 +171,9 @@ def _run_both(
 
 def _run_of(section: str, code: Code, records: Mapping[str, Sequence[Record]], notes: Sequence[Any]) -> Run:
     """Return what was noted of a section and of importing it."""
-    executed: defaultdict[str, set[Place]] = defaultdict(set)
-    timed: defaultdict[str, set[Place]] = defaultdict(set)
-    for of_file in (note["executed"].get(name, {}) for note in notes for name in ("", section)):
-        for file, places in of_file.items():
-            executed[file].update(tuple(place[:4]) for place in places)
-            timed[file].update(tuple(place[:4]) for place in places if place[4])
+    places = [place for note in notes for name, *place in note["executed"] if name in ("", section)]
+    executed = {tuple(place) for _, *place in places}
+    timed = {tuple(place) for is_timed, *place in places if is_timed}
     work = {batch: digest for note in notes for batch, digest in note["work"].get(section, {}).items()}
     return Run(code, records[section], executed, timed, work)
 
@@ -224,7 +214,7 @@ def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str
         reasons += old.code.unread(new.code, is_old=True)
     # Which work is given to a device, the same code decides on each: what only a GPU executes is unchanged by then.
     is_same_work = any(before.work and before.work == after.work for before, after in filter(None, (runs, beside)))
-    if has_times(record) and not is_same_work:
+    if any(map(is_cost, record.units)) and not is_same_work:
         reasons += new.code.timed(new.timed)
     return reasons
 

@@ -14,8 +14,9 @@ from measured_report.findings.chapters import Chapters, Releases
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
-from measured_report.records.columns import UNBELIEVED, column_of
+from measured_report.records.columns import UNBELIEVED
 from measured_report.records.record import Record
+from measured_report.values.evidence import is_cost
 from measured_report.values.noise import FALSE_SHARE, discoveries
 from measured_report.values.quantities import Pointer
 
@@ -76,7 +77,7 @@ def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple
     """Return what a claim on costs, or on the noise, turns on that is of the machine and not of the edition."""
     if section == config().noise_section:
         return frozenset({(chapters[section].results.record.processor,)})
-    costs = [pointer for pointer in claim.outcome.reads if "cost" in column_of(pointer.rpartition("/")[2]).kinds]
+    costs = [pointer for pointer in claim.outcome.reads if is_cost(pointer.rpartition("/")[2])]
     return frozenset(cost_terms(record, row) for record, row, _ in cells(costs, chapters))
 
 
@@ -131,7 +132,7 @@ class FlipList:
         return replace(self, flips=[flip for flip in all_flips if flip.is_decided])
 
     def __html__(self) -> Markup:
-        return macros().turns(self.flips, self.shown, self.sections)
+        return macros().turns(self.flips, self.shown, self.sections, config().short_name)
 
 
 @dataclass(frozen=True)
@@ -219,8 +220,7 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
     sections_by_machines: dict[str, list[str]] = {}
     for section in (name for name in before.chapters if name in after.chapters):
         records = [side.chapters[section].results.record for side in (before, after)]
-        has_costs = any("cost" in column_of(name).kinds for name in records[0].units)
-        if has_costs and len({record.machine_for_speed for record in records}) > 1:
+        if any(map(is_cost, records[0].units)) and len({record.machine_for_speed for record in records}) > 1:
             machines = " and on ".join(record.machine_in_full for record in records)
             sections_by_machines.setdefault(machines, []).append(section)
     for machines, names in sections_by_machines.items():

@@ -39,8 +39,6 @@ class Parser(argparse.ArgumentParser):
 def main() -> int:
     """Run the command that was asked for; return its exit status, with one line for whatever can be mended."""
     _open_closed()
-    for stop in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(stop, signal.default_int_handler)
     try:
         result = _run(*(sys.argv[1:] if sys.argv[1:] not in ([], ["-h"], ["--help"]) else ["help"]))
         sys.stdout.flush()
@@ -83,8 +81,19 @@ def _run(name: str, *typed: str) -> int:
     damages = recover(project.results.parent, load_record)
     for line in damages:
         _say(line)
+    for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):  # not while anything is being imported
+        signal.signal(stop, signal.default_int_handler)
+    sys.unraisablehook = _stop_again
     with cached_sources():
         return module.run(project, arguments) or int(bool(damages))
+
+
+def _stop_again(ignored: Any) -> None:
+    """Let a Ctrl-C come again that Python passes over, as it does in a fork."""
+    if ignored.exc_type is KeyboardInterrupt:
+        signal.setitimer(signal.ITIMER_REAL, 0.05)
+    else:
+        sys.__unraisablehook__(ignored)
 
 
 def commands() -> dict[str, str]:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import PROFILES, Project
-from measured_report.editions.release import releases_of
+from measured_report.editions.release import release_of, releases_of
 from measured_report.editions.status import records_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
@@ -24,5 +24,6 @@ def run(project: Project, arguments: Arguments) -> int:
         last = [str(release) for release in releases_of(partner)[-1:]]
         new += [(newest.version, f"{partner}=={version}") for version in last if version not in used]
     for release, pins in new[:1]:  # under the package's name, and for a workflow that knows none
-        print(f"{package}={release}\nwith={pins}\noption={config().flag}\nrelease={release}")
+        label = release_of(release, pins)
+        print(f"{package}={release}\nwith={pins}\noption={config().flag}\nrelease={release}\nlabel={label}")
     return 0

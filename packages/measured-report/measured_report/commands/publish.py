@@ -1,5 +1,6 @@
 """Check site/ and put it at TARGET, or on the branch gh-pages of git's origin."""
 
+import dataclasses
 import os
 import shutil
 import subprocess
@@ -7,29 +8,33 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from measured_report.commands.options import Arguments
+from measured_report.commands.options import Arguments, shared
+from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
 from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums
 from measured_report.files.errors import ReportError, UsageError, without_secrets
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
-OPTIONS = {"target": {"default": "", "help": "where to publish: dir:PATH or git:REMOTE"}}
+OPTIONS = {"target": {"default": "", "help": "where to publish: dir:PATH or git:REMOTE"}, **shared("address")}
 DEFAULT, BRANCH = "git:origin", "gh-pages"
 SUBJECT = "The report, as make publish made it"
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
 DOMAIN = "CNAME"  # a file that GitHub keeps on the branch
 ALONE = ("core.bare=true", "core.hooksPath=/dev/null", "push.followTags=false", "push.recurseSubmodules=no")
-OF_HOOKS = [
-    f"GIT_{name}" for name in ("DIR", "WORK_TREE", "INDEX_FILE", "OBJECT_DIRECTORY", "QUARANTINE_PATH", "PREFIX")
-]
+OF_HOOKS = [f"GIT_{name}" for name in "DIR WORK_TREE INDEX_FILE OBJECT_DIRECTORY QUARANTINE_PATH PREFIX".split()]
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
 def run(project: Project, arguments: Arguments) -> int:
+    """Build the site, where something that it is made from has changed, and publish it; 1 where a record is damaged."""
+    page, is_damaged = project.site / "index.html", False
+    if page.is_file():
+        profile = "quick" if QUICK.encode() in page.read_bytes() else project.profile
+        is_damaged, _ = build_site(dataclasses.replace(project, profile=profile), arguments.address)
     print(f"published at {publish(project.site, arguments.target)}")
-    return 0
+    return int(is_damaged)
 
 
 def publish(site: Path, target: str) -> str:
@@ -123,9 +128,7 @@ def _run(command: Sequence[str], **settings: str) -> str:
     quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
     env = {name: text for name, text in os.environ.items() if name not in OF_HOOKS} | quiet | settings
     try:
-        ended = subprocess.run(
-            command, input="", capture_output=True, text=True, errors="replace", env=env, check=False
-        )
+        ended = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=env)
     except FileNotFoundError:
         raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None
     if ended.returncode:

@@ -65,7 +65,7 @@ def run(project: Project, arguments: Arguments) -> int:
     if arguments.format == "text":  # the front page stays that of the project's own edition
         project = project.of(project.own_release or project.release)
         build(project)
-        print(f"built {project.site / 'index.html'}")
+        print(f"built {project.site.name}/index.html")
     return int(comparison.is_alarm)
 
 
@@ -161,7 +161,7 @@ def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -
         f"settings: {settings_text(comparison.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
         *(largest(comparison) or ["changed: nothing"]),
-        f"would have shown: {power(comparison)}",
+        f"smallest change that would have been seen: {power(comparison)}",
         *([f"why: {why}"] if asks_why else []),
         f"what to do: {_advice(comparison, before.project, after.project)}",
     ]

@@ -110,7 +110,7 @@ def _resolved(spec: str, option: str) -> Release:
         return Release(version, source, (), "", str(path), plain(path), date, path)
     if address and repository.is_dir() and REFERENCE.fullmatch(reference):
         return _commit(repository.as_uri(), reference, spec, option)
-    kinds = "release number, checkout, wheel or git+https://…@ref"
+    kinds = "release number, checkout, wheel or git+https://HOST/NAME.git@ref"
     raise UsageError(f"{option}={spec} is no {kinds}; {option}=1.2.3 is one")
 
 

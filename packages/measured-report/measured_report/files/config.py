@@ -91,12 +91,13 @@ class Config:
     requirement: str = ""  # that package as pyproject.toml asks for it, with its extras and without a version
     edition_name: str = ""  # what people call it
     short_names: Mapping[str, str] = field(default_factory=dict)  # what labels call other packages
+    trials: Mapping[str, str] = field(default_factory=dict)  # what people call labels with other packages
     host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
     accelerator: str = "measured_report.measuring.accelerator"  # the module of what accelerates it; this one of nothing
     case: str = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
-    """Rows with one of these values are deterministic: noise 0, except times."""
+    """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
     units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
     cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
     columns: Sequence[Columns] = ()  # what is to be known of columns besides their units
@@ -136,7 +137,11 @@ class Config:
         return self.option.lower().replace("_", "-") or "edition"
 
     def name_of(self, release: str) -> str:
-        return f"{self.edition_name} {release}".strip()
+        """Name an edition within a sentence."""
+        return f"the {self.trials[release]}" if release in self.trials else f"{self.edition_name} {release}".strip()
+
+    def short_name(self, release: str) -> str:
+        return self.trials.get(release, release)
 
     def edition_folder(self, release: str) -> str:
         return f"{self.edition}-{release}"

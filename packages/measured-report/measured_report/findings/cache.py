@@ -17,7 +17,7 @@ from measured_report.records.code import files, roots_of
 from measured_report.records.syntax import digest_of
 from measured_report.values.quantities import Value
 
-PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
+PACKAGES = ("numpy", "pandas", "matplotlib", "jinja2", "markupsafe", "markdown", "msgspec")
 Key = tuple[str, str, str]  # profile, release and section
 
 

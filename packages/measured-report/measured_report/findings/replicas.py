@@ -61,7 +61,8 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
         return Measurements()
     files = [*replica_files(project), *(project.record_path(name) for name in tracked)]
     name, module = f"{project.profile}.{project.release}.evidence", outline_of(next(iter(tracked))).file
-    return cache.value(name, module, [files_digest(files, project.results)], find)
+    # What is no file has a name and no digest, and is named as damaged while it is there.
+    return cache.value(name, module, [files_digest(files, project.results), *(path.name for path in files)], find)
 
 
 def _kinds(records: Sequence[Record]) -> str:

@@ -47,7 +47,8 @@ OTHER_CODE = "has other code or packages"
 @contextlib.contextmanager
 def connected(cluster: str, device: str, count: int = 1) -> Iterator[Client]:
     """Connect to the scheduler that ``CLUSTER`` names, or start one here; ReportError where that can't be."""
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is wrong is said here
+    for name in ("distributed", "distributed.client"):  # whose level Dask sets as well
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what is wrong is said here
     with dask.config.set(SETTINGS), contextlib.ExitStack() as stack:
         try:
             if cluster == "local":
@@ -60,8 +61,8 @@ def connected(cluster: str, device: str, count: int = 1) -> Iterator[Client]:
                 client = Client(cluster, timeout=CONNECT_S)
             stack.enter_context(client)
             client.wait_for_workers(1)
-        except (MemoryError, OSError, ValueError, RuntimeError, asyncio.TimeoutError) as error:
-            # MemoryError: what is no scheduler may name any size.
+        except (MemoryError, OSError, TypeError, ValueError, RuntimeError, asyncio.TimeoutError) as error:
+            # MemoryError: what is no scheduler may name any size. TypeError: no certificate is configured.
             message = " ".join(str(error).split()) or type(error).__name__
             raise ReportError(f"CLUSTER={cluster}: no workers could be started or reached: {message:.200}") from None
         yield client

@@ -73,12 +73,9 @@ def batches_at_once(project: Project, device: str) -> int:
 def _run(project: Project, release: Release, module: str, device: str, *options: str) -> None:
     python = python_of(release, expected_packages(project), project.root)
     command = [str(python), "-m", module, "--device", device, *options]
-    settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
-    if device == "cpu":
-        settings |= accelerator().NONE
-    process = subprocess.run(
-        command, cwd=project.root, env=settings, preexec_fn=end_with_parent, start_new_session=True, check=False
-    )
+    env = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
+    env |= accelerator().NONE if device == "cpu" else {}
+    process = subprocess.run(command, cwd=project.root, env=env, preexec_fn=end_with_parent, start_new_session=True)
     if process.returncode == UNFIT:
         raise UsageError("")  # it has said why
     if process.returncode:

@@ -1,9 +1,9 @@
 """Reach: run a module as a program, and note which instructions of some code it executed.
 
 ``python -P reach.py SPANS FOLDER MODULE …``: SPANS is a JSON file with the first and last lines of definitions by file.
-Each process writes into FOLDER what it executed of these, by section, ``""`` for importing it, and by file: line, last
-line, column, last column, and whether times were measured meanwhile. Of batches that measure times it writes a digest
-of the work that the host notes. It imports nothing of the program that it follows. A Python that this program starts
+Each process writes into FOLDER what it executed of these: the section, ``""`` for importing it, whether times were
+measured meanwhile, file, line, last line, column and last column. Of batches that measure times it writes a digest of
+the work that the host notes. It imports nothing of the program that it follows. A Python that this program starts
 is followed as well: it meets this file as ``sitecustomize``, which comes before all else.
 """
 
@@ -106,15 +106,14 @@ class Follower:
     def _begin(self, frame: FrameType) -> None:
         if frame.f_code.co_name == LEADING:
             self.measure(str(getattr(frame.f_locals.get("self"), "name", "")))
-        if frame.f_code.co_name != MEASURING:
-            return
-        batch = frame.f_locals["batch"]
-        # One of no section's own module counts for none.
-        self.measure(f"{batch.function.__module__}..".split(".")[1], batch.exclusive)
-        self.work = sha256()
-        if self.is_timed and not self.is_noted and hasattr(sys.modules[HOST].host(), "note_work"):
-            sys.modules[HOST].host().note_work(lambda text: self.work.update(f"{text}\n".encode()))
-            self.is_noted = True
+        elif frame.f_code.co_name == MEASURING:
+            batch = frame.f_locals["batch"]
+            # One of no section's own module counts for none.
+            self.measure(f"{batch.function.__module__}..".split(".")[1], batch.exclusive)
+            self.work = sha256()
+            if self.is_timed and not self.is_noted and hasattr(sys.modules[HOST].host(), "note_work"):
+                sys.modules[HOST].host().note_work(lambda text: self.work.update(f"{text}\n".encode()))
+                self.is_noted = True
 
     def _ended(self, frame: FrameType) -> None:
         if self.is_timed and self.is_noted:
@@ -125,16 +124,12 @@ class Follower:
             self.measure("")
 
     def write(self) -> None:
-        executed_by_section: defaultdict[str, defaultdict[str, list[list[Any]]]] = defaultdict(
-            lambda: defaultdict(list)
-        )
+        executed = []
         for (_, section, is_timed), (code, offsets) in list(self.executed.items()):
             positions = list(code.co_positions())
-            executed_by_section[section][code.co_filename] += [
-                [*positions[offset // 2], is_timed] for offset in offsets
-            ]
+            executed += [[section, is_timed, code.co_filename, *positions[offset // 2]] for offset in offsets]
         path = self.folder / f"{os.getpid()}-{next(self.numbers)}.json"
-        path.write_text(json.dumps({"executed": executed_by_section, "work": self.works}), encoding="utf-8")
+        path.write_text(json.dumps({"executed": executed, "work": self.works}), encoding="utf-8")
 
 
 def main() -> None:

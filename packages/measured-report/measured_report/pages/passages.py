@@ -13,7 +13,7 @@ passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` 
 """
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -107,19 +107,16 @@ def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
         printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
         measured = {need: claim for need, claim in claims.items() if claim}
         are_met = all(need.is_met(claim) for need, claim in claims.items())
-        body = None
-        if len(measured) == len(claims):  # rendered as well where another story is told: with other numbers it is this
-            body = _rendered(
-                partial(caller, *_numbers(measured)), printed, lambda items: are_met and not _is_lost(items)
-            )
+        body, is_measured = None, len(measured) == len(claims)
+        if is_measured:  # rendered as well where another story is told: with other numbers it is this
+            render = partial(caller, *_numbers(measured))
+            body = _rendered(render, printed, lambda items: are_met and not any(map(_is_lost, items)))
         stands = body is not None
         if otherwise:
             alternative = _rendered(otherwise, printed, lambda _: not stands)
             if alternative is not None:
                 return alternative
-        elif (
-            len(measured) == len(claims) and not stands
-        ):  # what was not measured is listed on the page: no other answer
+        elif is_measured and not stands:  # what was not measured is listed on the page: no other answer
             sentences = [claim.html(need.section) for need, claim in measured.items()]
             body = token(printed, Markup(" ").join([*sentences, macros().other_data()]))
         if not body:
@@ -142,8 +139,8 @@ def _rendered(render: Callable[[], str], printed: list[Any], is_kept: Callable[[
     return None
 
 
-def _is_lost(items: Iterable[Any]) -> bool:
-    return any(isinstance(item, Markup) and LOST.search(item) for item in items)
+def _is_lost(item: Any) -> bool:
+    return isinstance(item, Markup) and bool(LOST.search(item))
 
 
 def _numbers(claims: Mapping[Need, Claim]) -> list[SimpleNamespace]:

@@ -33,7 +33,7 @@ class Plugins:
         return ()
 
     @property
-    def files(self) -> Mapping[str, Path]:
+    def files(self) -> Mapping[str, Path | bytes]:
         """Return further files of the site, by their names below it; editions may have the same."""
         return {}
 

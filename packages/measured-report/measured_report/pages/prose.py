@@ -20,6 +20,7 @@ from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, pairs_of, references
 from measured_report.parts.section import Figure
 from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_numbers, token, with_formulas
+from measured_report.records.identity import sources
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
@@ -27,6 +28,7 @@ LAYOUT = Path(__file__).resolve().parent / "layout"
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
 TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")  # stands alone in its paragraph where it may be a block
 LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')  # in Markdown, a link that leads to an id
+PARAGRAPH = re.compile(rf"<p(?: [^>]*)?>(?!{NUMBER.pattern}</p>)(?P<words>.+?)</p>", re.DOTALL)
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
 BLOCK = ("<figure", "<p", "<div", "</div")
 TITLE, HEADING = re.compile(r"\A<h[12].*?</h[12]>\n?"), re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
@@ -47,6 +49,12 @@ class Prose:
     @property
     def figures(self) -> list[Figure]:
         return [item for item in self.printed if isinstance(item, Figure)]
+
+    @property
+    def summary(self) -> Markup:
+        """Return its first paragraph of words, which are not those of a figure."""
+        paragraph = next((each["words"] for each in PARAGRAPH.finditer(self.body)), "")
+        return _put_back(paragraph, self.printed)
 
     @property
     def marks(self) -> list[str]:
@@ -96,7 +104,7 @@ class Templates:
         )
         self._prose = self._layout.overlay(finalize=_as_token)
         self.references, self.pairs = references(folder), pairs_of(folder)
-        self._layout.globals |= {"references": self.references, "config": config()}
+        self._layout.globals |= {"references": self.references, "config": config(), "sources": sources()}
         for extension in (WordTags, PassageTag, StatedTag):
             self._prose.add_extension(extension)
         self.text = cache(self._text)

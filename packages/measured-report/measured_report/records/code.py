@@ -6,6 +6,7 @@ the place of these. So it stays the same when it, or what it names, moves to ano
 
 import ast
 import hashlib
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -110,7 +111,7 @@ class Graph:
         roots = [root for root in self.roots if root != HERE or name.partition(".")[0] == CARRIED]
         stems = (f"{root}/{name.replace('.', '/')}" for root in roots)
         files = (file for stem in stems for file in (f"{stem}/__init__.py", f"{stem}.py"))
-        return next((file for file in files if Path(file).is_file()), "")
+        return next(filter(os.path.isfile, files), "")  # a Path of each would take ten times as long
 
     def closure(self, start: str, without: str = "") -> list[str]:
         """Name a file and all that it may import, directly or not; ``without`` is a package that is left out."""

@@ -170,4 +170,4 @@ def text_problem(text: str) -> str:
     if len(text) > TEXT_LIMIT:
         return f"is a text of more than {TEXT_LIMIT} characters"
     match = UNPRINTABLE.search(text)
-    return f"has the character U+{ord(match[0]):04X}, which is no text" if match else ""
+    return f"has the character U+{ord(match[0][0]):04X}, which is no text" if match else ""

@@ -16,7 +16,7 @@ from urllib.parse import unquote, urlparse
 
 from msgspec import Meta
 
-from measured_report.files.config import config, report
+from measured_report.files.config import cached_in_report, config, report
 from measured_report.files.errors import UsageError
 from measured_report.records.code import files, roots_of
 from measured_report.records.syntax import digest_of
@@ -149,6 +149,17 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
                 content = path.read_bytes() if 0 < info.st_size <= BYTE_LIMIT else b""
                 digest.update(os.fsencode(f"{path.relative_to(root).as_posix()}\0{info.st_size}\0") + content)
     return digest.hexdigest()
+
+
+ORIGIN = re.compile(r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?")
+"""An address of git's origin that is one on the web too: host and path."""
+
+
+@cached_in_report
+def sources() -> str:
+    """Return the page of the sources on the web: as ``report.toml`` has it, or git's origin, without what opens it."""
+    origin = ORIGIN.fullmatch(git(report().root, "remote", "get-url", "origin"))
+    return config().repository or (f"https://{origin[1]}/{origin[2]}" if origin else "")
 
 
 def git(folder: Path, *command: str) -> str:

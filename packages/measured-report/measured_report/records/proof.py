@@ -21,7 +21,7 @@ from measured_report.records.code import Graph, Node, roots_of
 from measured_report.records.syntax import EFFECTS, Forms, Reader, bound_names, chain_of, is_text
 
 Text = tuple[str, Any]  # of a piece, by the names in it and by their numbers
-Place = tuple[int | None, ...]  # line, last line, column and last column, as instructions have them
+Place = tuple[Any, ...]  # file, and line, last line, column and last column, as instructions have them
 BODIES = ("body", "orelse", "finalbody", "handlers", "cases")
 HEADLESS = ("name", "returns", *BODIES)  # of a definition neither its name counts nor what type it returns
 HEADED = (ast.stmt, ast.ExceptHandler, ast.match_case)
@@ -111,7 +111,7 @@ class Code:
             spans.setdefault(piece.definition[0], []).append((min(lines), piece.syntax.end_lineno))  # type: ignore
         return spans
 
-    def unexecuted(self, other: "Code", executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[str]:
+    def unexecuted(self, other: "Code", executed: Sequence[Set[Place]]) -> Iterator[str]:
         """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
         pieces_by_text: dict[Any, list[Piece]] = {}
         for piece in (inner for outer in other.changed for inner in outer.all()):
@@ -129,25 +129,23 @@ class Code:
         for text in sorted((set(mine) - set(theirs)) if is_old else (mine - theirs).elements()):
             yield f"a run may read and not use {excerpts[text]:.80}"
 
-    def timed(self, executed: Mapping[str, Set[Place]]) -> Iterator[str]:
+    def timed(self, executed: Set[Place]) -> Iterator[str]:
         """Name what is in no other code and was ``executed`` while times were measured."""
         for piece in self.changed:
-            positions = executed.get(piece.definition[0], set())
             is_other = self.graph.digest(piece.definition, 0) not in self.common
-            if is_other and any(_is_within(position, piece.syntax) for position in positions):
+            if is_other and any(_is_within(place, piece) for place in executed):
                 yield f"{TIMED}: {self._name(piece)}"
 
-    def _unexecuted(self, executed: Sequence[Mapping[str, Set[Place]]]) -> Iterator[Piece]:
+    def _unexecuted(self, executed: Sequence[Set[Place]]) -> Iterator[Piece]:
         """Yield the largest parts of what changed that no instruction was executed of."""
-        compiled = {file: set(_positions(compile(Path(file).read_bytes(), file, "exec"))) for file in self.spans}
+        compiled = {file: {*_places(compile(Path(file).read_bytes(), file, "exec"))} for file in self.spans}
         waiting = list(self.changed)
         while waiting:
             piece = waiting.pop()
-            file = piece.definition[0]
-            positions = {position for position in compiled[file] if _is_within(position, piece.syntax)}
-            if any(positions & run.get(file, set()) for run in executed):
+            places = {place for place in compiled[piece.definition[0]] if _is_within(place, piece)}
+            if any(map(places.intersection, executed)):
                 waiting += piece.children()
-            elif positions:
+            elif places:
                 yield piece
 
     def _meanings(self, piece: Piece) -> list[str]:
@@ -238,18 +236,19 @@ def _is_number(node: ast.AST | None) -> bool:
     return isinstance(value, str | int | float) and not isinstance(value, bool)
 
 
-def _positions(code: CodeType) -> Iterator[Place]:
-    yield from code.co_positions()
+def _places(code: CodeType) -> Iterator[Place]:
+    yield from ((code.co_filename, *position) for position in code.co_positions())
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
-            yield from _positions(constant)
+            yield from _places(constant)
 
 
-def _is_within(position: Place, node: ast.AST) -> bool:
+def _is_within(place: Place, piece: Piece) -> bool:
+    node: Any = piece.syntax
     if not hasattr(node, "lineno"):  # as the arguments of a function
-        return any(_is_within(position, child) for child in ast.iter_child_nodes(node))
-    first, last, column, last_column = position
-    if None in position:
+        return any(_is_within(place, replace(piece, syntax=child)) for child in ast.iter_child_nodes(node))
+    file, first, last, column, last_column = place
+    if file != piece.definition[0] or None in place:
         return False
-    start, end = (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)  # type: ignore[attr-defined]
+    start, end = (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)
     return start <= (first, column) and (last, last_column) <= end

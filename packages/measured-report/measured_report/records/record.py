@@ -4,7 +4,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from datetime import datetime
+from datetime import datetime, timedelta, timezone
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
@@ -186,7 +186,12 @@ def record_text(record: Record) -> str:
     for row in record.rows:
         rounded = {name: float(f"{cell:{DIGITS}}") if isinstance(cell, float) else cell for name, cell in row.items()}
         lines.append(json.dumps(rounded, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
-    return head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n"
+    return _sealed(head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]")
+
+
+def _sealed(text: str) -> str:
+    """End a record's text with its seal, by which a change by hand is seen; whoever seals anew can't be told."""
+    return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
 def load_record(path: Path) -> Record:
@@ -202,10 +207,13 @@ def load_record(path: Path) -> Record:
 def read_record(content: bytes, path: Path) -> Record:
     """Make a record of what its file holds; RecordError unless each field is as it should be."""
     try:
-        data = json.loads(content.decode("utf-8"), object_pairs_hook=_plain, parse_constant=_refuse)
+        text = content.decode("utf-8")
+        data = json.loads(text, object_pairs_hook=_plain, parse_constant=_refuse)
         schema = data.pop("schema", None) if isinstance(data, dict) else None
         if type(schema) is not int or schema != SCHEMA:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
+        if data.pop("seal", None) is not None and text != _sealed(text[: text.rfind(',\n "seal": ')]):
+            raise ValueError("it is not as it was sealed")  # one of before there were seals has none
         record = msgspec.convert(data, Record)
         identity = data["identity"]
         names = {*Record.__match_args__}, {*Identity.__match_args__}, {*config().packages}
@@ -215,8 +223,10 @@ def read_record(content: bytes, path: Path) -> Record:
         msgspec.convert(record.machine, _Machine)
         measured = msgspec.convert(record.measured, _Measured)
         msgspec.convert(record.rows, list[_Row])
-        for time in filter(None, (measured.date, measured.started, measured.ended)):
-            datetime.fromisoformat(time)
+        ends = (measured.started or measured.date, measured.ended or measured.date, measured.date)
+        began, ended, _ = times = [*map(datetime.fromisoformat, ends)]
+        if began > ended or max(times) > datetime.now(timezone.utc) + timedelta(days=1):
+            raise ValueError("it ended before it began, or will on a day to come")
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")
         refuse_mixed(record.rows, record.units)

@@ -3,7 +3,6 @@
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib import metadata
 from pathlib import Path
 
 from measured_report.changes.query import blind_spots, gaps, refuse_unknown_names
@@ -17,13 +16,12 @@ from measured_report.findings.cache import DerivedCache, installed
 from measured_report.pages.editions import worded_editions
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import unchanged_files
-from measured_report.records.identity import files_digest, package_versions
+from measured_report.records.identity import files_digest, package_versions, sources
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site, citation
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)  # files that the site is made from, besides the folders
-WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")  # which have a part in it, besides those that draw
 BUILT = "site"  # what is kept of the last build
 
 
@@ -66,12 +64,11 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
 def inputs_digest(project: Project, address: str = "") -> str:
     # The last two are often the same, but for the results.
     roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
-    digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
+    digests = [sources(), *(files_digest(_inputs(root, folders), root) for root, folders in roots.items())]
     selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
-    versions = [metadata.version(name) for name in WRITING_PACKAGES]
     # A checkout may be edited, and lie elsewhere.
     checkouts = [package_version(project.of(release)) for release in project.releases]
-    made_from = (selection, address, package_versions(), installed(), versions, checkouts, digests)
+    made_from = (selection, address, sources(), package_versions(), installed(), checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

@@ -53,7 +53,14 @@ class PageReader(HTMLParser):
         attributes = [(element.tag, *pair) for element in self.elements for pair in element.attributes.items()]
         self.ids = [value for _, name, value in attributes if name == "id"]
         self.links = [value for tag, name, value in attributes if (tag, name) == ("a", "href")]
-        self.fetched = [value for tag, name, value in attributes if name in FETCHING or (name == "href" and tag != "a")]
+        self.fetched = [value for _, name, value in attributes if name in FETCHING]
+        self.fetched += [
+            element.attributes["href"]
+            for element in self.elements
+            if "href" in element.attributes
+            and element.tag != "a"
+            and element.attributes.get("rel") not in ("canonical", "alternate")
+        ]
         styles = [value for _, name, value in attributes if name == "style"]
         self.styles = "".join([*styles, *(element.text for element in self.of("style"))])
         self.scripts = [element.tag for element in self.elements if _is_active(element)]

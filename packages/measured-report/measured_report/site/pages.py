@@ -22,9 +22,11 @@ from measured_report.pages.editions import WordedChapter, WordedEdition
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.section import Figure, Pictures
-from measured_report.records.identity import sections
+from measured_report.records.identity import sections, sources
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
+from measured_report.site.series import PAGE as SERIES
+from measured_report.site.series import series_page
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import MEANS
 
@@ -118,6 +120,9 @@ class Site:
         places = self.places
         links = {release: links_of(self.editions, places, release) for release in places}
         contents = {release: contents_of(self.editions[release], self.templates, links[release]) for release in places}
+        releases = {release: edition.chapters for release, edition in self.editions.items()}
+        if history := series_page(releases, self.templates):
+            contents[self.shown].append(Content(SERIES, [history], []))
         pictures = _draw(contents, self.cache)
         self._write_once()
         origins = {}
@@ -129,6 +134,8 @@ class Site:
             names = {"contents": contents[release], "links": links[release], "origins": origins_json}
             own_pictures = {anchor: pair for (owner, anchor), pair in pictures.items() if owner == release}
             self._write_pages(places[release], edition, own_pictures, names)
+        if self.address:  # a feed has whole addresses
+            self._write_feed(contents)
         printed = self._printed()
         for edition in self.editions.values():
             self._write_data(edition, printed)
@@ -155,7 +162,7 @@ class Site:
             "icon": ICON if icon.is_file() else "",
             "logo": LOGO if (root / LOGO).is_file() else "",
             "citation": self.citation,
-            "sources": config().repository,
+            "sources": sources(),
             "measured_on": max((each.results.record.measured["date"][:10] for each in chapters), default=""),
             **names,
         }
@@ -207,9 +214,24 @@ class Site:
         self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
         self._write(".gitkeep", "")
 
+    def _write_feed(self, contents: Mapping[str, Sequence[Content]]) -> None:
+        entries = []
+        for release, (front, *_) in contents.items():
+            days = [
+                chapter.results.record.measured["date"][:10] for chapter in self.editions[release].chapters.values()
+            ]
+            text, entry = (
+                front.texts[0],
+                {"release": release, "place": self.places[release], "day": max(days, default="")},
+            )
+            entries += [{**entry, "title": text.title, "summary": text.summary}] if days else []
+        names = {"address": self.address, "entries": entries, "authors": self.citation["authors"]}
+        self._write("feed.xml", self.templates.layout("feed.xml.j2", names))
+
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"
-        files = {f"{folder}{source.name}": source for source in edition.plugins.data} | {**edition.plugins.files}
+        files: dict[str, Path | bytes] = {f"{folder}{source.name}": source for source in edition.plugins.data}
+        files |= edition.plugins.files
         replicas = filter(lambda source: source.stem in edition.measurements.names, replica_files(edition.project))
         files |= {f"{folder}{FOLDER}/{source.name}": source for source in replicas}
         for chapter in edition.chapters.values():

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from statistics import median
+from statistics import fmean, median
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from measured_report.files.config import cached_in_report, config
@@ -25,7 +25,6 @@ from measured_report.values.noise import (
     binomial_noise,
     discoveries,
     fenced,
-    mean_of,
     variance_of,
 )
 
@@ -56,11 +55,6 @@ def is_absolute(column: str) -> bool:
     """Tell whether a column has times or rates, of which each card has its own; ratios have none of that."""
     about = column_of(column)
     return is_cost(column) and (about.unit not in ("1", "B") or bool(about.rate_of))
-
-
-def is_repeated(column: str, row: Cells) -> bool:
-    """Tell whether an engine repeats this number of a row to the last bit."""
-    return not is_cost(column) and any(row.get(name) in cells for name, cells in config().repeating.items())
 
 
 def key_of(row: Cells) -> Key:
@@ -107,7 +101,7 @@ def repeats_of(rows: Iterable[Cells]) -> Repeated:
         numbers = fenced([row[column] for row in runs[case] if is_number(row.get(column))] or [0.0])
         if len(numbers) > 1 and scatters(column):
             length = max(row.get(column_of(column).grows_with) or 0.0 for row in runs[case])
-            repeats[case][column] = Repeats(mean_of(numbers), variance_of(numbers), len(numbers), length)
+            repeats[case][column] = Repeats(fmean(numbers), variance_of(numbers), len(numbers), length)
     return repeats
 
 
@@ -138,7 +132,7 @@ class Column:
             middle = median(present)
             return Estimate(middle, least=max(largest - middle, middle - least), samples=samples, is_edge=True)
         if least < largest:
-            value = mean_of(present)
+            value = fmean(present)
         elif isinstance(value, int):  # a count, of which all say the same
             variance = 0.0
         return Estimate(value, variance, freedom, count, 0.0, samples, self.is_of_cards, is_again=True)
@@ -191,7 +185,7 @@ class Evidence:
         """Return what the noisiest runs of one case say of a number; what repeats to the last bit is rounded."""
         value, about = row[column], column_of(column)
         rounding = 0.0 if is_cost(column) else REPEATED_SHARE * abs(value)
-        if is_repeated(column, row):
+        if not is_cost(column) and any(row.get(name) in cells for name, cells in config().repeating.items()):
             return Estimate(value, least=rounding, samples=(value,))
         length = row.get(about.grows_with)
         runs = [columns[column] for columns in self.repeats.values() if column in columns]

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from statistics import NormalDist, median
+from statistics import NormalDist, fmean, median
 from typing import Any
 
 SURE = 0.95  # chosen: so often the truth is within a printed number's noise
@@ -79,13 +79,9 @@ def fenced(numbers: Sequence[float]) -> list[float]:
     return [min(max(number, middle - reach), middle + reach) for number in numbers]
 
 
-def mean_of(numbers: Sequence[float]) -> float:
-    return math.fsum(numbers) / len(numbers)
-
-
 def variance_of(numbers: Sequence[float]) -> float:
     """Return the variance of what these are a sample of."""
-    mean = mean_of(numbers)
+    mean = fmean(numbers)
     return math.fsum((number - mean) ** 2 for number in numbers) / (len(numbers) - 1)
 
 
@@ -138,9 +134,8 @@ class Estimate:
             return ""
         least, largest = min(present), max(present)
         several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
-        return (
-            f"at an edge, where chance decides: {several}" if self.is_edge else "mean of " * (least < largest) + several
-        )
+        means = "mean of " if least < largest else ""
+        return f"{'at an edge, where chance decides: ' if self.is_edge else means}{several}"
 
     @cached_property
     def noise(self) -> float:

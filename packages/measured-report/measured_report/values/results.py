@@ -101,10 +101,6 @@ class Row:
         """Tell whether the record has it."""
         return not self._lack
 
-    @property
-    def evidence(self) -> Evidence:
-        return self._results.evidence
-
     @cached_property
     def names(self) -> tuple[Key, Key]:
         return names_of(self.plain)

@@ -58,7 +58,7 @@ def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Prior:
     """Fit a column's variances, all above 0: their logarithms less what the degrees of freedom alone make of them."""
     logs = np.log(variances) - digamma(freedoms / 2) + np.log(freedoms / 2)
     fits = ((slope, logs - slope * np.log(sizes)) for slope in (2.0, 1.0, 0.0))
-    slope, residuals = min(fits, key=lambda fit: _width(fit[1]))
+    slope, residuals = min(fits, key=lambda fit: np.ptp(np.quantile(fit[1], [0.25, 0.75])))
     low, high = np.quantile(residuals, [0.25, 0.75])
     residuals = np.minimum(residuals, high + 1.5 * (high - low))  # Tukey's fence
     by_chance = trigamma(freedoms / 2).mean()
@@ -67,11 +67,6 @@ def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Prior:
     strongest = trigamma(MOST_FREEDOM / 2)
     freedom = MOST_FREEDOM if unlike <= strongest else 2 * trigamma_inverse(unlike)
     return Prior(float(np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))), slope, freedom)
-
-
-def _width(logs: Array) -> float:
-    low, high = np.quantile(logs, [0.25, 0.75])
-    return high - low
 
 
 class Moderated(NamedTuple):

@@ -1,5 +1,6 @@
 """Answers of editions: which end one is nearer to, how one after another is marked, and when a threshold is blind."""
 
+import random
 from types import SimpleNamespace
 
 import pytest
@@ -39,6 +40,20 @@ MARKS += [((2.0, 1.0), (3.0, 0.125), ""), ((2.0, 0.125), (3.0, 1.0), ""), ((2.0,
 def test_what_moves_by_far_more_than_the_larger_noise_is_marked_by_which_way_is_better(first, second, mark):
     curve = points({"1.0": chapters(*first), "2.0": chapters(*second)}, Query("s.slip_mm"))
     assert [point.mark for point in curve] == ["", mark]
+
+
+def test_a_series_of_many_editions_says_where_it_changed_and_rings_for_no_noise():
+    false = missed = 0
+    for seed in range(100):
+        chance = random.Random(seed)
+        for steps in ([], [13], [9, 17]):
+            numbers = [chance.gauss(1.0 + 0.4 * sum(step <= index for step in steps), 0.1) for index in range(24)]
+            for noise in (0.2, None):
+                changed = query.changes_in(numbers, [noise] * 24, "x")
+                false += not steps and bool(changed)
+                missed += any(min((abs(step - each) for each in changed), default=9) > 1 for step in steps)
+    assert false <= 6 and missed <= 20, "of 200 and 400"
+    assert query.changes_in([1.0, 1.0, 2.0, 2.0, 1.0, 3.0], [0.0] * 6, "x") == [2, 4, 5]
 
 
 def test_a_history_says_numbers_in_four_digits_with_their_noise_and_why_there_is_none():

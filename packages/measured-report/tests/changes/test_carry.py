@@ -3,11 +3,10 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from toys import BY_HAND, GENERATOR
+from toys import BY_HAND, GENERATOR, git, put
 
 from measured_report.changes.carry import Run, _reasons, carried, first_difference
 from measured_report.editions.project import Project, own_release
@@ -279,10 +278,6 @@ PLANTED = CHANGES_A_BIT | CHANGES_NOTHING | TIMES
 KEPT = {*CHANGES_NOTHING, "beside_times"}
 
 
-def git(folder: Path, *command: str) -> None:
-    subprocess.run(["git", "-C", folder, "-c", "user.name=a", "-c", "user.email=a@b", *command], check=True)
-
-
 @pytest.fixture(scope="module")
 def answers(tmp_path_factory):
     """Measure all sections by the old code, change it, and carry what can be."""
@@ -336,11 +331,6 @@ def test_times_are_carried_where_a_device_is_given_the_same_work(before, after, 
 
 def record_of(rows) -> Record:
     return Record(**{**BY_HAND, "section": "a", "identity": None, "units": units_of(rows), "rows": rows})
-
-
-def put(root: Path, name: str, text: str) -> None:
-    (root / name).parent.mkdir(parents=True, exist_ok=True)
-    (root / name).write_text(text, encoding="utf-8")
 
 
 @pytest.mark.slow

@@ -10,6 +10,7 @@ from toys import program
 
 from measured_report.commands.command_line import main
 
+STOPPED = "stopped; what was measured before is kept"
 NO_GPU = {"PATH": "/nowhere"}
 """Without nvidia-smi on it every machine has no GPU."""
 
@@ -19,9 +20,32 @@ def command(monkeypatch) -> Iterator[None]:
     """What ``command_line.main`` sets in its process, as it was before."""
     stops = {stop: signal.getsignal(stop) for stop in (signal.SIGINT, signal.SIGTERM)}
     monkeypatch.setenv("PATH", NO_GPU["PATH"])
+    monkeypatch.setattr("sys.unraisablehook", sys.unraisablehook)
     yield
     for stop, handler in stops.items():
         signal.signal(stop, handler)
+
+
+STOP = "import os, signal, time\nos.kill(os.getpid(), signal.SIGINT)\ntime.sleep(9)\n"
+FORK = """
+import os, signal, time
+def run(project, arguments):
+    os.register_at_fork(after_in_parent=lambda: signal.raise_signal(signal.SIGINT))
+    os.waitpid(os.fork() or os._exit(0), 0)
+    time.sleep(9)
+"""
+
+
+@pytest.mark.parametrize(
+    ("place", "text", "status"),
+    [("measured_report/__init__.py", STOP, -signal.SIGINT), ("report/commands/early.py", FORK, 130)]
+    + [("report/commands/early.py", f"{STOP}\ndef run(project, arguments): ...\n", -signal.SIGINT)],
+    ids=["the generator is imported", "a fork", "a command is imported"],
+)
+def test_a_ctrl_c_in_the_first_second_ends_a_command_without_a_traceback(toy, place, text, status):
+    toy.write(place, text)
+    done = program("build.py", "early")
+    assert (done.returncode, done.stderr) == (status, f"{STOPPED}\n" if status == 130 else "")
 
 
 @pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-", ">/dev/full"])

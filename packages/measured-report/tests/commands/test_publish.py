@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import signal
+from argparse import Namespace
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from measured_report.commands import publish as publishing
 from measured_report.commands.publish import SUMS, publish, sums
 from measured_report.files.atomic import digests_below
 from measured_report.files.errors import ReportError, UsageError
+from measured_report.site.build import build
 from measured_report.site.check import check_site
 
 pytestmark = pytest.mark.usefixtures("built")
@@ -41,6 +43,22 @@ def test_publishing_replaces_the_folder_that_was_published(toy, place):
     assert check_site(place) == [] and [path.name for path in place.parent.iterdir() if "www" in path.name] == ["www"]
 
 
+def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsys):
+    asked = Namespace(target=f"dir:{tmp_path / 'www'}", address="https://example.org/")
+    for sentence, status in (("Another sentence.", 0), ("One more.", 1)):
+        toy.write("templates/story.md.j2", f"# The story\n\n{sentence}\n")
+        assert publishing.run(toy.project, asked) == status
+        text = (tmp_path / "www/index.html").read_text()
+        assert sentence in text and "https://example.org/index.html" in text
+        toy.record_path.with_name("edition.toml").write_text("{")  # which is named
+    assert "damaged: newton-1.4.0/edition.toml" in capsys.readouterr().err
+    quick = replace(toy.project, profile="quick")
+    replace(toy, project=quick).measure()
+    build(quick)
+    with pytest.raises(UsageError, match="quick look"):
+        publishing.run(toy.project, asked)
+
+
 def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
     letter = written_by_the_user(tmp_path / "mine")
     (tmp_path / "link").symlink_to(tmp_path / "mine")
@@ -64,14 +82,6 @@ def test_an_empty_folder_may_become_the_site_and_what_is_published_can_be_read_b
     assert check_site(tmp_path / "www") == []
     modes = {path.is_dir(): path.stat().st_mode & 0o777 for path in (tmp_path / "www").rglob("*")}
     assert modes == {True: 0o755, False: 0o644} and (tmp_path / "www").stat().st_mode & 0o777 == 0o755
-
-
-def test_a_quick_look_is_not_published(toy, tmp_path):
-    quick = replace(toy, project=replace(toy.project, profile="quick"))
-    quick.measure()
-    quick.build()
-    with pytest.raises(UsageError, match="quick look"):
-        publish(quick.project.site, f"dir:{tmp_path / 'www'}")
 
 
 def spoil(site: Path, more: bytes = b'<a href="x">x</a>') -> None:

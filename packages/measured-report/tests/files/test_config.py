@@ -32,10 +32,10 @@ def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
 
 
 def test_a_command_says_it_in_that_line_and_no_traceback(tmp_path):
-    (tmp_path / "report.toml").write_text(TEXT.replace("title =", "titel ="))
+    (tmp_path / "report.toml").write_text(TEXT.replace("title =", "ttle ="))
     (tmp_path / "build.py").write_text((SKELETON / "build.py").read_text())
     done = subprocess.run([sys.executable, "build.py", "help"], cwd=tmp_path, capture_output=True, text=True)
-    assert (done.stdout, done.stderr) == ("", "report.toml: there is no setting titel; near it: title\n")
+    assert (done.stdout, done.stderr) == ("", "report.toml: there is no setting ttle; near it: title\n")
     assert done.returncode == 1
 
 

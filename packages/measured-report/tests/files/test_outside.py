@@ -16,6 +16,7 @@ from measured_report.commands import page, status
 from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import RecordError, recover
+from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.findings.editions import derive_edition
 from measured_report.records import traces
@@ -153,7 +154,8 @@ ODD = {
 
 @pytest.mark.parametrize("place", ["replicas/x.tgz", "x.tgz", "edition.toml", "toy.json", "toy.stiff.csv.gz"])
 @pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
-def test_one_odd_thing_costs_itself_alone(toy, odd, place, capsys):
+def test_one_odd_thing_costs_itself_alone(toy, odd, place, capsys, monkeypatch, tmp_path_factory):
+    monkeypatch.setattr(Cache, "folder", tmp_path_factory.getbasetemp() / "odd")  # what all have is drawn once
     (folder := toy.project.results / FOLDER).mkdir()
     (folder / "good.tgz").write_bytes(archive_of([toy.record([{**row, "slip_mm": 2.0} for row in ROWS])]))
     (toy.project.results / place).unlink(missing_ok=True)

@@ -2,9 +2,11 @@
 
 import gc
 import os
+import re
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import batches
@@ -13,10 +15,11 @@ from batches import rows_of, section_of, spans
 
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
-from distributed import Client
+import dask
+from distributed import Client, Security
 
 from measured_report.files.errors import ReportError
-from measured_report.measuring import cluster
+from measured_report.measuring import cluster, section
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.cluster import cluster_pools, connected
 from measured_report.measuring.section import Loop
@@ -26,7 +29,7 @@ import sys
 from dask import config
 from distributed import Nanny, Scheduler, SpecCluster
 
-own = {"host": "127.0.0.1", "dashboard": False, "dashboard_address": "127.0.0.1:0"}
+own = {"host": "127.0.0.1", "protocol": sys.argv[2], "dashboard": False, "dashboard_address": "127.0.0.1:0"}
 kinds = [{"shared": 1}, {"exclusive": 1}][: int(sys.argv[1])]
 options = [{**own, "nthreads": 1, "memory_limit": 0, "silence_logs": 50, "resources": kind} for kind in kinds]
 workers = {number: {"cls": Nanny, "options": each} for number, each in enumerate(options)}
@@ -45,16 +48,31 @@ def tidy():
     gc.collect()
 
 
-def started(outside: Path, count: int) -> subprocess.Popen:
-    command, pipe = [sys.executable, "-c", SCHEDULER, str(count)], subprocess.PIPE
+def started(outside: Path, count: int, protocol: str = "tcp") -> subprocess.Popen:
+    command, pipe = [sys.executable, "-c", SCHEDULER, str(count), protocol], subprocess.PIPE
     own = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of their own
     return subprocess.Popen(command, cwd=outside, env=own, stdin=pipe, stdout=pipe, text=True)
 
 
 @pytest.fixture(scope="module")
-def address(outside):
+def certificates(tmp_path_factory) -> Iterator[None]:
+    """What Dask's configuration names here and in programs: an authority of one's own, a key and its certificate."""
+    folder, made = tmp_path_factory.mktemp("tls"), Security.temporary()
+    texts = {"ca-file": made.tls_ca_file, "key": made.tls_client_key, "cert": made.tls_client_cert}
+    for name, text in texts.items():
+        (folder / name).write_text(text)
+    names = ["ca-file", *(f"{side}.{name}" for side in ("scheduler", "worker", "client") for name in ("key", "cert"))]
+    settings = {f"distributed.comm.tls.{name}": str(folder / name.rpartition(".")[2]) for name in names}
+    with pytest.MonkeyPatch.context() as patch, dask.config.set(settings):
+        for name, path in settings.items():
+            patch.setenv(f"DASK_{name.upper().replace('.', '__').replace('-', '_')}", path)
+        yield
+
+
+@pytest.fixture(scope="module")
+def address(outside, certificates):
     """Address of a cluster of a worker for what is shared and one for the rest, as somebody may have started it."""
-    with started(outside, 2) as process:
+    with started(outside, 2, "tls") as process:
         yield process.stdout.readline().strip()
         process.communicate()
 
@@ -99,8 +117,31 @@ def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, 
     assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
 
 
+def test_a_worker_that_came_later_with_other_code_or_returns_garbage_costs_its_section_alone(
+    toy, scheduler, monkeypatch, capsys
+):
+    assert scheduler.startswith("tls://")
+    monkeypatch.setattr(section, "measure_batch", batches.garbage)
+    names = [*map(str, range(len(batches.GARBAGE)))]
+    with cluster_pools(scheduler, "cpu", None, 1) as pools:
+        assert Loop([section_of(toy, batches.single(Batch(name, id)), f"s{name}") for name in names], *pools).run()
+        pools[0]._digest = "0" * 64
+        assert Loop([section_of(toy, batches.single(Batch("0", id)), "later")], *pools).run()
+    lines = capsys.readouterr().err.splitlines()
+    assert sorted(line.partition(":")[0] for line in lines) == ["later", *(f"s{name}" for name in names)], lines
+    assert all("measuring failed; what was there is kept: " in line for line in lines)
+    assert "other code" in lines[-1] and [path.name for path in toy.record_path.parent.glob("*.json")] == ["toy.json"]
+
+
+def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
+    none = {f"distributed.comm.tls.{name}": None for name in ("ca-file", "client.key", "client.cert")}
+    refused = pytest.raises(ReportError, match=r"^CLUSTER=tls://127\.0\.0\.1:1: no workers [^\n]+TLS[^\n]+$")
+    with dask.config.set(none), refused, connected("tls://127.0.0.1:1", "cpu"):
+        pass
+
+
 @pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGSTOP])
-def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(outside, toy, monkeypatch, stop):
+def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(outside, toy, monkeypatch, stop, capfd):
     monkeypatch.setattr(cluster, "SILENT_S", 10.0)
     with started(outside, 1) as process:
         address = process.stdout.readline().strip()
@@ -117,6 +158,7 @@ def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(outside, toy, monke
             pass
         process.kill()
         process.wait()
+    assert not re.search("Traceback|ERROR", capfd.readouterr().err)
 
 
 def test_finding_6_only_who_has_the_key_of_the_run_is_let_in():

@@ -4,6 +4,7 @@ import pickle
 from concurrent.futures import Future
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from batches import all_of, section_of
 
@@ -79,9 +80,10 @@ def test_a_batch_ends_as_long_after_its_beginning_as_it_took(monkeypatch):
 
 
 def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
-    row = {"way_mm": 1e11, "pause_s": -1.0, "pull_n": None, "ratio": None, "load_kg": 0.0}
-    reasons = {f"{name}_reason": f"the measurement gave {row[name]}" for name in ("way_mm", "pause_s", "pull_n")}
-    assert believable(row) == {**row, "way_mm": None, "pause_s": None, **reasons}
+    row = {"way_mm": 1e11, "pause_s": -1.0, "far_mm": np.float32("nan"), "pull_n": None, "ratio": None, "load_kg": 0.0}
+    lost = ("way_mm", "pause_s", "far_mm", "pull_n")
+    reasons = {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
+    assert believable(row) == {**row, **dict.fromkeys(lost), **reasons}
 
 
 def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):

@@ -22,7 +22,7 @@ def mm(value, noise=None, unit="mm", source="newton-1.4.0/toy.json#/rows/0/slip_
 def cells(*column) -> list[tuple[str, str]]:
     """Return what each cell of a column is filled with, and says."""
     html = Table(pd.DataFrame({"a": pd.Series(column, dtype=object)})).rendered().frame
-    cells = re.findall(r'<td(?: class="number")?(?: data-fill="([^"]*)")?>(.*?)</td>', html)
+    cells = re.findall(r'<td(?: class="number")? data-head="[^"]*"(?: data-fill="([^"]*)")?>(.*?)</td>', html)
     return [(fill, re.sub("<[^>]*>", "", text)) for fill, text in cells]
 
 

@@ -3,11 +3,13 @@
 import shutil
 
 import pytest
+from toys import BY_HAND
 
 from measured_report.files.config import report_in
 from measured_report.records import code
 from measured_report.records import identity as of_records
 from measured_report.records.identity import identity_of, sections
+from measured_report.records.record import write_record
 
 SOURCES = {
     "experiments/toy.py": '''"""A section."""
@@ -116,8 +118,7 @@ def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, mo
     full, quick = (identity_of("toy", profile, toy.project.root) for profile in ("full", "quick"))
     assert full.config != quick.config
     assert full.code == quick.code
-    text = toy.record_path.read_text().replace("A processor", "Another")
-    toy.record_path.write_text(text)
+    write_record(toy.record_path, toy.record(machine={**BY_HAND["machine"], "cpu": "Another"}))
     assert toy.state().kind == "fresh"
     installed = {**toy.packages, "warp-lang": "9.9"}
     monkeypatch.setattr(of_records.metadata, "version", installed.__getitem__)

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from damage import unsealed
 
 from measured_report.files.atomic import RecordError
 from measured_report.measuring.section import believable
@@ -17,10 +18,26 @@ def test_a_record_comes_back_as_it_was_written_and_its_file_keeps_the_contract(t
     record, data = load_record(toy.record_path), json.loads(toy.record_path.read_text())
     assert replace(record, traces={}) == toy.record()
     assert record.traces["stiff"].row_count == 2
-    assert set(data) == {"schema", "section", "identity", "machine", "measured", "units", "traces", "rows"}
+    assert set(data) == {"schema", "section", "identity", "machine", "measured", "units", "traces", "rows", "seal"}
     assert {"code", "config", "packages"} <= set(data["identity"])
     assert (data["schema"], data["units"]) == (1, {"slip_mm": "mm"})
     assert data["rows"][0] == {"case": "soft", "slip_mm": 6.3617, "dropped": False}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("6.3617", "9.3617"), ("A processor", "Another"), ('"seal": "', '"seal": "0'), ('"\n}', '"}'), ("1.5", "1.50")]
+    + [("\n}\n", ',\n "carried": []\n}\n')],
+)
+def test_a_record_that_was_changed_by_hand_is_damaged_and_one_without_a_seal_is_as_it_was(toy, old, new):
+    text = toy.record_path.read_text()
+    toy.record_path.write_text(text.replace(old, new))
+    with pytest.raises(RecordError, match=r"^newton-1\.4\.0/toy\.json is no whole record: it is not as it was sealed$"):
+        load_record(toy.record_path)
+    toy.record_path.write_text(unsealed(text))  # as all were before there were seals
+    assert toy.state().kind == "fresh"
+    write_record(toy.record_path, load_record(toy.record_path))
+    assert toy.record_path.read_text() == text
 
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf"), np.float32(1.0), [1.0]])

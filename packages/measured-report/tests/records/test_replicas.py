@@ -27,7 +27,7 @@ GPU = {**BY_HAND["machine"], "device": "cuda", "gpu": "A GPU"}
 @pytest.fixture
 def project(toy):
     """A project with records of some sections."""
-    rows = [{"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(999)]
+    rows = [{"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(333)]
     for section in SECTIONS:
         toy.write(f"report/sections/{section}.py", "order = 1\ndef derive(results): ...\n")
         write_record(toy.project.record_path(section), toy.record(rows, section=section, machine=GPU))
@@ -38,7 +38,7 @@ def again(project: Project, section: str, by: float = 1e-4, **identity):
     """Return a section as if another host had measured it."""
     record = load_record(project.record_path(section))
     rows = [{name: _moved(cell, by) for name, cell in row.items()} for row in record.rows]
-    measured = {**record.measured, "started": "2026-11-27T01:00:00+00:00"}
+    measured = {**record.measured, "started": "2025-11-27T01:00:00+00:00"}
     machine = {**record.machine, "host": "elsewhere"}
     return replace(record, rows=rows, measured=measured, machine=machine, identity=replace(record.identity, **identity))
 

@@ -3,14 +3,19 @@
 import json
 import os
 from dataclasses import replace
+from xml.etree import ElementTree
 
 import pytest
+from markupsafe import Markup
 from toys import MODULE, ROWS, TEMPLATE
 
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
+from measured_report.pages.prose import Prose
+from measured_report.parts.words import CLOSE, OPEN
 from measured_report.records.record import write_record
 from measured_report.site import pages
+from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
 
@@ -20,11 +25,26 @@ def test_a_section_takes_three_files_and_passes_the_check(toy):
     assert check_site(toy.project.site) == []
     assert '<data value="0.3124" data-src="newton-1.4.0/toy.json#/rows/1/slip_mm">0.31</data>&nbsp;mm' in toy.page
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
-    assert "A processor" in toy.page and "make rerun SECTION=toy" in toy.page
+    assert "A processor" in toy.page and "make rerun" not in toy.page, "no line that a reader without it can't use"
     values = json.loads((toy.project.site / "data/values.json").read_text())
     assert values["toy"]["gain"]["formula"] == "soft over stiff"
     assert (toy.project.site / "data/newton-1.4.0/toy.json").read_bytes() == toy.record_path.read_bytes()
     assert (toy.project.site / "data/newton-1.4.0/toy.stiff.csv.gz").is_file()
+
+
+def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(toy, monkeypatch):
+    rules = replace(config().changes, headlines={"the slip": "toy.soft.slip_mm", "the gain": "toy.gain"})
+    told = replace(config(), changes=rules)
+    monkeypatch.setattr("measured_report.site.series.config", lambda: told)
+    toy.build()
+    assert not (toy.project.site / "history.html").exists(), "of one edition"
+    for release, slip_mm in (("1.5.0", 6.3617), ("1.6.0", 0.5), ("1.7.0", 0.5)):
+        toy.of(release).measure([{**ROWS[0], "slip_mm": slip_mm}, ROWS[1]])
+    toy.build()
+    page = (toy.project.site / "history.html").read_text()
+    assert check_site(toy.project.site) == [] and 'href="history.html"' in toy.front
+    assert page.count("<circle") == 8 and page.count("Newton 1.6.0: <data") == 2 and page.count('class="better"') == 1
+    assert 'data-src="newton-1.7.0/toy.json#/rows/0/slip_mm">0.5' in page
 
 
 def test_text_from_results_is_no_markup(toy):
@@ -38,14 +58,24 @@ def test_text_from_results_is_no_markup(toy):
 
 
 def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
-    told = replace(config(), repository="https://git.example/shake")
-    monkeypatch.setattr(pages, "config", lambda: told)
+    monkeypatch.setattr(pages, "sources", lambda: "https://git.example/shake")
     toy.build()
     line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(True)
     assert f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">' in toy.page
     assert (
         "git clone https://git.example/shake report &amp;&amp; cd report &amp;&amp; make rerun SECTION=toy" in toy.page
     )
+
+
+def test_a_site_whose_address_is_known_has_a_feed_and_each_page_says_what_it_tells(toy):
+    toy.of("1.8.0").measure([{**ROWS[0], "slip_mm": 1.0}, ROWS[1]])
+    build(toy.project, "https://site.example/")
+    feed = ElementTree.parse(toy.project.site / "feed.xml").getroot()
+    links = [link.get("href") for link in feed.iterfind("{*}entry/{*}link")]
+    assert links == ["https://site.example/newton-1.8.0/index.html", "https://site.example/index.html"]
+    assert 'type="application/atom+xml" href="https://site.example/feed.xml"' in toy.front
+    body = f'<p>{OPEN}0{CLOSE}</p>\n<p class="a">It <b>leans</b>.</p><p>b</p>'
+    assert Prose(Markup(""), body, [Markup("<figure><p>no</p></figure>")], "a", []).summary.striptags() == "It leans."
 
 
 END = "{% endtable %}\n"

@@ -68,6 +68,14 @@ def known(again: list[Record], repeats: Record, column: str = "drift_mm_s") -> t
     return np.array([each.value for each in estimates]), np.array([each.noise for each in estimates])
 
 
+def test_what_repeats_does_so_whatever_its_unit_and_a_cost_does_not():
+    """A limit in ms that an engine computes is no time that was taken: its kind says so, not its unit."""
+    runs = [{"case": f"r{n}", "of": "a", "limit_ms": 2.0 + n, "frame_ms": 2.0 + n} for n in range(9)]
+    evidence, row = Evidence(repeats=repeats_of(runs)), {"case": "a", "backend": "c", "limit_ms": 4.0, "frame_ms": 4.0}
+    assert evidence.estimate("limit_ms", row).variance == 0.0 < evidence.estimate("frame_ms", row).variance
+    assert evidence.estimate("limit_ms", {**row, "backend": "warp"}).variance > 0.0
+
+
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 6])
 @pytest.mark.parametrize("host", [0.0, 0.02])
 def test_the_truth_is_within_the_noise_as_often_as_it_says(count, host):

@@ -62,8 +62,11 @@ function markPlace() {
   const targets = [...links.keys()];
   let current = null;
   const mark = () => {
-    const passed = targets.filter((target) => target.getBoundingClientRect().top < innerHeight / 3);
-    const found = passed.at(-1) ?? null;
+    const topOf = (target) => target.getBoundingClientRect().top;
+    const passed = targets.filter((target) => topOf(target) < innerHeight / 3);
+    // A short section that the address names ends in the upper third, and is the one that is read.
+    const named = passed.find((target) => target.id === decoded(location.hash) && topOf(target) >= -1);
+    const found = named ?? passed.at(-1) ?? null;
     if (found === current) return;
     for (const link of links.get(current) ?? []) link.removeAttribute("aria-current");
     for (const link of links.get(found) ?? []) link.setAttribute("aria-current", "location");
@@ -307,10 +310,11 @@ function plainWords(text) {
 
 function entriesOf(page, address) {
   const entries = [];
-  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd)")) {
+  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd), #cite")) {
     if (block.closest(".provenance, .source, nav") || block.parentElement.closest("li, figcaption")) continue;
     const text = block.textContent.replace(/ #$/, "").replace(/\s+/g, " ").trim();
-    if (/^H/.test(block.tagName)) {
+    if (block.id === "cite") entries.push({ title: "Cite it", text, address: `${address}#cite` });
+    else if (/^H/.test(block.tagName)) {
       const id = block.id || block.closest("section")?.id || "";
       entries.push({ title: text, text: "", address: id ? `${address}#${id}` : address });
     } else if (entries.length) entries.at(-1).text += ` ${text}`;

@@ -42,7 +42,7 @@ def swing(integrator: str, start_rad: float, seconds: float) -> tuple[list[float
 
 def measure(conditions: Conditions) -> Measurement:
     """Return a row for each integrator, and repeats of the first one, whose spread is the noise."""
-    seconds = 1.0 if conditions.quick else 10.0
+    seconds = 0.5 if conditions.quick else 2.0
     runs = [("euler", "Euler", 0.0, {}), ("rk4", "RK4", 0.0, {})]
     runs += [(f"repeat-{n}", "Euler", n * JITTER_RAD, {"of": "euler"}) for n in range(REPEAT_COUNT)]
     rows, traces = [], {}

@@ -21,7 +21,7 @@ def derive(results: Results) -> Section:
         drawing, axes = new_figure()
         for case, name in INTEGRATORS.items():
             axes.plot(traces[case].value.time_s, traces[case].value.energy_change_mj, label=name, marker="")
-        axes.set(xlabel="time [s]", ylabel="change of energy [mJ]", xlim=(0, 2))
+        axes.set(xlabel="time [s]", ylabel="change of energy [mJ]")
         axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
         return drawing
 

@@ -1,0 +1,79 @@
+"""How far each extreme can be pushed: from what holds to what breaks, beside the scene as shipped."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from experiments.facts.case import AS_SHIPPED
+from measured_report.parts.claim import Claim
+from measured_report.values.quantities import Quantity, absent
+from measured_report.values.results import Results, Row
+from report.sections.reproduction import FRAME_RATE
+from report.sections.stability.claims import family, least, most
+from report.sections.stability.passing import is_stable
+
+NONE = absent("1", "it was not seen")
+
+
+@dataclass(frozen=True)
+class Limit:
+    """One extreme: what holds, what breaks beyond it, and what the scene has as shipped, all in one unit."""
+
+    name: str
+    low: Quantity
+    high: Quantity
+    broken: Quantity
+    shipped: float
+    over: tuple[Quantity, Quantity] | None = None  # what holds and what breaks, in percent over a limit
+
+    @property
+    def is_there(self) -> bool:
+        return None not in (self.low.value, self.high.value)
+
+
+def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row], alone: Sequence[Row]) -> list[Limit]:
+    """Collect them from the claims on each, and from the rows where a claim has one end alone."""
+
+    def ends(name: str, rows: Sequence[Row], column: str) -> tuple[Quantity, Quantity]:
+        formula = "{} of the runs of " + name + " that hold"
+        low = least(results, f"{name}_low", formula.format("least"), rows, column)
+        return low, most(results, f"{name}_high", formula.format("largest"), rows, column)
+
+    def said(claim: str, name: str) -> Quantity:
+        number = claims[claim].numbers.get(name)
+        return number if isinstance(number, Quantity) else NONE
+
+    def loads(label: str, name: str) -> Limit:
+        held = [row for row in family(results, name) if is_stable(row) and row.load.value is not None]
+        over = said(f"{name}_crossover", "kept"), said(f"{name}_crossover", "lost")
+        return Limit(label, *ends(f"{name}_load", held, "load"), results.derived.get(f"{name}_lost", NONE), 1.0, over)
+
+    steps = [row for row in family(results, "steps") if row.pads == "stiff" and is_stable(row)]
+    sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
+    tiny = [row for row in sizes if not is_stable(row)]
+    small = most(results, "edge_lost", "largest that is lost", tiny, "cube_edge_mm")
+    pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
+    strong = [row for row in pulls if not is_stable(row)]
+    heavy = least(results, "gravity_lost", "least that loses it", strong, "gravity_m_s2")
+    starts = [row for row in family(results, "overlap") if is_stable(row)]
+    first = said("safe_settings", "least")
+    safe = [row for row in critical if first.value is not None and row.pad_ke.value >= first.value]
+    up_to = said("safe_settings", "limit")
+    below = [row for row in alone if row.substeps.value == AS_SHIPPED.substeps and is_stable(row)]
+    below = [row for row in below if up_to.value is not None and row.pad_ke.value <= up_to.value]
+    mass = AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3
+    step = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
+    found = [
+        Limit("time step [ms]", *ends("step", steps, "step_ms"), NONE, step),
+        Limit("ke, kd with it", *ends("ke_critical", safe, "pad_ke"), NONE, AS_SHIPPED.pad_ke),
+        Limit("ke alone", *ends("ke_alone", below, "pad_ke"), said("safe_settings", "breaks"), AS_SHIPPED.pad_ke),
+        loads("shake, of Coulomb's limit", "shake"),
+        loads("weaker grip, of that", "grip"),
+        Limit("pads' friction", said("friction_extremes", "kept"), said("friction_extremes", "most"),
+              said("friction_extremes", "lost"), AS_SHIPPED.pad_mu),
+        Limit("cube's edge [mm]", *ends("edge", [row for row in sizes if is_stable(row)], "cube_edge_mm"), small,
+              1e3 * AS_SHIPPED.cube_edge_m),
+        Limit("mass, grip to match [kg]", said("masses", "light"), said("masses", "heavy"), NONE, mass),
+        Limit("gravity [m/s²]", *ends("pull", [row for row in pulls if is_stable(row)], "gravity_m_s2"), heavy, 9.81),
+        Limit("overlap at the start [mm]", *ends("start", starts, "overlap_mm"), NONE, 1.0),
+    ]  # fmt: skip
+    return [limit for limit in found if limit.is_there]

@@ -1,0 +1,242 @@
+"""Scenes of public questions: what the lint names in each, with the number that MuJoCo C comes to and what mends it."""
+
+import json
+
+import mujoco
+import numpy as np
+import pytest
+
+from newton_lint.command import main
+
+BOX = '<geom name="floor" type="plane" size="2 2 .1"/>'
+LINK = '<body pos="0 0 {z}"><joint name="j" {joint}/><geom name="link" type="capsule" {geom}/></body>'
+SERVO = "</worldbody><actuator><position joint='j' {}/></actuator><keyframe><key {}/></keyframe><worldbody>"
+KNEE = LINK.format(z=0.6, joint='axis="0 1 0" damping=".05"', geom='size=".02" fromto="0 0 0 .2 0 0" mass=".4"')
+SCENES = {  # bodies, options, what is said, what is not
+    "a servo too stiff for the step": (
+        KNEE + SERVO.format('kp="4000"', 'qpos="0"'),
+        'timestep=".005" integrator="implicitfast"',
+        ("error unstable", 'kv="20" on j calms it', "kp·h²/m of 17.4"),
+        "timestep=",
+    ),
+    "an arm that sags": (
+        LINK.format(z=1, joint='axis="0 1 0" damping="5"', geom='size=".02" fromto="0 0 0 .4 0 0" mass="3"')
+        + SERVO.format('kp="40"', 'qpos="0"'),
+        "",
+        ("warning servo: j: error 8.", "gravcomp=", 'kp="360" on it: 8.'),
+        "unstable",
+    ),
+    "a joint driven past its limit": (
+        LINK.format(z=1, joint='axis="0 1 0" range="0 90" damping=".1" armature=".001"', geom='size=".008 .02"')
+        + SERVO.format('kp="100" ctrlrange="-1 12.2"', 'qpos="1.5" ctrl="12"'),
+        "",
+        ("warning limit: j: position", 'ctrlrange="0 1.571" on its actuator, which asks for 12'),
+        "servo",
+    ),
+    "a rope that gives": (
+        '<site name="a" pos="0 0 1"/><body pos="0 0 .5"><joint type="slide" axis="0 0 1"/><geom size=".05" mass="5"/>'
+        '<site name="b"/></body></worldbody><tendon><spatial name="rope" limited="true" range="0 .5" '
+        'solreflimit=".1 1"><site site="a"/><site site="b"/></spatial><spatial name="other"><site site="a"/>'
+        '<site site="b"/></spatial></tendon><actuator><motor tendon="other"/></actuator><worldbody>',
+        "",
+        ("warning limit: rope: length 4.", 'solreflimit="0.005 1" on it: 4.'),
+        "error",
+    ),
+    "a mimic joint that stays open": (
+        LINK.format(z=1, joint='type="slide" axis="1 0 0"', geom='size=".01 .02" mass=".02"')
+        + '<body><joint name="k" type="slide" axis="-1 0 0" damping="50"/><geom size=".01" mass=".02"/></body>'
+        '</worldbody><equality><joint name="mirror" joint1="k" joint2="j"'
+        ' solref=".05 1" solimp=".5 .6 .001"/></equality><worldbody>'
+        + SERVO.format('kp="1000" kv="10"', 'qpos="0 0" ctrl=".03"'),
+        'gravity="-3 0 0"',
+        ("warning equality: mirror: gap", 'solref="0.004 1" solimp="0.999 0.999 0.001" on it'),
+        "error",
+    ),
+    "a keyframe without ctrl": (
+        KNEE + SERVO.format('kp="300" kv="10"', 'name="home" qpos="-.8"'),
+        'integrator="implicitfast"',
+        ("warning keyframe: keyframe home: speed", 'ctrl="-0.8" in the <key>'),
+        "unstable",
+    ),
+    "a tool through a plate": (
+        '<geom name="plate" type="box" size=".2 .2 .002" pos="0 0 .2"/>'
+        + LINK.format(z=0.5, joint='type="slide" axis="0 0 1" damping="30"', geom='size=".01 .03" mass="1"')
+        + SERVO.format('kp="6000" kv="100"', 'qpos="-.2" ctrl="-.4"'),
+        'timestep=".004"',
+        ("error tunnel: body_1/link against plate: wall 4 mm", "stops it, measured"),
+        "unstable",
+    ),
+    "a wheel that is soft on its own side": (
+        BOX + '<body pos="0 0 .2"><freejoint/><geom name="wheel" size=".1" solref=".1 1"/></body>',
+        "",
+        (
+            "note one-sided: body_1/wheel: solref 0.1 s is soft on this side only",
+            "used: 0.06",
+            'priority="1" on body_1/wheel',
+        ),
+        "warning",
+    ),
+    "a body without a joint": (
+        BOX + '<body name="box" pos="0 0 1"><geom size=".1" mass="1"/></body>',
+        "",
+        ("note fixed: box: mass 1 kg has no joint", "<freejoint/>"),
+        "warning",
+    ),
+    "masks that leave no pairs": (
+        (BOX + '<body name="ball" pos="0 0 1"><freejoint/><geom size=".1"/></body>')
+        .replace("geom n", 'geom contype="0" n')
+        .replace("geom s", 'geom contype="0" conaffinity="0" s')
+        .replace('"plane"', '"plane" conaffinity="0"'),
+        "",
+        ("warning lost: ball: contype 0 meets no geom", 'contype="1" conaffinity="1" on floor'),
+        "error",
+    ),
+    "a geom that is seen and weighs": (
+        BOX + '<body name="cup" pos="0 0 .1"><freejoint/><geom size=".1"/><geom size=".1" contype="0" conaffinity="0"/>'
+        "</body>",
+        "",
+        ("warning visual: cup: mass 8.378 kg", 'mass="0" on them', "8.38 → 4.19 kg"),
+        "error",
+    ),
+    "a mesh that is its hull": (
+        '<geom name="dart" type="mesh" mesh="d"/></worldbody><asset><mesh name="d" vertex="-1 1 0 0 0 0 1 1 0 0 .4 0 '
+        '-1 1 1 0 0 1 1 1 1 0 .4 1" face="4 5 7 5 6 7 0 3 1 1 3 2 0 1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7"/>'
+        "</asset><worldbody>",
+        "",
+        ("note closed: dart: hull 2.5 times its volume", "several convex geoms"),
+        "warning",
+    ),
+    "more cells than contacts": (
+        '<geom name="terrain" type="hfield" hfield="g"/><body pos="0 0 .031"><freejoint/>'
+        '<geom name="sole" type="box" size=".12 .06 .03" mass="20"/></body></worldbody>'
+        '<asset><hfield name="g" nrow="400" ncol="400" size="1 1 .02 .1"/></asset><worldbody>',
+        "",
+        ("warning hfield: body_1/sole against terrain: 50 contacts", 'nrow="21" ncol="21"'),
+        "unstable",
+    ),
+}
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_what_people_ask_is_named_with_what_mends_it(scene, tmp_path, capsys):
+    bodies, option, texts, absent = SCENES[scene]
+    path = tmp_path / "scene.xml"
+    path.write_text(f"<mujoco><option {option}/><worldbody>{bodies}</worldbody></mujoco>")
+    main([str(path)])
+    out = capsys.readouterr().out
+    assert all(text in out for text in texts) and absent not in out, out
+
+
+WELD = """<mujoco><worldbody><body name="a" pos="0 0 1"><geom size=".03"/></body>
+<body name="ring" pos="0 0 .9"><freejoint/><geom size=".03" mass=".05"/></body>
+<body name="weight" pos="0 0 .7"><freejoint/><geom size=".08" mass="50"/></body></worldbody>
+<equality><weld name="top" body1="a" body2="ring"/><weld body1="ring" body2="weight"/></equality></mujoco>"""
+
+
+def test_what_swings_is_read_where_it_comes_to_rest(tmp_path, capsys):
+    """After 0.2 s the upper weld is 83 mm open and after 12 s 196; a mocap weld on its way is open nowhere."""
+    model = mujoco.MjModel.from_xml_string(WELD)
+    data = mujoco.MjData(model)
+    for _ in range(6000):
+        mujoco.mj_step(model, data)
+    (tmp_path / "weld.xml").write_text(WELD)
+    main([str(tmp_path / "weld.xml")])
+    out = capsys.readouterr().out
+    gap = float(out.partition("top: gap ")[2].split()[0])
+    assert gap == pytest.approx(1e3 * float(np.linalg.norm(data.efc_pos[:3])), rel=0.01) and "still moving" in out
+    body = '<body name="hand"><freejoint/><geom size=".03"/></body>'
+    mocap = f'<worldbody><body name="m" mocap="true" pos="0 0 .5"/>{body}</worldbody>'
+    weld = '<equality><weld body1="m" body2="hand" relpose="0 0 0 1 0 0 0" solref=".2 1"/></equality>'
+    (tmp_path / "mocap.xml").write_text(f'<mujoco><option gravity="0 0 0"/>{mocap}{weld}</mujoco>')
+    assert main([str(tmp_path / "mocap.xml")]) == 0 and "equality" not in capsys.readouterr().out
+
+
+BLOCK = """<mujoco><worldbody><geom name="board" type="box" size=".08 .05 .005"/><body pos="0 0 .026"><freejoint/>
+<geom name="block" type="box" size=".02 .02 .02" mass=".05" friction="10 .005 .0001"/></body>
+<geom type="plane" size="1 1 1" pos="0 0 -9"/></worldbody></mujoco>"""
+
+
+def test_what_no_longer_falls_through_is_mended(tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    path.write_text(BLOCK)
+    main([str(path), "--fix"])
+    assert 'cone="elliptic"' in path.read_text(), capsys.readouterr().err
+
+
+def test_a_change_without_effect_is_told_as_such_and_what_touches_nothing_is_a_note(tmp_path, capsys):
+    path, ball = tmp_path / "scene.xml", '<body pos="0 0 {}"><freejoint/><geom size=".1" solref="1e-4 1"/></body>'
+    for z, severity in ((0.1, "warning"), (5, "note")):
+        path.write_text(
+            f"<mujoco><worldbody>{BOX}{ball.format(z)}</worldbody></mujoco>".replace('floor"', 'f" solref="1e-4 1"')
+        )
+        main([str(path), "--dry-run"])
+        out, err = capsys.readouterr()
+        assert f"{severity} timeconst" in out and ("which changes no motion: can be written" in err) == (z < 1)
+
+
+OPTIONS = [
+    (["--version"], 0, "newton-lint "),
+    (["--explain", "limit"], 0, "limit (warning): a joint or tendon"),
+    (["--explain", "limits"], 2, "there is no rule limits"),
+    (["{}", "--ignore", "limits"], 2, "there is no rule limits to ignore"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "status", "text"), OPTIONS)
+def test_rules_are_explained_and_unknown_ones_refused(arguments, status, text, tmp_path, capsys):
+    (tmp_path / "scene.xml").write_text("<mujoco/>")
+    try:
+        result = main([argument.format(tmp_path / "scene.xml") for argument in arguments])
+    except SystemExit as end:
+        result = end.code
+    assert result == status and text in "".join(capsys.readouterr())
+
+
+@pytest.mark.parametrize(
+    "geoms",
+    [
+        '<geom name="a" size="1"/><geom name="b" size="1" pos="0 0 1.5"/><body pos="0 0 9"><freejoint/>'
+        '<geom size="1"/></body>'
+        '</worldbody><contact><pair geom1="a" geom2="b"/></contact><worldbody>',
+        '<body><freejoint/><geom size=".1" solref="1e200 1"/></body>' + BOX,
+        '<body><freejoint/><geom size=".1" friction="1e180"/></body>' + BOX,
+    ],
+)
+def test_what_mujoco_stops_at_and_numbers_without_squares_are_one_line(geoms, tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    path.write_text(f"<mujoco><worldbody>{geoms}</worldbody></mujoco>")
+    assert main([str(path)]) == 2
+    out, err = capsys.readouterr()
+    assert out == "" and len(err.splitlines()) == 1, err
+
+
+@pytest.mark.parametrize(
+    ("flag", "contact", "least", "most"),
+    [
+        ('<flag diagexact="enable"/>', "", 0.5, 1.2),
+        ("", '<contact><pair geom1="floor" geom2="box" friction=".8 .3"/></contact>', 0.05, 1.2),
+    ],
+)
+def test_a_load_creeps_as_a_grip_does(flag, contact, least, most, tmp_path, capsys):
+    """--load says the same as --hold on a slope of 0.2, whose weight is the load of four points."""
+    path = tmp_path / "scene.xml"
+    path.write_text(
+        f'<mujoco><option cone="elliptic" gravity="1.924 0 -9.62">{flag}</option><worldbody>{BOX}<body name="held" '
+        'pos="0 0 .049"><freejoint/><geom name="box" type="box" size=".05 .05 .05" mass=".5"/></body></worldbody>'
+        f"{contact}</mujoco>"
+    )
+    main([str(path), "--hold", "held", "--load", str(0.5 * 1.924 / 4.0), "--json"])
+    report = json.loads(capsys.readouterr().out)
+    [creep], hold = report["creep"], report["hold"]["mm_s"]
+    assert least * hold < creep["load_deep_mm_s"] < most * hold < most * most * creep["load_shallow_mm_s"]
+
+
+def test_a_timeconst_without_refsafe_is_as_stiff_as_it_says(tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    box = f'{BOX}<body pos="0 0 .1"><freejoint/><geom type="box" size=".1 .1 .1"/></body>'
+    text = '<mujoco><option><flag refsafe="disable"/></option><default><geom solref="{} 1"/></default><worldbody>'
+    for timeconst, status in (("0.0005", 1), ("0.003", 0)):
+        path.write_text(f"{text.format(timeconst)}{box}</worldbody></mujoco>")
+        assert main([str(path)]) == status
+        assert ("error stiff" in (out := capsys.readouterr().out)) == bool(status)
+        assert not status or 'solref="0.004 1"' in out
