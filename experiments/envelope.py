@@ -14,6 +14,7 @@ MAP_SIZE = {"full": 32, "quick": 3}
 AMPLITUDES_M = (0.005, 0.12)
 FREQUENCIES_HZ = (0.25, 5.0)  # range of the map, spaced evenly on a log scale
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
+ROUND = [(0.03, f) for f in (0.5, 1.0, 2.0, 3.0)] + [(a, 1.0) for a in (0.01, 0.06, 0.1)]  # amplitudes [m], at [Hz]
 COLUMNS = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m", "dropped", "failure")
 
 
@@ -23,7 +24,7 @@ def shaken(case: Case, name: str, amplitude_m: float, frequency_hz: float) -> Ca
 
 
 def measure(conditions: Conditions) -> Plan:
-    rows, table = yield [Batch("usual", measure_usual, (conditions,)), Batch("map", measure_map, (conditions, SIDES))]
+    rows, table = yield [Batch("round", measure_round, (conditions,)), Batch("map", measure_map, (conditions, SIDES))]
     return Measurement(rows, {"map": table})
 
 
@@ -37,11 +38,11 @@ def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
     ]
 
 
-def measure_usual(conditions: Conditions) -> list[dict]:
-    """Return the row of the shake as it is shipped, which is as long as those of the map."""
-    case = shaken(AS_SHIPPED, "as-shipped-3cm-1hz", AS_SHIPPED.shake_amplitude_m, AS_SHIPPED.shake_frequency_hz)
-    [trace] = conditions.simulate([case], title="envelope")
-    return [summarize(case, trace)]
+def measure_round(conditions: Conditions) -> list[dict]:
+    """Return a row for each shake at round numbers, as long as those of the map, that of the scene among them."""
+    cases = [shaken(case, f"{side}-{100 * a:g}cm-{f:g}hz", a, f) for side, case in SIDES.items() for a, f in ROUND]
+    traces = conditions.simulate(cases, title="envelope")
+    return [summarize(case, trace) for case, trace in zip(cases, traces, strict=True)]
 
 
 def measure_map(conditions: Conditions, sides: Mapping[str, Case]) -> dict[str, np.ndarray]:

@@ -1,4 +1,4 @@
-"""Speed of one world, as shipped and as fixed, in frames of the shake."""
+"""Speed of one world, as shipped and as fixed, in frames of the shake, and of many worlds with stiff pads."""
 
 from dataclasses import replace
 
@@ -19,9 +19,15 @@ CASES = (  # compared with the first of them
 )
 
 
+MANY = 16384  # worlds in which only the pads are compared
+
+
 def measure(conditions: Conditions) -> Plan:
-    [rows] = yield [Batch("times", measure_times, (conditions,), exclusive=True)]
-    return Measurement(rows)
+    batches = [Batch("times", measure_times, (conditions,), exclusive=True)]
+    if conditions.is_cuda and not conditions.quick:
+        batches.append(Batch("many", measure_many, (conditions,), exclusive=True))
+    rows_by_batch = yield batches
+    return Measurement([row for rows in rows_by_batch for row in rows])
 
 
 def measure_times(conditions: Conditions) -> list[dict[str, object]]:
@@ -30,6 +36,12 @@ def measure_times(conditions: Conditions) -> list[dict[str, object]]:
     cases = CASES if conditions.is_cuda else [case for case in CASES if case.name != "as-shipped-untrimmed"]
     timed = time_cases(cases, 1, wp.get_device(conditions.device))
     return [{"case": case.name, **differences(case), **with_rates(timed[case.name])} for case in cases]
+
+
+def measure_many(conditions: Conditions) -> list[dict[str, object]]:
+    """Return a row for shipped and for stiff pads in MANY worlds."""
+    timed = time_cases([AS_SHIPPED, STIFF_PADS], MANY, wp.get_device(conditions.device))
+    return [{"case": f"{name}-{MANY}", "worlds": MANY, **columns} for name, columns in timed.items()]
 
 
 def with_rates(row: dict) -> dict[str, object]:

@@ -1,7 +1,8 @@
-"""A cube between two walls: shaken along a straight line, and turned at constant speed with no shake at all.
+"""A cube between two walls: shaken along a straight line and along an arc, and turned at constant speed with no shake.
 
 If compliance and the cycle of the load made a grasp creep, the straight shake would too, whose acceleration is that of
-the arm's. If it is the term that rows leave out, only what turns creeps, by the law in ``turntable``.
+the arm's. If it is the term that rows leave out, what a turning joint moves creeps, by the law in ``turntable``: along
+the same arc on a hinge, on two hinges that keep the walls from turning, and not on two slides, of which J̇ is zero.
 
 And the shake itself in MuJoCo's C engine with a dense and a sparse Jacobian, which should be the same: MuJoCo 4.0.0
 has a bug in its sparse Cholesky factorization (google-deepmind/mujoco issue #3767).
@@ -27,27 +28,42 @@ SECONDS = {"full": 6.0, "quick": 3.0}
 JACOBIANS = {"dense": mujoco.mjtJacobian.mjJAC_DENSE, "sparse": mujoco.mjtJacobian.mjJAC_SPARSE}
 HALF_M, PRESSED_M = 0.025, 0.002
 FEET_M = [(x, y, z) for x in (-0.02, 0.02) for y in (-HALF_M, HALF_M) for z in (-0.02, 0.02)]
+HINGE, SLIDE = '<joint axis="0 {sign} 0" pos="{at} 0 0" {spring}/>', '<joint type="slide" axis="{axis}" {spring}/>'
+SWING = f'stiffness="{1e3 * SHAKE_RAD_S**2}" armature="1000"'
+ARC_M = SHAKE_M**2 / (4.0 * PLACE_M)  # by so much the middle of the arc's way along its radius is off its lowest point
+ALONG = f'springref="{-ARC_M}" stiffness="{4e3 * SHAKE_RAD_S**2}" armature="1000"'  # twice a period
 JOINTS = {
-    "straight": f'<joint type="slide" axis="1 0 0" stiffness="{1e3 * SHAKE_RAD_S**2}" armature="1000"/>',
+    "straight": SLIDE.format(axis="1 0 0", spring=SWING),
     "turning": '<joint axis="0 0 1" armature="1000"/>',
+    "hinge": HINGE.format(sign=-1, at=-PLACE_M, spring=SWING),
+    "two-hinges": HINGE.format(sign=-1, at=-PLACE_M, spring=SWING) + HINGE.format(sign=1, at=0, spring=SWING),
+    "two-slides": SLIDE.format(axis="1 0 0", spring=ALONG) + SLIDE.format(axis="0 0 1", spring=SWING),
 }
-STARTS = {  # at an end of the shake, at rest, from where the spring of the walls does the rest; and turning
+ON_AN_ARC = ("hinge", "two-hinges", "two-slides")
+SPEED_M_S = SHAKE_M * SHAKE_RAD_S  # of a shake in its middle
+SWING_RAD_S = SPEED_M_S / PLACE_M
+STARTS = {  # at an end of the shake, at rest; turning; and in the middle of the arc
     "straight": f'qpos="{SHAKE_M} {SHAKE_M} 0 0 1 0 0 0"',
     "turning": f'qvel="{numbers([TURN_RAD_S, 0.0, TURN_RAD_S * PLACE_M, 0.0, 0.0, 0.0, TURN_RAD_S])}"',
+    "hinge": f'qvel="{numbers([SWING_RAD_S, 0.0, 0.0, SPEED_M_S, 0.0, -SWING_RAD_S, 0.0])}"',
+    "two-hinges": f'qvel="{numbers([SWING_RAD_S, SWING_RAD_S, 0.0, 0.0, SPEED_M_S, 0.0, 0.0, 0.0])}"',
+    "two-slides": f'qvel="{numbers([0.0, SPEED_M_S, 0.0, 0.0, SPEED_M_S, 0.0, 0.0, 0.0])}"',
 }
 
 
 def walls(motion: str) -> str:
-    """Write the scene: walls on a joint, and between them a cube on feet, without gravity."""
-    offset_m = PLACE_M if motion == "turning" else 0.0
+    """Write the scene: walls on joints, and between them a cube on feet, without gravity."""
+    place_m = 0.0 if motion == "straight" else PLACE_M
     feet = "".join(f'<geom type="sphere" size="0.01" pos="{x} {y} {z}" mass="0"/>' for x, y, z in FEET_M)
+    at_body = f"{place_m} 0 0" if motion in ON_AN_ARC else "0 0 0"
+    offset_m = 0.0 if motion in ON_AN_ARC else place_m
     sides = "".join(
         f'<geom type="box" size="0.1 0.01 0.1" pos="{offset_m} {side * (HALF_M + 0.02 - PRESSED_M)} 0" mass="0.1"/>'
         for side in (-1, 1)
     )
     return f"""<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitfast" gravity="0 0 0"/><worldbody>
-      <body>{JOINTS[motion]}{sides}</body>
-      <body pos="{offset_m} 0 0"><freejoint/>
+      <body pos="{at_body}">{JOINTS[motion]}{sides}</body>
+      <body pos="{place_m} 0 0"><freejoint/>
         <geom type="box" size="{HALF_M} {HALF_M} {HALF_M}" mass="{MASS_KG}" contype="0" conaffinity="0"/>{feet}
       </body>
     </worldbody><keyframe><key {STARTS[motion]}/></keyframe></mujoco>"""
@@ -60,11 +76,11 @@ def measure(conditions: Conditions) -> list[dict]:
 
 def row_of(motion: str, engine: str, conditions: Conditions) -> dict[str, object]:
     path, contacts = turntable.run(engine, walls(motion), SECONDS[conditions.profile], conditions.device)
-    outward = path[:, 0] if motion == "straight" else np.hypot(*path[:, :2].T)
+    outward = path[:, 0] if motion == "straight" else np.hypot(*path[:, [0, 2 if motion in ON_AN_ARC else 1]].T)
     settled = outward[round(SETTLE_S / SAMPLE_S) :]
     row = {"case": f"control-{motion}-plain-{engine}", "control": motion, "backend": engine, "contact_bias": False}
     row["drift_mm_s"] = float(1e3 * (settled[-1] - settled[0]) / (SAMPLE_S * (len(settled) - 1)))
-    if motion == "straight":
+    if motion != "turning":
         return row
     row["growth_per_s"] = turntable.growth_per_s(outward, SETTLE_S)
     return row | {"predicted_growth_per_s": turntable.predicted_growth_per_s(turntable.Variant(), contacts)}

@@ -242,6 +242,15 @@ def test_the_box_on_the_turntable_is_predicted_as_by_hand(variant, rate):
     assert turntable.predicted_growth_per_s(variant, touched) == pytest.approx(0.998 * rate)
 
 
+def test_what_moves_along_an_arc_creeps_on_hinges_whether_it_turns_or_not_and_not_on_slides():
+    conditions = SimpleNamespace(profile="quick", device="cpu")
+    drifts = {motion: controls.row_of(motion, "c", conditions)["drift_mm_s"] for motion in controls.ON_AN_ARC}
+    mean_m_s2 = (0.03 * 2.0 * np.pi) ** 2 / (2.0 * controls.PLACE_M)  # of the speed's square over the radius
+    assert drifts["hinge"] == pytest.approx(1e3 * mean_m_s2 * (0.95 * 0.02 / 2.0 - 0.002 / 2.0), rel=0.03)
+    assert drifts["two-hinges"] == pytest.approx(drifts["hinge"], rel=0.03)
+    assert drifts["two-slides"] == pytest.approx(0.0, abs=1e-3)
+
+
 def test_controls_creep_along_their_walls_and_turn_as_hard_as_the_shake(monkeypatch):
     """0.03 m at 1 Hz are accelerated by up to 1.18 m/s², as is what turns at 2 rad/s, 0.296 m from the axis."""
     turned_m_s2 = controls.PLACE_M * 2.0**2
