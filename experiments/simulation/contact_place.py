@@ -18,9 +18,10 @@ Curvatures are those of the engine's geoms where the contact lies: of spheres, c
 cylinders; boxes have faces, edges and corners. Meshes and height fields count as flat; what lies along a flat side
 touches it with corners of its own. One more launch, no memory; it can be part of a captured graph.
 
-A rate holds for the moment; a soft contact takes 2/b to settle. A body that turns far against the other within that
-time is off again before, and the rate at which it touched would put energy into it. So a row gets 1 - φ² of its rate,
-with φ the angle that the bodies turn by against each other in 2/b, and from a radian on nothing, as without the term.
+A rate holds for the moment. It is given for a step h, and a soft contact takes 2/b to settle. Until then the bodies
+turn against each other, and the place runs round a rim, by φ together: the rate may have changed by φ of itself, and
+what is no longer there would put energy into the bodies. So a row gets the 1 - φ of it that is left in any case, and
+from a radian on nothing, as without the term.
 """
 
 from collections.abc import Sequence
@@ -90,6 +91,8 @@ class Surface:
     """Turn of the outward normal for a way along the surface [1/m]."""
     sharp: wp.mat22
     """Projection on the ways across an edge, along which the place cannot move."""
+    varying: float
+    """Part of itself by which the bend turns or changes, for a way along the surface [1/m]."""
 
 
 @wp.func
@@ -130,8 +133,10 @@ def surface_of(kind: int, size: wp.vec3, at: wp.vec3, out: wp.vec3, x: wp.vec3, 
         across, by_x, by_y = wp.cw_mul(inverse, at), wp.cw_mul(inverse, x), wp.cw_mul(inverse, y)
         mixed = wp.dot(x, by_y)
         surface.bend = wp.mat22(wp.dot(x, by_x), mixed, mixed, wp.dot(y, by_y)) / wp.length(across)
+        surface.varying = 1.0 / wp.max(size)
     elif kind == CYLINDER:
-        is_end = wp.abs(at[2]) > size[1] - NEAR * wp.min(size[0], size[1])
+        # The engine's place is rounded; a normal that leans to the axis is none of the side.
+        is_end = wp.abs(at[2]) > size[1] - NEAR * wp.min(size[0], size[1]) or wp.abs(out[2]) > UPRIGHT
         is_side = at[0] * at[0] + at[1] * at[1] > (1.0 - NEAR) * (1.0 - NEAR) * size[0] * size[0]
         if is_end and is_side and sine < UPRIGHT:
             surface.sharp = UNIT
@@ -140,6 +145,7 @@ def surface_of(kind: int, size: wp.vec3, at: wp.vec3, out: wp.vec3, x: wp.vec3, 
             surface.bend = along(tangent, x, y) * (sine / size[0])  # by Meusnier's theorem
             if is_end:
                 surface.sharp = along(wp.cross(out, tangent), x, y)
+                surface.varying = 1.0 / size[0]
     elif kind == BOX:
         edge = wp.vec3(flatness(out[0]), flatness(out[1]), flatness(out[2]))  # along no face's normal
         if edge[0] + edge[1] + edge[2] == 1.0:
@@ -192,10 +198,10 @@ def round_the_rim(radius: float, at: wp.vec3, out: wp.vec3, over: wp.vec3) -> wp
 
 @wp.func
 def lasting_part(rows: contact_bias.Rows, contact: int, turning: float) -> float:
-    """Return the part of its rate that a row gets whose bodies turn against each other, at ``turning`` [rad/s]."""
+    """Return the part of a row's rate that is left once it has settled, of a rate that turns at ``turning`` [rad/s]."""
     step = rows.timestep[rows.worldid[contact] % rows.timestep.shape[0]]
-    angle = 2.0 * turning / contact_bias.damping(rows.solref[contact], rows.solimp[contact], step, rows.refsafe)
-    return wp.max(0.0, 1.0 - angle * angle)
+    settled = step + 2.0 / contact_bias.damping(rows.solref[contact], rows.solimp[contact], step, rows.refsafe)
+    return wp.max(0.0, 1.0 - turning * settled)
 
 
 @wp.func
@@ -248,19 +254,19 @@ def subtract_place(
         first.bend = 0.0 * UNIT
         first.sharp = 0.0 * UNIT
         second.sharp = UNIT
-    over = wp.vec2()  # velocity of the place over both surfaces together
+    over_1, over_2 = wp.vec2(), wp.vec2()  # velocity of the place over both surfaces
     bent = wp.vec2()  # what its way bends the normal by
     carrying = w_1
     if wp.trace(first.sharp) < 0.5:
         sliding = wp.vec2(wp.dot(v + slide, x), wp.dot(v + slide, y))
-        over = place_on(first, second, gap, turning, sliding)
-        bent = first.bend * over
-        over = over + over + gap * bent - sliding
+        over_1 = place_on(first, second, gap, turning, sliding)
+        bent = first.bend * over_1
+        over_2 = over_1 + gap * bent - sliding
     else:  # the same from the other side, from where the normal is -n
         sliding = wp.vec2(wp.dot(slide - v, x), wp.dot(slide - v, y))
-        over = place_on(second, first, gap, turning, sliding)
-        bent = -(second.bend * over)
-        over = over + over - gap * bent - sliding
+        over_2 = place_on(second, first, gap, turning, sliding)
+        bent = -(second.bend * over_2)
+        over_1 = over_2 - gap * bent - sliding
         carrying = w_2
     rate = wp.cross(carrying, n) + bent[0] * x + bent[1] * y
     way, way_rate = wp.vec3(0.0, 1.0, 0.0), wp.vec3()
@@ -273,6 +279,7 @@ def subtract_place(
     if is_made_of(way, n, x):
         spin = (wp.dot(way_rate, y) - wp.dot(way, n) * wp.dot(rate, y)) / wp.dot(way, x)
     turning_frame = wp.cross(n, rate) + spin * n
+    over = over_1 + over_2
     place = 0.5 * (slide + over[0] * x + over[1] * y)
     if geom_type[one] == PLANE and geom_type[two] == CYLINDER and wp.trace(second.sharp) < 1.5:
         on_rim = place - 0.5 * slide - 0.5 * (v + slide)
@@ -281,7 +288,8 @@ def subtract_place(
     linear = wp.cross(w, place) + wp.cross(v, turning_frame + 0.5 * (w_1 + w_2))
     angular = wp.cross(w, turning_frame)
     # The rate of the material points is there already; of that too, what does not last goes.
-    part = lasting_part(rows, contact, wp.length(w))
+    running = wp.length(over_1) * first.varying + wp.length(over_2) * second.varying
+    part = lasting_part(rows, contact, wp.length(w) + running)
     rate_1, rate_2 = acceleration[world, geom_body[one]], acceleration[world, geom_body[two]]
     points = contact_bias.material_acceleration(twist_2, rate_2, arm_2)
     points -= contact_bias.material_acceleration(twist_1, rate_1, arm_1)
