@@ -1,10 +1,12 @@
-"""Bodies that are dropped with a spin and tumble: does the exact term put energy into any of them?
+"""Bodies that wobble, spin, roll on an edge or tumble: does the exact term put energy into any of them?
 
-Each world is run with nothing done, with nothing done from a start that is a hair's breadth aside, with the exact term
-and with that of the material points alone. A tumble is chaos, and a step of a spinning body in the air has an error of
-its own: what two sets of worlds without the term have differently is no effect of it.
+Each world is run with the term and without. Judged are the most energy that a world ever has, over that of a body which
+lies still, and how high a body rises. Spins are so slow that the term is on. A tumble is chaos, and a step has an error
+of its own, which makes some gain without the term: what the term adds is what pairs have differently, either way.
 """
 
+from collections.abc import Iterator
+from copy import copy
 from types import SimpleNamespace
 
 import mujoco
@@ -13,99 +15,161 @@ import numpy as np
 import warp as wp
 from tqdm import tqdm
 
-from experiments.simulation import contact_bias, contact_place
+from experiments.simulation import contact_place
 from experiments.simulation.measurement import Conditions
+from experiments.simulation.simulation import captured
 
-VARIANTS = ("plain", "aside", "exact", "points")
-ASIDE_RAD_S = 1e-3
 STEPS_S = {"full": (0.0005, 0.001, 0.002, 0.005, 0.01), "quick": (0.005,)}
-WORLD_COUNT = {"full": 300, "quick": 32}  # of each body, step and variant: 7 bodies at 5 steps are 10,500 worlds
+PAIR_COUNT = {"full": 100, "quick": 4}  # of each body, step and start: 12 bodies, 5 steps and 4 starts are 24,000 pairs
 SECONDS = 1.0
-SAMPLE_S = 0.1
-DROPS_M, SPINS_RAD_S = (0.05, 0.5), (0.0, 200.0)
-RADIUS_M, FRICTION, GAIN = 0.03, 0.8, 1.01
+RADIUS_M, HELD_M, FRICTION, GAIN, RISE_M = 0.03, 0.2, 0.8, 1.01, 1e-3
+BROKEN = 1e3  # times its energy at the start: what stands for more, and for a world that has no number
+STARTS = {  # tilt [rad], spin [rad/s] and height above what is below [m]
+    "wobbles": ((0.03, 0.3), (2.0, 30.0), (0.0, 0.0)),
+    "spins": ((0.03, 0.3), (10.0, 40.0), (0.0, 0.0)),
+    "rolls": ((0.8, 1.5), (5.0, 30.0), (0.0, 0.0)),
+    "falls": ((0.0, np.pi), (0.0, 40.0), (0.05, 0.5)),
+}
+AT_RANDOM = ("wobbles", "falls")  # the others spin about the body's own axis
 CORNERS = " ".join(f"{x} {y} {z}" for x, y, z in np.random.default_rng(7).normal(scale=0.03, size=(14, 3)).round(4))
 RIM = [(RADIUS_M * np.cos(angle), RADIUS_M * np.sin(angle), 0.0) for angle in np.linspace(0, 2 * np.pi, 24, False)]
 CONE = " ".join(f"{x:.5f} {y:.5f} {z}" for x, y, z in [*RIM, (0.0, 0.0, 0.06)])
-BODIES = {
-    "box": f'type="box" size="{RADIUS_M} 0.02 0.045"',
-    "cylinder": f'type="cylinder" size="{RADIUS_M} {RADIUS_M}"',
-    "coin": f'type="cylinder" size="{RADIUS_M} 0.006"',
-    "capsule": f'type="capsule" size="{RADIUS_M} {RADIUS_M}"',
-    "ellipsoid": f'type="ellipsoid" size="{RADIUS_M} 0.02 0.045"',
-    "mesh": 'type="mesh" mesh="convex"',
-    "cone": 'type="mesh" mesh="cone"',
+CAN, COIN = f'type="cylinder" size="{RADIUS_M} {RADIUS_M}"', f'type="cylinder" size="{RADIUS_M} 0.003"'
+BLOCK = (
+    f'<body pos="0 0 0.03"><freejoint/><geom type="box" size="0.06 0.06 0.03" mass="1" friction="{FRICTION}"/></body>'
+)
+PADS = "".join(
+    f"""<body pos="{sign * (RADIUS_M + 0.01)} 0 {HELD_M}">
+    <joint type="slide" axis="{-sign} 0 0" stiffness="1000" springref="0.01"/>
+    <geom type="box" size="0.01 0.04 0.04" mass="0.2" friction="{FRICTION}"/></body>"""
+    for sign in (-1, 1)
+)
+BODIES = {  # its geom, and what is there beside the ground
+    "box": (f'type="box" size="{RADIUS_M} 0.02 0.045"', ""),
+    "can": (CAN, ""),
+    "coin": (COIN, ""),
+    "capsule": (f'type="capsule" size="{RADIUS_M} {RADIUS_M}"', ""),
+    "ellipsoid": (f'type="ellipsoid" size="{RADIUS_M} 0.02 0.045"', ""),
+    "lens": (f'type="ellipsoid" size="{RADIUS_M} {RADIUS_M} 0.006"', ""),
+    "hull": ('type="mesh" mesh="hull"', ""),
+    "cone": ('type="mesh" mesh="cone"', ""),
+    "top": ('type="mesh" mesh="cone" euler="180 0 0"', ""),
+    "can-on-block": (CAN, BLOCK),
+    "coin-on-block": (COIN, BLOCK),
+    "can-in-pads": (f'{CAN} euler="0 90 0"', PADS),
 }
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Make a row for each body and step: in how many worlds the energy rises."""
+    """Make a row for each body and step: in how many pairs of worlds the energy or the height differs."""
     chosen = [(body, step_s) for body in BODIES for step_s in STEPS_S[conditions.profile]]
     return [
-        row_of(body, step_s, energies_left(body, step_s, WORLD_COUNT[conditions.profile], conditions.device))
+        row_of(body, step_s, *peaks(body, step_s, PAIR_COUNT[conditions.profile], conditions.device))
         for body, step_s in tqdm(chosen, desc="cure, tumbles", unit="batch", delay=3.0)
     ]
 
 
-def row_of(body: str, step_s: float, left: np.ndarray) -> dict[str, object]:
-    """Count the worlds whose energy ends over 1 % above its start, or as no number, which is more than any.
+def row_of(body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray) -> dict[str, object]:
+    """Count the pairs in which either world gains over 1 %, and those in which either rises higher by 1 mm.
 
     Args:
-        left: Energy at the end by that at the start, shape [variants, worlds].
+        energies: The most that a world ever had, by that at the start; shape [2, worlds], without the term and with it.
+        heights_m: The highest that its body ever was.
     """
+    (plain, exact), (plain_m, exact_m) = np.minimum(energies, BROKEN), heights_m
+    counts = {
+        "plain_gain_count": plain > GAIN,
+        "exact_gain_count": exact > GAIN,
+        "plain_alone_count": (plain > GAIN) & (exact <= GAIN),
+        "exact_alone_count": (exact > GAIN) & (plain <= GAIN),
+        "higher_count": exact_m > plain_m + RISE_M,
+        "lower_count": exact_m < plain_m - RISE_M,
+    }
     row = {"case": f"tumble-{body}-{1e3 * step_s:g}ms", "tumbling": body, "step_ms": 1e3 * step_s}
-    row |= {"contact_bias": True, "world_count": left.shape[1]}
-    gains = (np.nan_to_num(left, nan=np.inf) > GAIN).sum(axis=1).tolist()
-    return row | {f"{name}_gain_count": count for name, count in zip(VARIANTS, gains, strict=True)}
+    row |= {"contact_bias": True, "pair_count": energies.shape[1]}
+    row |= {name: int(chosen.sum()) for name, chosen in counts.items()}
+    return row | {"plain_most_energy": float(plain.max()), "exact_most_energy": float(exact.max())}
 
 
 def model_of(body: str, step_s: float) -> mujoco.MjModel:
+    geom, beside = BODIES[body]
     return mujoco.MjModel.from_xml_string(f"""<mujoco>
       <option timestep="{step_s}" cone="elliptic" integrator="implicitfast" impratio="10">
         <flag energy="enable"/>
       </option>
-      <asset><mesh name="convex" vertex="{CORNERS}"/><mesh name="cone" vertex="{CONE}"/></asset>
+      <asset><mesh name="hull" vertex="{CORNERS}"/><mesh name="cone" vertex="{CONE}"/></asset>
       <worldbody>
-        <geom type="plane" size="5 5 1" friction="{FRICTION}"/>
-        <body><freejoint/><geom {BODIES[body]} mass="0.2" friction="{FRICTION}"/></body>
+        <geom type="plane" size="5 5 1" friction="{FRICTION}"/>{beside}
+        <body pos="0 0 {HELD_M}"><freejoint/><geom {geom} mass="0.2" friction="{FRICTION}"/></body>
       </worldbody>
     </mujoco>""")
 
 
-def starts_of(model: mujoco.MjModel, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Draw places and velocities, shapes [count, 7] and [count, 6]; all bodies and steps have the same."""
-    random = np.random.default_rng(0)
-    qpos, qvel = np.zeros((count, 7)), np.zeros((count, 6))
-    qpos[:, 2] = model.geom_rbound[-1] + random.uniform(*DROPS_M, count)
-    qpos[:, 3:] = random.normal(size=(count, 4))
-    qpos[:, 3:] /= np.linalg.norm(qpos[:, 3:], axis=1, keepdims=True)
-    axis = random.normal(size=(count, 3))
-    qvel[:, 3:] = random.uniform(*SPINS_RAD_S, (count, 1)) * axis / np.linalg.norm(axis, axis=1, keepdims=True)
-    return qpos, qvel
+def starts_of(model: mujoco.MjModel, count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Draw positions and velocities, ``count`` of each start, alike for all steps; what pads hold is not tilted."""
+    random, data, near = np.random.default_rng(0), mujoco.MjData(model), copy(model)
+    near.geom_margin[:] = 1.0  # so that there is a distance to the ground
+    is_free = model.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE
+    block_m = 2.0 * model.geom_size[1:-1, 2].sum()
+    for start, (tilts, spins, heights_m) in STARTS.items():
+        for _ in range(count):
+            data.qpos[:], data.qvel[:] = model.qpos0, 0.0
+            heading, way = random.uniform(0.0, 2.0 * np.pi), random.normal(size=3)
+            axis = np.array([np.cos(heading), np.sin(heading), 0.0])
+            mujoco.mju_axisAngle2Quat(data.qpos[-4:], axis, random.uniform(*tilts) if is_free else 0.0)
+            turning = way / np.linalg.norm(way) if start in AT_RANDOM else np.array([0.0, 0.0, 1.0])
+            data.qvel[-3:] = random.uniform(*spins) * turning
+            mujoco.mj_fwdPosition(near, data)
+            if is_free:
+                to_ground = [contact for contact in data.contact if tuple(contact.geom) == (0, model.ngeom - 1)]
+                nearest = min(to_ground, key=lambda contact: contact.dist)
+                if start == "rolls":
+                    spin = data.xmat[-1].reshape(3, 3) @ data.qvel[-3:]
+                    data.qvel[-6:-3] = np.cross(nearest.pos - data.xpos[-1], spin)
+                data.qpos[-5] += block_m + random.uniform(*heights_m) - nearest.dist
+            yield data.qpos.copy(), data.qvel.copy()
 
 
-def energies_left(body: str, step_s: float, count: int, device: str) -> np.ndarray:
-    """Return kinetic and potential energy after SECONDS, by that at the start, shape [variants, worlds]."""
+@wp.kernel(enable_backward=False)
+def keep_peaks(energy: wp.array[wp.vec2], places: wp.array2d[wp.vec3], most: wp.array[float], highest: wp.array[float]):
+    world = wp.tid()
+    total = energy[world][0] + energy[world][1]
+    most[world] = wp.max(most[world], wp.where(wp.isfinite(total), total, wp.inf))
+    highest[world] = wp.max(highest[world], places[world, places.shape[1] - 1][2])
+
+
+def peaks(body: str, step_s: float, count: int, device: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return the most energy of each world, by that at the start, and the highest place of its body [m].
+
+    Energy is over the least that a world without the term ends with. Shapes [2, worlds].
+    """
     model = model_of(body, step_s)
-    data, (qpos, qvel) = mujoco.MjData(model), starts_of(model, count)
+    data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
+    qpos, qvel = map(np.array, zip(*starts_of(model, count), strict=True))
+    pair_count = len(qpos)
     with wp.ScopedDevice(device):
         m = mjw.put_model(model)
-        d = mjw.put_data(model, data, nworld=len(VARIANTS) * count, nconmax=16, njmax=64)
-        for name, install in (("points", contact_bias.install), ("exact", contact_place.install)):
-            worlds = np.repeat([variant == name for variant in VARIANTS], count).tolist()
-            install(SimpleNamespace(mjw_model=m, mjw_data=d), centred=True, normal=True, worlds=worlds)
-        mjw.step(m, d)  # compiles, which must not happen inside a capture
-        with wp.ScopedCapture() as capture:
-            for _ in range(round(SAMPLE_S / step_s)):
-                mjw.step(m, d)
-        aside = qvel + np.array([0.0, 0.0, 0.0, ASIDE_RAD_S, 0.0, 0.0])
-        d.qpos.assign(np.tile(qpos, (len(VARIANTS), 1)).astype(np.float32))
-        d.qvel.assign(np.concatenate([aside if name == "aside" else qvel for name in VARIANTS]).astype(np.float32))
+        d = mjw.put_data(model, data, nworld=2 * pair_count, nconmax=32, njmax=128)
+        worlds = np.repeat([False, True], pair_count).tolist()
+        contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), normal=True, worlds=worlds)
+        most, highest = (wp.full(2 * pair_count, -wp.inf, dtype=float) for _ in range(2))
+
+        def step() -> None:
+            mjw.step(m, d)  # energy and places are those before it
+            wp.launch(keep_peaks, dim=d.nworld, inputs=[d.energy, d.xipos, most, highest])
+
+        step()  # compiles, which must not happen inside a capture
+        advance = captured(step)
+        d.qpos.assign(np.tile(qpos, (2, 1)).astype(np.float32))
+        d.qvel.assign(np.tile(qvel, (2, 1)).astype(np.float32))
         d.qacc_warmstart.zero_()
         mjw.forward(m, d)
         start = d.energy.numpy().sum(axis=1, dtype=float)
-        for _ in range(round(SECONDS / SAMPLE_S)):
-            wp.capture_launch(capture.graph)
-        mjw.forward(m, d)
-        return (d.energy.numpy().sum(axis=1, dtype=float) / start).reshape(len(VARIANTS), count)
+        for values in (most, highest):
+            values.fill_(-wp.inf)
+        for _ in range(round(SECONDS / step_s)):
+            advance()
+        floor = d.energy.numpy()[:pair_count].sum(axis=1, dtype=float).min()
+        energies = (most.numpy() - floor) / (start - floor)
+        return energies.reshape(2, -1), highest.numpy().reshape(2, -1)

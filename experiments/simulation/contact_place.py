@@ -231,6 +231,8 @@ def subtract_place(
     world, position = rows.worldid[contact], rows.pos[contact]
     one, two = rows.geom[contact][0], rows.geom[contact][1]
     n, x = rows.frame[contact][0], rows.frame[contact][1]
+    if wp.length_sq(n) < 0.5:  # MuJoCo Warp 4.0.0 has contacts with no normal, between a box and a cylinder's rim
+        return
     y = wp.cross(n, x)
     twist_1, twist_2 = velocity[world, geom_body[one]], velocity[world, geom_body[two]]
     # Velocities of a body refer to the centre of mass of its tree.

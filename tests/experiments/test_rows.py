@@ -12,7 +12,7 @@ import warp as wp
 
 from experiments import contacts, error_runtime, hold, leave_out, newton_solvers, poses, stability, stiffness
 from experiments.contacts import missing_term
-from experiments.cure import bodies, combinations, controls, tumbles, turntable
+from experiments.cure import bodies, combinations, controls, turntable
 from experiments.engines import published, robot, scenes
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED
@@ -279,18 +279,6 @@ def test_combinations_are_all_but_those_that_no_engine_has_and_kf_is_taken_out_i
         assert off == {"newton": shakes, "mujoco": [], "pyramidal": []}
         counts = [2 * 2 * 4 * 2 + 2, 0, 0] if quick else [12 * (4 * 4 + 2 * 2) + 3, 12 * (3 * 4 + 2), 12 * (3 * 4 + 2)]
         assert [len(cases) for cases in found.values()] == counts
-
-
-def test_what_tumbles_starts_above_the_ground_and_gains_from_1_percent_on():
-    model = tumbles.model_of("box", 0.002)
-    qpos, qvel = tumbles.starts_of(model, 200)
-    lowest = qpos[:, 2] - np.linalg.norm((0.03, 0.02, 0.045))
-    spin = np.linalg.norm(qvel[:, 3:], axis=1)
-    assert 0.05 <= lowest.min() < 0.06 and 0.48 < lowest.max() <= 0.5 and not qvel[:, :3].any()
-    assert spin.min() < 5.0 and 195.0 < spin.max() <= 200.0
-    assert np.linalg.norm(qpos[:, 3:], axis=1) == pytest.approx(1.0)
-    row = tumbles.row_of("box", 0.002, np.tile([1.009, 1.011, 0.5], (4, 1)))
-    assert row["plain_gain_count"] == 1 and row["step_ms"] == pytest.approx(2.0)
 
 
 def test_on_the_slope_gravity_leans_by_its_tilt():

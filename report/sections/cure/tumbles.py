@@ -1,41 +1,64 @@
-"""Bodies that tumble, with the exact term and without: does it put energy into any of them?"""
-
-import math
+"""Bodies that wobble, spin, roll or tumble, with the exact term and without: does it put energy into any of them?"""
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
+from measured_report.values.quantities import combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import extreme, gathered, rows_with
 
-VARIANTS = ("plain", "aside", "exact")  # nothing done, the same started a hair aside, and the exact term
-
 
 def derive(results: Results) -> Section:
-    return Section(claims=[_gains_nothing(results, rows_with(results, "tumbling", "step_ms"))])
+    return Section(claims=[_gains_nothing(results, rows_with(results, "pair_count", "step_ms"))])
 
 
-def _by_chance(*counts: float) -> float:
-    """Bound how many gain where the term does nothing, from the counts of two sets in turn."""
-    plain, aside = counts[::2], counts[1::2]
-    differ = sum(abs(one - other) for one, other in zip(plain, aside, strict=True))
-    return min(sum(plain), sum(aside)) + 3.0 * math.sqrt(1.0 + differ)
+def _excess(*counts: float) -> float:
+    """Tell by how many standard deviations the counts of the first kind exceed those of the second, in turn."""
+    more, fewer = sum(counts[::2]), sum(counts[1::2])
+    return (more - fewer) / max(1.0, more + fewer) ** 0.5
+
+
+def _surprise(*energies: float) -> float:
+    """Return the most of all with the term, in turn with those without it, where the latter stay below 1.01."""
+    return max([1.0, *(exact for exact, plain in zip(energies[::2], energies[1::2], strict=True) if plain <= 1.01)])
 
 
 def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
-    """Hold the worlds that gain with the term and not without it against those that a hair's breadth makes gain."""
-    formula = "worlds whose energy ends over 1 % above its start, or as no number"
-    counts = {name: gathered(sum, (row[f"{name}_gain_count"] for row in rows)) for name in VARIANTS}
-    gains = {name: results.value(f"{name}_gains", formula, count) for name, count in counts.items()}
-    formula = "the smaller count of both sets without it, and three times the root of one more than they differ by"
-    cells = [row[f"{name}_gain_count"] for row in rows for name in ("plain", "aside")]
-    chance = results.value("tumble_chance", formula, _by_chance, *cells)
-    total = gathered(sum, (row.world_count for row in rows))
-    worlds = results.value("tumble_count", "worlds with the exact term", total)
-    outcome = all_of(at_most(gains["exact"], chance), at_least(worlds, 10_000, why="enough to see what is rare"))
+    """Ask of the pairs that differ whether more of any body gain energy, or rise, with the term than chance has it."""
+    formula = "worlds that at any time have over 1 % more energy than at the start, or no number"
+    sums = {name: gathered(sum, (row[f"{name}_gain_count"] for row in rows)) for name in ("plain", "exact")}
+    gains = {name: results.value(f"{name}_gains", formula, count) for name, count in sums.items()}
+    bodies = [
+        [row for row in rows if row.plain["tumbling"] == body] for body in {row.plain["tumbling"]: 0 for row in rows}
+    ]
+    excess = {}
+    for kind, pair in {
+        "gain": ("exact_alone_count", "plain_alone_count"),
+        "rise": ("higher_count", "lower_count"),
+    }.items():
+        each = [combined(_excess, *(row[name] for row in body for name in pair)) for body in bodies]
+        formula = (
+            "of the body with most: pairs with more of it with the term less those without, by the root of their sum"
+        )
+        excess[kind] = results.value(f"tumble_{kind}_excess", formula, extreme(max, each))
+    cells = [row[f"{name}_most_energy"] for row in rows for name in ("exact", "plain")]
+    formula = (
+        "the most energy by that at the start with the term, where at that step the body never has 1 % more without"
+    )
+    surprise = results.value("tumble_surprise", formula, _surprise, *cells)
+    pairs = results.value("tumble_count", "pairs of worlds", gathered(sum, (row.pair_count for row in rows)))
+    chance = "three standard deviations: more is hardly chance"
+    outcome = all_of(
+        *(at_most(value, 3.0, why=chance) for value in excess.values()),
+        at_most(surprise, 1.05, why="more than an error of the step"),
+        at_least(pairs, 20_000, why="enough to see what is rare"),
+    )
     steps = [row.step_ms for row in rows]
     shortest = results.value("tumble_shortest", "the shortest step", extreme(min, steps))
     longest = results.value("tumble_longest", "the longest step", extreme(max, steps))
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
-    spin = results.chosen("tumble_spin", "given: how fast the fastest spin", 200.0, "rad/s")
-    numbers = {"worlds": worlds, "spin": spin, "gain": gain, "shortest": shortest, "longest": longest}
-    return Claim("tumbling_gains_nothing", outcome, numbers | gains)
+    numbers = {"pairs": pairs, "gain": gain, "shortest": shortest, "longest": longest}
+    return Claim(
+        "tumbling_gains_nothing",
+        outcome,
+        numbers | gains | {"gained": excess["gain"], "risen": excess["rise"], "surprise": surprise},
+    )

@@ -1,11 +1,33 @@
-"""Bodies that tumble: how worlds are counted."""
+"""Bodies that tumble: how they start, and how pairs of worlds are counted."""
 
+import mujoco
 import numpy as np
+import pytest
 
 from experiments.cure import tumbles
 
 
-def test_a_world_that_breaks_down_is_counted_with_those_that_gain():
-    left = np.tile([0.5, 1.005, 1.02, np.nan, np.inf], (len(tumbles.VARIANTS), 1))
-    row = tumbles.row_of("box", 0.002, left)
-    assert {row[f"{name}_gain_count"] for name in tumbles.VARIANTS} == {3} and row["world_count"] == 5
+def test_pairs_are_counted_by_which_of_them_gains_or_rises_and_a_world_that_breaks_down_gains():
+    energies = np.array([[0.5, 1.02, 1.02, 1.0], [1.009, 1.011, 1.0, np.inf]])
+    row = tumbles.row_of("box", 0.002, energies, np.array([[0.0, 0.0, 0.0, 0.0], [0.0, 0.002, 0.0, -0.002]]))
+    counts = {name: cell for name, cell in row.items() if name.endswith("_count")}
+    assert counts == {"pair_count": 4, "plain_gain_count": 2, "exact_gain_count": 2} | {
+        "plain_alone_count": 1, "exact_alone_count": 1, "higher_count": 1, "lower_count": 1
+    }  # fmt: skip
+    assert (row["plain_most_energy"], row["exact_most_energy"]) == (1.02, tumbles.BROKEN)
+
+
+@pytest.mark.parametrize("body", ["cone", "coin-on-block"])
+def test_bodies_are_put_down_or_dropped(body):
+    model = tumbles.model_of(body, 0.002)
+    data = mujoco.MjData(model)
+    for index, (data.qpos[:], data.qvel[:]) in enumerate(tumbles.starts_of(model, 3)):
+        gaps = []
+        for deeper_m in (-1e-4, 2e-4):
+            data.qpos[-5] -= deeper_m
+            mujoco.mj_forward(model, data)
+            gaps.append(min((contact.dist for contact in data.contact if model.ngeom - 1 in contact.geom), default=1.0))
+        assert -2e-4 < gaps[1] < 1e-6 if index < 9 else gaps == [1.0, 1.0]
+        assert gaps[0] == 1.0
+        assert 2.0 <= np.linalg.norm(data.qvel[-3:]) <= 40.0 or index >= 9
+    assert index == 11
