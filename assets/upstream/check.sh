@@ -21,7 +21,7 @@ for tree in before after; do
 done
 
 cd after
-for patch in mujoco_warp-4.0.0-equality mujoco_warp-4.0.0 newton-1.8.0; do
+for patch in mujoco_warp-4.0.0-plane-capsule mujoco_warp-4.0.0-equality mujoco_warp-4.0.0 newton-1.8.0; do
   patch -p1 --fuzz=0 --input="$here/$patch.patch"
 done
 engine=$(sed -n 's|^+++ b/\(.*\.py\)$|\1|p' "$here"/mujoco_warp-*.patch | sort -u)

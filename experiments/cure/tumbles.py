@@ -56,7 +56,7 @@ BODIES = {  # its geom, and what is there beside the ground
     "top": ('type="mesh" mesh="cone" euler="180 0 0"', ""),
     "can-on-block": (CAN, BLOCK),
     "coin-on-block": (COIN, BLOCK),
-    "can-in-pads": (f'{CAN} euler="0 90 0"', PADS),
+    "can-in-pads": (CAN, PADS),
 }
 
 

@@ -30,6 +30,7 @@ FILES = (  # said in full: what is kept of a section is made anew when a file ch
     "experiments/simulation/compensated_positions.py",
     "assets/upstream/mujoco_warp-4.0.0-equality.patch",
     "assets/upstream/mujoco_warp-4.0.0.patch",
+    "assets/upstream/mujoco_warp-4.0.0-plane-capsule.patch",
     "assets/upstream/newton-1.8.0.patch",
     "assets/upstream/upstream.md",
 )
