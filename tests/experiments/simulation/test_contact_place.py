@@ -182,6 +182,27 @@ def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(
             assert subtracted(model, data) == pytest.approx(left * rate, abs=5e-3 * np.linalg.norm(rate))
 
 
+def test_a_contact_without_a_normal_as_boxes_and_cylinders_have_in_the_engine_gets_nothing():
+    model = pair("plane", "capsule", "elliptic", 3)
+    data = next(states(model, 0))
+    data.contact.frame[:], data.contact.pos[:] = 0.0, data.geom_xpos[1]
+    with wp.ScopedDevice("cpu"):
+        assert not subtracted(model, data).any()
+
+
+def test_the_rim_of_a_cylinder_that_nearly_stands_is_no_side_where_the_engine_rounds_its_place():
+    model = pair("plane", "cylinder", "elliptic", 3)
+    data = mujoco.MjData(model)
+    data.qpos[3:] = model.body_quat[1] + (0.0, 5e-4, 0.0, 0.0)
+    mujoco.mj_kinematics(model, data)
+    data.qpos[:3] = data.geom_xmat[0].reshape(3, 3) @ (0.0, 0.0, 0.12)
+    data.qvel[3:] = 1.0, 2.0, 3.0
+    mujoco.mj_forward(model, data)
+    data.contact.pos[:] += 3e-4 * data.contact.frame[:, :3]
+    with wp.ScopedDevice("cpu"):
+        assert np.abs(subtracted(model, data)).max() < 10.0
+
+
 STEP_COUNT = 500
 
 
