@@ -19,9 +19,9 @@ cylinders; boxes have faces, edges and corners. Meshes and height fields count a
 touches it with corners of its own. One more launch, no memory; it can be part of a captured graph.
 
 A rate holds for the moment. It is given for a step h, and a soft contact takes 2/b to settle. Until then the bodies
-turn against each other, and the place runs round a rim, by φ together: the rate may have changed by φ of itself, and
-what is no longer there would put energy into the bodies. So a row gets the 1 - φ of it that is left in any case, and
-from a radian on nothing, as without the term.
+turn against each other, and the place runs round a rim or the frame with a capsule that nearly stands, by φ together:
+the rate may have changed by φ of itself, and what is no longer there would put energy into the bodies. So a row gets
+the 1 - φ of it that is left in any case, and from a radian on nothing, as without the term.
 """
 
 from collections.abc import Sequence
@@ -277,9 +277,10 @@ def subtract_place(
     axis = wp.transpose(mat_2) * wp.vec3(0.0, 0.0, 1.0)
     if geom_type[one] == PLANE and geom_type[two] == CAPSULE and is_made_of(axis, n, x):
         way, way_rate = axis, wp.cross(w_2, axis)
-    spin = float(0.0)
+    spin, with_axis = float(0.0), float(0.0)
     if is_made_of(way, n, x):
-        spin = (wp.dot(way_rate, y) - wp.dot(way, n) * wp.dot(rate, y)) / wp.dot(way, x)
+        with_axis = wp.dot(way_rate, y) / wp.dot(way, x)
+        spin = with_axis - wp.dot(way, n) * wp.dot(rate, y) / wp.dot(way, x)
     turning_frame = wp.cross(n, rate) + spin * n
     over = over_1 + over_2
     place = 0.5 * (slide + over[0] * x + over[1] * y)
@@ -291,7 +292,7 @@ def subtract_place(
     angular = wp.cross(w, turning_frame)
     # The rate of the material points is there already; of that too, what does not last goes.
     running = wp.length(over_1) * first.varying + wp.length(over_2) * second.varying
-    part = lasting_part(rows, contact, wp.length(w) + running)
+    part = lasting_part(rows, contact, wp.length(w) + running + wp.abs(with_axis))
     rate_1, rate_2 = acceleration[world, geom_body[one]], acceleration[world, geom_body[two]]
     points = contact_bias.material_acceleration(twist_2, rate_2, arm_2)
     points -= contact_bias.material_acceleration(twist_1, rate_1, arm_1)

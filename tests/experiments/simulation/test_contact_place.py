@@ -182,6 +182,19 @@ def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(
             assert subtracted(model, data) == pytest.approx(left * rate, abs=5e-3 * np.linalg.norm(rate))
 
 
+def test_a_capsule_that_nearly_stands_whose_frame_runs_round_with_its_lean_gets_nothing():
+    model = pair("plane", "capsule", "elliptic", 3)
+    model.opt.timestep = 0.002
+    data = mujoco.MjData(model)
+    data.qpos[3:] = model.body_quat[1] + (0.0, 0.015, 0.0, 0.0)
+    mujoco.mj_kinematics(model, data)
+    data.qpos[:3] = data.geom_xmat[0].reshape(3, 3) @ (0.0, 0.0, 0.22)
+    data.qvel[3:] = 3.0, 9.0, 0.0
+    mujoco.mj_forward(model, data)
+    with wp.ScopedDevice("cpu"):
+        assert not subtracted(model, data).any()
+
+
 def test_a_contact_without_a_normal_as_boxes_and_cylinders_have_in_the_engine_gets_nothing():
     model = pair("plane", "capsule", "elliptic", 3)
     data = next(states(model, 0))
