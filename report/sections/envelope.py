@@ -6,12 +6,10 @@ from statistics import median
 import numpy as np
 import pandas as pd
 
-from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Figure, Section, Table
-from measured_report.records.columns import column_of
 from measured_report.values.quantities import Value
-from measured_report.values.results import Results, Series
+from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import noise_floor, resolved
 from report.shared.maps import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
 from report.shared.tables import Column, table_of
@@ -32,34 +30,31 @@ def derive(results: Results) -> Section:
     seconds = results.row["as-shipped-3cm-1hz"].shake_duration_s
     about = {"shipped": lost["as-shipped"], "stiff": lost["stiff"], "seconds": seconds}
     about |= {"keeps": stiff.outcome == HOLDS, "drops": shipped.outcome == HOLDS}
-    tables = {"shakes": _shakes(results, trace)}
+    tables = {"shakes": _shakes(results)}
     figures = {"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)}
     return Section(tables=tables, figures=figures, claims=[shipped, stiff, _map_gain(results, trace)])
 
 
-def _shakes(results: Results, trace: Series) -> Table:
-    """Tell how some shakes of the map end, one in five of its amplitudes at the frequency next to that of the scene."""
-    scene, frame = results.row["as-shipped-3cm-1hz"], trace.value
-    apart = (frame["shake_frequency_hz"] - AS_SHIPPED.shake_frequency_hz).abs()
-    near = frame[apart == apart.min()]
-
-    def cells(side: str, column: str) -> list[Value | str]:
-        def cell(at: int) -> Value | str:
-            if column == "slip_mm" and str(frame["dropped"][at]) == "True":
-                return "lost"
-            formula = f"{column} in line {at} of the map"
-            unit = column_of(column).unit
-            return results.value(f"{column}_{at}", formula, lambda frame: frame[column][at], trace, unit=unit)
-
-        return [cell(at) for at in near.index[near["side"] == side][1::5]]
-
+def _shakes(results: Results) -> Table:
+    """Tell how shakes at round numbers end, and how many times less stiff pads slip."""
+    shakes = [row["case"].removeprefix("stiff-") for row in results.rows if row["case"].startswith("stiff-")]
+    pairs = [[results.row[f"{side}-{shake}"] for side in SIDES] for shake in shakes]
     columns: dict[str, Column] = {}
-    for side, label in SIDES.items():
-        columns[f"slip, {label}"] = cells(side, "slip_mm")
-        columns[f"cube ends at, {label}"] = cells(side, "cube_height_m")
-    frequency = cells("stiff", "shake_frequency_hz")[0]
-    names = cells("stiff", "shake_amplitude_m")
-    return table_of("amplitude", names, columns, seconds=scene.shake_duration_s, frequency=frequency)
+    for label, rows in zip(SIDES.values(), zip(*pairs, strict=True), strict=True):
+        columns[f"slip, {label}"] = [row.slip_mm if _is_held(row) else "lost" for row in rows]
+        columns[f"cube ends at, {label}"] = [row.cube_height_m for row in rows]
+    columns["times less"] = [
+        results.value(f"round_gain_{shake}", "slip as shipped over that in stiff pads", shipped.slip_mm / stiff.slip_mm)
+        if _is_held(shipped) and _is_held(stiff)
+        else ""
+        for shake, (shipped, stiff) in zip(shakes, pairs, strict=True)
+    ]
+    names = [shake.replace("cm-", " cm at ").replace("hz", " Hz") for shake in shakes]
+    return table_of("shake", names, columns, seconds=results.row["as-shipped-3cm-1hz"].shake_duration_s)
+
+
+def _is_held(row: Row) -> bool:
+    return row.slip_mm.value is not None and row.plain["cube_height_m"] >= HELD_HEIGHT_M
 
 
 def _drops(results: Results, trace: Series, lost: Mapping[str, Value], held: Value) -> tuple[Claim, Claim]:

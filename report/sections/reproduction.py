@@ -11,7 +11,7 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.facts.classes import cycle_increments
 from measured_report.parts.claim import Claim, at_least, at_most
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value, combined, constant
+from measured_report.values.quantities import Quantity, Value, combined, constant
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import DEVICES, MM_PER_M, departure, spread
 
@@ -30,6 +30,7 @@ OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C 
 FRAME_RATE = 60
 SCENE: tuple[tuple[str, float, str], ...] = (  # name, value and unit of what the scene sets
     ("cube_edge", round(1e3 * AS_SHIPPED.cube_edge_m), "mm"),
+    ("cube_weight", round(9.81 * AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3, 2), "N"),
     ("cube_mass", round(1e3 * AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3), "g"),
     ("cube_friction", AS_SHIPPED.cube_mu, "1"),
     ("pad_friction", AS_SHIPPED.pad_mu, "1"),
@@ -45,8 +46,14 @@ SCENE: tuple[tuple[str, float, str], ...] = (  # name, value and unit of what th
 def derive(results: Results) -> Section:
     shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
     _scene(results, shipped, stiff)
-    slips, steady = _slips(results, shipped), _steady(results, shipped, results.trace("as-shipped"))
-    claims = [slips, steady, _same_on_both_engines(results, slips), _stiff_pads_hold(results, shipped, stiff)]
+    slips, cells = _slips(results, shipped), (results.trace("as-shipped"), shipped.shake_frequency_hz)
+    claims = [
+        slips,
+        _steady(results, cells),
+        _every_second(results, cells),
+        _same_on_both_engines(results, slips),
+        _stiff_pads_hold(results, shipped, stiff),
+    ]
     return Section(claims=claims)
 
 
@@ -72,17 +79,16 @@ def _increment(results: Results, name: str, part: Callable, cells: Sequence) -> 
         increments = part(_cycle_increments(*found)[1:])
         return float(increments.mean()) if len(increments) else np.nan
 
-    formula = f"mean increment in the {name} half of the cycles after the first"
+    formula = f"mean increment of cycles after the first, the {name} ones"
     return results.value(f"increment_{name}", formula, mean, *cells, unit="mm")
 
 
-def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
+def _steady(results: Results, cells: Sequence[Series | Quantity]) -> Claim:
     """Compare as many early and late cycles after the first, an even number of each, since odd and even differ."""
 
     def half(later: np.ndarray) -> int:
         return len(later) // 4 * 2
 
-    cells = (trace, shipped.shake_frequency_hz)
     ends = {"earlier": lambda later: later[: half(later)], "later": lambda later: later[len(later) - half(later) :]}
     early, late = (_increment(results, name, part, cells) for name, part in ends.items())
     formula = "largest even number of cycles of which there are two sets after the first cycle"
@@ -92,6 +98,17 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
     bound = results.chosen("increment_change_bound", "steps this equal count as steady", 10.0, "%")
     numbers = {"early": early, "late": late, "change": change, "count": count, "bound": bound}
     return Claim("drift_is_steady", at_most(change, bound), numbers)
+
+
+def _every_second(results: Results, cells: Sequence[Series | Quantity]) -> Claim:
+    """Tell whether the motion repeats after two cycles and not after one."""
+    even, odd = (
+        _increment(results, name, lambda later, at=at: later[at::2], cells) for at, name in enumerate(("even", "odd"))
+    )
+    formula = "size of the difference between both, of what even cycles add"
+    apart = results.value("increment_parity", formula, departure(odd, even))
+    outcome = at_least(apart, 10.0, why="more than steps that count as steady differ by")
+    return Claim("every_second_adds_more", outcome, {"even": even, "odd": odd})
 
 
 def _same_on_both_engines(results: Results, slips: Claim) -> Claim:

@@ -1,6 +1,6 @@
 """Speed of one world: as shipped, as fixed, and with either change alone."""
 
-from measured_report.parts.claim import Claim, at_most
+from measured_report.parts.claim import Claim, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Value
 from measured_report.values.results import Results
@@ -21,9 +21,12 @@ labels = {
 
 def derive(results: Results) -> Section:
     columns = {"a frame": "frame_ms", "of shipped pads": "frame_ratio", "of real time": "realtime_factor"}
-    worst = resolution(results, "resolution", results.rows)
-    table = by_case(results.rows, columns, resolution=worst)
-    return Section(tables={"frames": table}, claims=[_same_time(results, worst)])
+    rows = [row for row in results.rows if "worlds" not in row]
+    worst = resolution(results, "resolution", rows)
+    table = by_case(rows, columns, resolution=worst)
+    if len(rows) == len(results.rows):  # on a CPU
+        return Section(tables={"frames": table}, claims=[_same_time(results, worst)], unmeasured=("many_worlds",))
+    return Section(tables={"frames": table}, claims=[_same_time(results, worst), _many_worlds(results)])
 
 
 def _same_time(results: Results, worst: Value) -> Claim:
@@ -33,3 +36,9 @@ def _same_time(results: Results, worst: Value) -> Claim:
     change = results.value("stiff_pads_only_change", formula, departure, is_noise=True)
     outcome = at_most(change, 3.0, why="a slowdown that would matter")
     return Claim("stiff_pads_only_same_time", outcome.having_read(worst), {"change": change, "ratio": row.frame_ratio})
+
+
+def _many_worlds(results: Results) -> Claim:
+    row = next(row for row in results.rows if "worlds" in row and row.ratio_resolution.value)
+    outcome = greater(row.frame_ratio, 1.0, noise=row.ratio_resolution, why="the time with shipped pads")
+    return Claim("many_worlds", outcome, {"worlds": row.worlds, "ratio": row.frame_ratio})

@@ -69,7 +69,8 @@ class Way:
         """Return the times that were measured, by number of worlds."""
         section, _, name = self.timed.partition("/")
         rows = sections.results[section].rows if section in sections.results else []
-        mine = [row for row in rows if name in (row.case, row.plain.get("variant"))]
+        names = {name, f"{name}-only", f"{name}-{MANY}"}
+        mine = [row for row in rows if names & {row.case, row.plain.get("variant")}]
         times = {row.plain.get("worlds", ALONE): row[column] for row in mine for column in RATIOS if column in row}
         return {count: times[count] for count in (ALONE, MANY) if count in times and times[count].value is not None}
 
@@ -85,7 +86,7 @@ def _solver(name: str, marker: str, variant: str = "") -> Way:
 
 WAYS = (
     Way("as shipped", NOTHING, "reproduction/as-shipped", "cure_cost/as-shipped", SHIPPED),
-    Way("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads-only", STIFF),
+    Way("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads", STIFF),
     Way("RK4", ARGUMENT, _cure("rk4-50-shipped"), "error_runtime/as-shipped/newton-rk4/substeps-16", SHIPPED, "s"),
     Way("RK4, stiff pads", ARGUMENT, _cure("rk4-50-stiff"), "error_runtime/stiff/newton-rk4/substeps-16", STIFF, "s"),
     _solver("Steel", "P"),

@@ -10,7 +10,8 @@ ENGINES = ("warp", "c")
 
 
 def derive(results: Results) -> Section:
-    return Section(claims=[_only_turning_creeps(results), _sparse_is_dense(results), _compensation_helps(results)])
+    claims = [_only_turning_creeps(results), _joints_turn(results)]
+    return Section(claims=[*claims, _sparse_is_dense(results), _compensation_helps(results)])
 
 
 def _only_turning_creeps(results: Results) -> Claim:
@@ -29,6 +30,26 @@ def _only_turning_creeps(results: Results) -> Claim:
     tests = [at_most(still, bound), at_least(slowest, 1.0, why="a creep that anyone would see")]
     outcome = all_of(*tests, at_most(off, 1.0, why="the same creep"))
     return Claim("only_turning_creeps", outcome, {"bound": bound, "still": still, "turning": slowest, "off": off})
+
+
+def _joints_turn(results: Results) -> Claim:
+    """Tell whether a cube that walls carry along an arc creeps on hinges, turn the walls or not, and not on slides."""
+    slides, hinge, both = (
+        [results.row[f"control-{motion}-plain-{engine}"].drift_mm_s for engine in ENGINES]
+        for motion in ("two-slides", "hinge", "two-hinges")
+    )
+    still = results.value("slides_drift", "largest drift on two slides, in size", largest_size(slides))
+    slower = "the slower of both engines"
+    turning = results.value("hinge_drift", slower, extreme(min, hinge))
+    upright = results.value("hinges_drift", slower, extreme(min, both))
+    bound = results.chosen("arc_drift_bound", "a millimetre in a quarter of an hour", 0.001, "mm/s")
+    apart = results.value("hinges_off", "how far both are apart, of the first", departure(upright, turning))
+    outcome = all_of(
+        at_most(still, bound),
+        at_least(turning, 0.1, why="six millimetres a minute"),
+        at_most(apart, 5.0, why="the same creep, where the walls turn and where they do not"),
+    )
+    return Claim("joints_turn", outcome, {"still": still, "turning": turning, "upright": upright, "bound": bound})
 
 
 def _sparse_is_dense(results: Results) -> Claim:

@@ -8,7 +8,9 @@ from report.shared.arithmetic import extreme, gathered, rows_with
 
 
 def derive(results: Results) -> Section:
-    return Section(claims=[_gains_nothing(results, rows_with(results, "pair_count", "step_ms"))])
+    rows = rows_with(results, "plain_most_energy", "exact_most_energy")
+    void = [row for row in rows_with(results, "pair_count") if row not in rows]
+    return Section(claims=[_gains_nothing(results, rows, void)])
 
 
 def _excess(*counts: float) -> float:
@@ -22,8 +24,11 @@ def _surprise(*energies: float) -> float:
     return max([1.0, *(exact for exact, plain in zip(energies[::2], energies[1::2], strict=True) if plain <= 1.01)])
 
 
-def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
-    """Ask of the pairs that differ whether more of any body gain energy, or rise, with the term than chance has it."""
+def _gains_nothing(results: Results, rows: list[Row], void: list[Row]) -> Claim:
+    """Ask of the pairs that differ whether more of any body gain energy, or rise, with the term than chance has it.
+
+    Of ``void`` rows a world without the term ends with no energy, which all energies of a row are held against.
+    """
     formula = "worlds that at any time have over 1 % more energy than at the start, or no number"
     sums = {name: gathered(sum, (row[f"{name}_gain_count"] for row in rows)) for name in ("plain", "exact")}
     gains = {name: results.value(f"{name}_gains", formula, count) for name, count in sums.items()}
@@ -56,9 +61,13 @@ def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     shortest = results.value("tumble_shortest", "the shortest step", extreme(min, steps))
     longest = results.value("tumble_longest", "the longest step", extreme(max, steps))
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
-    numbers = {"pairs": pairs, "gain": gain, "shortest": shortest, "longest": longest}
+    formula = "pairs of bodies and steps of which a world without the term ends with no energy to hold others against"
+    lost = (
+        [results.value("tumble_void_count", formula, gathered(sum, (row.pair_count for row in void)))] if void else []
+    )
+    numbers = {"pairs": pairs, "lost": next(iter(lost), ""), "gain": gain, "shortest": shortest, "longest": longest}
     return Claim(
         "tumbling_gains_nothing",
-        outcome,
+        outcome.having_read(*gains.values(), *lost),
         numbers | gains | {"gained": excess["gain"], "risen": excess["rise"], "surprise": surprise},
     )
