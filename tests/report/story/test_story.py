@@ -123,10 +123,12 @@ def with_cells(results: Results, column: str, cells: dict[str, float]) -> Result
     return altered
 
 
-@pytest.mark.parametrize(("ratio", "is_longer"), [(0.9, False), (1.005, False), (1.5, True)])
-def test_a_frame_takes_longer_by_more_than_is_known_of_it(editions, ratio, is_longer):
+@pytest.mark.parametrize(
+    ("ratio", "many", "is_longer"), [(0.9, 1.0, False), (1.005, 1.0, False), (1.5, 1.0, True), (1.0, 1.1, True)]
+)
+def test_a_frame_takes_longer_by_more_than_is_known_of_it(editions, ratio, many, is_longer):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
-    found["speed"] = with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": ratio})
+    found["speed"] = with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": ratio, "stiff-pads-16384": many})
     assert advised(found)[0].numbers["is_longer"] is is_longer
 
 
