@@ -49,7 +49,7 @@ def _shakes(results: Results) -> Table:
         else ""
         for shake, (shipped, stiff) in zip(shakes, pairs, strict=True)
     ]
-    names = [shake.replace("cm-", " cm at ").replace("hz", " Hz") for shake in shakes]
+    names = [shake.replace("cm-", "\u00a0cm, ").replace("hz", "\u00a0Hz") for shake in shakes]
     return table_of("shake", names, columns, seconds=results.row["as-shipped-3cm-1hz"].shake_duration_s)
 
 
