@@ -13,7 +13,7 @@ from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
 from experiments.newton_solvers import box
 from experiments.newton_solvers.steel import VARIANTS, SteelStepper
-from experiments.newton_solvers.stepper import FORCES, SolverStepper
+from experiments.newton_solvers.stepper import SolverStepper
 from experiments.simulation import frame_benchmark
 from experiments.simulation.frame_benchmark import BLOCK_FRAME_COUNT, LARGE_BATCH, TIMES, untimed
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
@@ -41,6 +41,7 @@ START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from a cube in the hand into the shake."""
 SLOW_MS = 100.0
 """A solver of which a frame takes longer is not timed with more worlds: it would take minutes to get into the shake."""
+FORCES = ("friction_share", "normal_force_n")
 GRASP = ("creep_mm_per_cycle", *FORCES, "penetration_mm", "hand_amplitude_mm")
 
 
@@ -74,9 +75,15 @@ def build(variant: box.Variant, cases: Sequence[Case], device: wp.Device, *, is_
 class SolverSimulation(Simulation):
     """A simulation that another stepper runs."""
 
+    stepper: SolverStepper
+
     def __init__(self, stepper_of: Callable[..., SolverStepper], cases: Sequence[Case], device: wp.Device):
         self.stepper_of = stepper_of
         super().__init__(cases, device)
+
+    @property
+    def observed(self) -> object | None:
+        return self.stepper.observed
 
 
 def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[str, object]]:
@@ -89,9 +96,10 @@ def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[st
         empty = {"variant": variant.name, **absent(("slip_mm", *GRASP), box.reason_of(error))}
         return [{"case": f"{variant.name}-{shake}", "shake": shake, **empty} for shake in SHAKES]
     rows = [row_of(variant.name, *each) for each in zip(SHAKES, cases, traces, strict=True)]
-    stepper = simulation.stepper
-    missing = stepper.missing_columns() if isinstance(stepper, SolverStepper) else {}
-    return [row | missing for row in rows]
+    untold = simulation.stepper.row_peak() if isinstance(simulation, SolverSimulation) else {}
+    if isinstance(simulation, SolverSimulation) and simulation.observed is None:
+        untold |= absent(FORCES, "this solver, or release, does not say the forces of contacts")
+    return [row | untold for row in rows]
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:

@@ -28,8 +28,6 @@ from experiments.simulation.scene import FIXED_BODIES, Scene
 from experiments.simulation.stepper import CONTACT_MAX, Stepper
 from measured_report.measuring.measurement import absent
 
-FORCES = ("friction_share", "normal_force_n")
-
 
 class SolverStepper(Stepper):
     """Steps the shake with one of Newton's solvers: of its cases it reads what is not MuJoCo's alone."""
@@ -57,13 +55,6 @@ class SolverStepper(Stepper):
             self.pipeline.collide(state_in, self.contacts)
         options = {"observables": self.observed} if self.observed and substep == last else {}
         self.solver.step(state_in, state_out, control, self.contacts, step_s, **options)
-
-    def missing_columns(self) -> dict[str, object]:
-        """Return the columns that a recorder does not tell of this solver, or release."""
-        untold = self.row_peak()
-        if self.observed is None:
-            untold |= absent(FORCES, "this solver, or release, does not say the forces of contacts")
-        return untold
 
     def row_peak(self) -> dict[str, object]:
         return absent(["peak_constraint_count"], "this solver does not count its rows")
