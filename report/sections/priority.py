@@ -50,7 +50,7 @@ def _cube_does_not_count(results: Results) -> Claim:
         formula = f"largest less smallest {column} of the contact, over the three stiffnesses of the cube"
         spreads.append(results.value(f"cube_{column}_spread", formula, spread(cells)))
     largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
-    numbers = {"low": rows[0].cube_ke, "high": rows[-1].cube_ke, "timeconst": rows[1].timeconst_s}
+    numbers = {"low": rows[0].cube_ke, "high": rows[-1].cube_ke, "dampratio": rows[1].dampratio}
     return Claim("cube_does_not_count", at_most(largest, 0.0, why="no difference at all"), numbers)
 
 

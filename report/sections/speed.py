@@ -15,7 +15,7 @@ labels = {
     "as-shipped-untrimmed": "exactly as shipped",
     "stiff-pads-only": "stiff pads",
     "all-gaps-zero": "no contact gap",
-    "fixed": "fixed scene",
+    "fixed": "stiff pads, all trimmed",
 }
 
 

@@ -57,6 +57,10 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
     starts = [row for row in family(results, "overlap") if is_stable(row)]
     first = said("safe_settings", "least")
     safe = [row for row in critical if first.value is not None and row.pad_ke.value >= first.value]
+    soft = [
+        row for row in critical if first.value is not None and row.pad_ke.value < first.value and not is_stable(row)
+    ]
+    sunk = most(results, "ke_critical_lost", "largest below these that fails", soft, "pad_ke")
     up_to = said("safe_settings", "limit")
     below = [row for row in alone if row.substeps.value == AS_SHIPPED.substeps and is_stable(row)]
     below = [row for row in below if up_to.value is not None and row.pad_ke.value <= up_to.value]
@@ -64,7 +68,7 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
     step = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
     found = [
         Limit("time step [ms]", *ends("step", steps, "step_ms"), NONE, step),
-        Limit("ke, kd with it", *ends("ke_critical", safe, "pad_ke"), NONE, AS_SHIPPED.pad_ke),
+        Limit("ke, kd with it", *ends("ke_critical", safe, "pad_ke"), sunk, AS_SHIPPED.pad_ke),
         Limit("ke alone", *ends("ke_alone", below, "pad_ke"), said("safe_settings", "breaks"), AS_SHIPPED.pad_ke),
         loads("shake, of Coulomb's limit", "shake"),
         loads("weaker grip, of that", "grip"),

@@ -20,7 +20,7 @@ MUJOCO_CONTACTS = Query("upgrade.as-shipped-mujoco-contacts.slip_mm")
 MUJOCO_C, PYRAMID = Query("reproduction.as-shipped-mujoco-c.slip_mm"), Query("solver.cone-pyramidal.slip_mm")
 SPEEDS = (
     Query(f"speed.{SHIPPED}.frame_ms", label="a frame with shipped pads [ms]"),
-    Query("speed.fixed.frame_ms", label="a frame of the fixed scene [ms]"),
+    Query("speed.fixed.frame_ms", label="a frame with stiff pads, all trimmed [ms]"),
     Query("scaling.worlds-16384.frame_ms", label="a frame of the most worlds [ms]"),
     Query("leave_out.untrimmed.frame_ms", label="on the CPU, a frame exactly as shipped [ms]", device="cpu"),
     Query("leave_out.without-all.frame_ms", label="on the CPU, a frame without what is unneeded [ms]", device="cpu"),

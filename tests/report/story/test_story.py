@@ -86,7 +86,7 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
         ("reproduction", "stiff_pads_hold", "Where these lines go"),
         ("drift_law", "follows", "the law of the creep, how we know"),
         ("contacts", "term_restored", "[story-mechanism]"),
-        ("speed", "stiff_pads_only_same_time", "No slowdown is seen"),
+        ("speed", "stiff_pads_only_same_time", "Hardly any run time"),
         ("friction", "not_the_cause", "keep your solver’s budget"),
     ],
 )
