@@ -34,8 +34,8 @@ KINDS = {
         **{"unit": str, "message": str},
     },
     "creep": {
-        **{"pairs": list, "timeconst_s": float, "dmax": float, "response_s": float, "acceleration_m_s2": float},
-        **{"acceleration_mm_s": float, "load_n": float, "load_deep_mm_s": float, "load_shallow_mm_s": float},
+        **{"acceleration_m_s2": float, "load_n": float, "pairs": list, "timeconst_s": float, "dmax": float},
+        **{"response_s": float, "acceleration_response_s": float, "load_deep_mm_s": float, "load_shallow_mm_s": float},
     },
 }
 

@@ -13,7 +13,7 @@ import pytest
 from newton_lint.command import main
 from newton_lint.grip import _grip_findings, _is_between, gripped
 from newton_lint.law import DISCRETE
-from newton_lint.prescribe import Setting, _rank, along, candidates, measured, prescribed, turn, with_setting, within
+from newton_lint.prescribe import Setting, _rank, along, candidates, measured, prescribed, with_setting, within
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
 from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold
@@ -95,10 +95,6 @@ def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
     hold = settled_hold(scene_of(target), target, Work("held", turn_rad_s=0.5))
     assert hold.acceleration_mm_s == pytest.approx(8.0 * 0.25 * 0.6, rel=1e-3)
     assert hold.mm_s == pytest.approx((8.0 + 1.0) * 0.25 * 0.6, rel=2e-3)
-
-    own = mujoco.MjData(target.model)
-    turn(target.model, own, hold, 0.5)
-    assert own.qvel == pytest.approx([0.5, 0.0, 0.5 * 0.6, 0.0])  # v = ω × r, with the hand
 
 
 def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_first():
@@ -199,7 +195,7 @@ def test_discrete_weighs_what_a_row_says_of_itself():
     """By 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
     scene, _, hold = hold_of()
     discrete = replace(scene, model=changed(scene.model, integrator=DISCRETE))
-    one, other = (_reading(variant, hold.data, 0, 1.0).weight_1_kg for variant in (scene, discrete))
+    one, other = (_reading(variant, hold.data, 0, 1.0)["weight_1_kg"] for variant in (scene, discrete))
     assert other / one == pytest.approx(1.0 + 2.0 / 9.0 + 0.9 / 81.0)
 
 
@@ -215,9 +211,9 @@ def test_fingers_oppose_each_other_from_120_degrees_on():
 def test_candidates_creep_as_the_law_says():
     scene, _, hold = hold_of()
     creeps = {str(setting): creep for setting, creep in candidates(scene, hold, Work("held"))}
-    assert len(creeps) == 4 * 4 * 3 * 2 - 4 * 2 - 1  # 2 ms takes half the step, and as it is is none
+    assert len(creeps) == 3 * 4 * 2 - 1  # 2 ms takes half the step, and as it is is none
     shares = {'impratio="10"': 0.1, 'impratio="1000"': 1e-3, 'solref="0.01 1"': 0.5, 'solref="0.005 1"': 0.25}
-    shares |= {'timestep="0.001"': 1.0, 'timestep="0.0005" solref="0.002 1"': 0.1, 'noslip_iterations="10"': 0.0}
+    shares |= {'noslip_iterations="10"': 0.0}
     model = with_setting(scene, Setting(0.005, (("impratio", 10.0),)), hold)
     assert model.geom_solref.tolist() == [[0.005, 1.0]] * 2 and model.opt.impratio == 10.0
     for setting, share in shares.items():
@@ -225,7 +221,7 @@ def test_candidates_creep_as_the_law_says():
     more = {"cone": "pyramidal", "impratio": 100, "solref": "0.01 1", "option": 'noslip_iterations="20"'}
     pyramid, _, hold = hold_of(**more)
     others = {str(setting) for setting, _ in candidates(pyramid, hold, Work("held"))}
-    assert len(others) == 3 * 2 * 3 - 2 - 1 and 'cone="elliptic" impratio="1000"' in others
+    assert len(others) == 2 * 2 - 1 and 'cone="elliptic" impratio="1000"' in others
 
 
 def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
@@ -233,13 +229,12 @@ def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
     kinds = {
         "plain": (Setting(0.01), 0.079),
         "noslip": (Setting(None, (("noslip_iterations", 10.0),)), 0.01),  # counts twice
-        "shorter": (Setting(None, (("timestep", 0.001),)), 0.01),
         "over": (Setting(0.01), 0.081),
         "far": (Setting(0.01), 3.0),
     }
-    assert sorted(kinds, key=lambda name: _rank(kinds[name], 0.1, scene)) == list(kinds)
+    assert sorted(kinds, key=lambda name: _rank(kinds[name], 0.1)) == list(kinds)
     lifted = measured(scene, target, Work("held", lift_m_s2=9.81), Setting(), hold, 0.0)
-    assert lifted.measured_mm_s == pytest.approx(2.0 * CREEP, rel=0.01) and 0.0 < lifted.second_s < 1.0
+    assert lifted.measured_mm_s == pytest.approx(2.0 * CREEP, rel=0.01)
     trials = prescribed(scene, target, Work("held"), 1e-12)[1]
     assert len(trials) == 6 and trials[0].measured_mm_s == pytest.approx(CREEP, rel=0.01) == trials[0].predicted_mm_s
 

@@ -205,13 +205,14 @@ def test_impedance_rises_by_its_power_to_both_sides_of_the_midpoint(depth_mm, d)
 def test_a_prediction_is_the_law_times_its_loads():
     found = predicted(CONTACT, ELLIPTIC, Load(0.5, 3.0), [("a", "b")], True)
     assert (found.timeconst_s, found.dmax, found.response_s) == pytest.approx((0.02, 0.95, 0.0095))
-    assert (found.acceleration_s, found.acceleration_mm_s) == pytest.approx((0.0085, 4.25))
-    assert found.load_mm_s == pytest.approx((3.0, 0.1 / 0.9 * 2.0 * 9.5 * 3.0))
+    assert (found.acceleration_response_s, found.acceleration_mm_s) == pytest.approx((0.0085, 4.25))
+    assert (found.load_deep_mm_s, found.load_shallow_mm_s) == pytest.approx((3.0, 0.1 / 0.9 * 2.0 * 9.5 * 3.0))
     softer_when_deep = replace(CONTACT, solimp=(0.95, 0.9, 0.001, 0.5, 2.0))
-    assert predicted(softer_when_deep, ELLIPTIC, Load(0.0, 3.0), ()).load_mm_s == pytest.approx((2.842105, 6.0), 1e-6)
+    softer = predicted(softer_when_deep, ELLIPTIC, Load(0.0, 3.0), ())
+    assert (softer.load_deep_mm_s, softer.load_shallow_mm_s) == pytest.approx((2.842105, 6.0), 1e-6)
     rk4 = predicted(CONTACT, replace(ELLIPTIC, integrator=law.RK4), Load(), ())
-    assert (rk4.timeconst_s, rk4.acceleration_s) == pytest.approx((0.02, 0.0095))
-    assert (rk4.acceleration_mm_s, rk4.load_mm_s) == (0.0, (0.0, 0.0))
+    assert (rk4.timeconst_s, rk4.acceleration_response_s) == pytest.approx((0.02, 0.0095))
+    assert (rk4.acceleration_mm_s, rk4.load_deep_mm_s, rk4.load_shallow_mm_s) == (0.0, 0.0, 0.0)
     for solref in ((-2500.0, 0.0), (-4e4, -1000.0)):  # undamped, and 0.95 ms, less than half a step of 1 ms
         assert predicted(replace(CONTACT, solref=solref), ELLIPTIC, Load(), ()) is None
 

@@ -54,13 +54,10 @@ def test_a_prescription_reaches_its_bound_and_is_written(kind, changes, written,
 
 
 def test_what_is_asked_for_is_simulated_too(written, capsys):
-    """An impratio in place of the scene's, and a table that turns."""
-    for options, kind, rate in (("--impratio 10", "pinch", 0.368), ("--turn 0.5 --below 1", "turn", 2.36)):
-        assert main(["prescribe", written(kind), "--hold", "held", *options.split()]) == 0
-        predicted, measured = re.search(r"([\d.]+) mm/s +([\d.]+) mm/s.* as it is", capsys.readouterr().out).groups()
-        assert float(predicted) == pytest.approx(rate, rel=0.01) == float(measured)
-    assert main(["prescribe", written("pinch"), "--hold", "held", "--turn", "1"]) == 2
-    assert "no hinge about the vertical" in capsys.readouterr().err
+    """An impratio in place of the scene's."""
+    assert main(["prescribe", written("pinch"), "--hold", "held", "--impratio", "10"]) == 0
+    predicted, measured = re.search(r"([\d.]+) mm/s +([\d.]+) mm/s.* as it is", capsys.readouterr().out).groups()
+    assert float(predicted) == pytest.approx(0.368, rel=0.01) == float(measured)
 
 
 def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):

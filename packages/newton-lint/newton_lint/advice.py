@@ -10,8 +10,6 @@ from newton_lint.scene import Scene
 
 FAR = 4.0
 """A damping ratio, or a timeconst, that is more than this many times another one is far from it."""
-MOST_SHORTER = 1.5
-"""How many times shorter a time step may be made where nothing blows up."""
 FEW = 10
 """Iterations of the solver with which an elliptic cone is solved."""
 
@@ -43,15 +41,6 @@ def ways_of(advice: Advice | None) -> tuple[Advice, ...]:
 
 def either(first: Advice, *alternatives: Advice) -> Advice:
     return replace(first, alternatives=(*first.alternatives, *alternatives))
-
-
-def shorter_step(scene: Scene, timeconst_s: float) -> Advice:
-    step = 0.5 * timeconst_s  # refsafe: getsolparam takes no timeconst below two steps
-    more = scene.option.timestep_s / step
-    gain = f"the contact is as stiff as it says, for {more:.2g} times the steps"
-    if more > MOST_SHORTER:
-        return Advice((), f'timestep="{step:.3g}": {gain}' if more <= FAR else "")
-    return for_option(scene, {"timestep": f"{step:.3g}"}, gain)
 
 
 def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str | None], gain: str) -> Advice:
@@ -106,11 +95,16 @@ def elliptic(scene: Scene, steepest: float) -> Advice:
     return either(*(for_option(scene, cone | more, gain.format(less, steepest)) for more, less in ways))
 
 
+def rank(scene: Scene) -> dict[str, str]:
+    """Return a priority that is higher than any."""
+    return {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
+
+
 def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
     option = scene.option
     authored, ratio = scene.model.geom_solref[geom].tolist()
     timeconst = max(authored, 2.0 * option.timestep_s if option.refsafe else 0.0)
-    attributes = {"priority": str(int(scene.model.geom_priority.max()) + 1)}
+    attributes = rank(scene)
     if timeconst > authored:  # or the next run would find the clamped timeconst in its place
         attributes["solref"] = f"{timeconst:g} {ratio:g}"
     less = f"creep goes down by up to {mixed_s / timeconst:.2g}"

@@ -188,6 +188,7 @@ def lint_parser() -> Parser:
     add("--exclude", action="append", default=[], metavar="PATTERN", help="files of folders that are left out")
     add_work(parser)
     add("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
+    add("--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical")
     add("--acceleration", type=positive, default=0.0, metavar="M/S²", help="ω² r of a support that turns")
     return parser
 
@@ -201,7 +202,6 @@ def add_work(parser: argparse.ArgumentParser) -> None:
     add("--impratio", type=positive, metavar="X", help=default)
     add("--hold", metavar="BODY", help="predict how this body creeps, gripped in the first keyframe or at the start")
     add("--settle", type=positive, metavar="S", help="time that its grip gets to settle; default: 0.5")
-    add("--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical")
     add("--lift", type=positive, default=0.0, metavar="M/S²", help="what holds it accelerates upward")
     add("--below", type=positive, metavar="MM/S", help="creep that is not too fast; prescribe's default: 0.1")
 

@@ -20,7 +20,8 @@ class Change:
 
     def __str__(self) -> str:
         attributes = " ".join(f'{name}="{value}"' for name, value in self.attributes)
-        return f"{attributes} on {self.subject}{f' ({self.element.location})' if self.element else ''}"
+        place = f" ({self.element.file.name}:{self.element.line})" if self.element else ""
+        return f"{attributes} on {self.subject}{place}"
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,11 @@ import contextlib
 import itertools
 import os
 import re
+import shutil
 import stat
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
-from xml.parsers import expat
 
 from newton_lint.findings import Change
 from newton_lint.source import Element, Source, Texts
@@ -36,12 +36,10 @@ def edited(changes: Iterable[Change], source: Source | None, texts: Texts) -> di
 
 
 def _edited(text: bytes, tags: dict[int, tuple[Element, list[Change]]]) -> bytes:
-    expected = _elements(text)
     for start, (element, changes) in sorted(tags.items(), reverse=True):  # from the end, so that no start moves
-        index = next((index for index, (begin, _, _) in enumerate(expected) if begin == start), -1)
         for change in changes:
             tag = TAG.match(text, start)
-            if tag is None or index < 0 or tag[1].decode(errors="replace") != element.tag:
+            if tag is None or tag[1].decode(errors="replace") != element.tag:
                 raise Unwritable("its text is not where it is looked for")
             if change.element is None:
                 end = text.index(b">", tag.end()) + 1
@@ -49,26 +47,9 @@ def _edited(text: bytes, tags: dict[int, tuple[Element, list[Change]]]) -> bytes
                 attributes = " ".join(f'{name}="{_escaped(value)}"' for name, value in change.attributes)
                 child = NEW[change.subject].format(attributes).encode()
                 text = text[:end] + line + b"  " + child + text[end:]
-                expected[index + 1 : index + 1] = [(-1, *tag[1:]) for tag in _elements(child)]
             else:
                 text = text[:start] + _with(tag[0], dict(change.attributes)) + text[tag.end() :]
-                expected[index] = (start, element.tag, expected[index][2] | dict(change.attributes))
-    # An expression is no parser: CDATA, comments and entities may have deceived it.
-    try:
-        is_expected = [tag[1:] for tag in _elements(text)] == [tag[1:] for tag in expected]
-    except expat.ExpatError:
-        is_expected = False
-    if not is_expected:
-        raise Unwritable("its text would not read as it should")
     return text
-
-
-def _elements(text: bytes) -> list[tuple[int, str, dict[str, str]]]:
-    """Return start, tag and attributes of each element."""
-    parser, elements = expat.ParserCreate(), []
-    parser.StartElementHandler = lambda tag, attributes: elements.append((parser.CurrentByteIndex, tag, attributes))
-    parser.Parse(text, True)
-    return elements
 
 
 def _with(tag: bytes, attributes: dict[str, str]) -> bytes:
@@ -97,7 +78,10 @@ def write(texts: Texts) -> list[Path]:
             real = file.resolve(strict=True)  # os.replace would put a file in place of a link
             if not stat.S_IMODE(real.stat().st_mode) & 0o222:
                 raise PermissionError(f"{file}: is read-only")  # os.replace asks for the folder's permission alone
-            replaced.append((real, _backup(real)))
+            names = (f"{real.name}.orig{number if number > 1 else ''}" for number in itertools.count(1))
+            backup = next(path for path in map(real.with_name, names) if not os.path.lexists(path))
+            shutil.copy2(real, backup)
+            replaced.append((real, backup))
             _replace(real, text)
     except BaseException:
         undo(replaced)
@@ -112,23 +96,15 @@ def undo(replaced: Iterable[tuple[Path, Path]]) -> None:
             os.replace(backup, real)
 
 
-def _backup(real: Path) -> Path:
-    """Copy a file beside itself under a name that is free."""
-    names = (f"{real.name}.orig{number if number > 1 else ''}" for number in itertools.count(1))
-    backup = next(path for path in map(real.with_name, names) if not os.path.lexists(path))
-    _replace(backup, real.read_bytes(), real)
-    return backup
-
-
-def _replace(file: Path, text: bytes, like: Path | None = None) -> None:
+def _replace(file: Path, text: bytes) -> None:
     handle, name = tempfile.mkstemp(prefix=f".{file.name[:60]}.", dir=file.parent)  # os.replace crosses no file system
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(text)
             stream.flush()
             os.fsync(stream.fileno())  # or a power cut may leave the new name with nothing in it
-        status = (like or file).stat()
-        Path(name).chmod(stat.S_IMODE(status.st_mode))
+        status = file.stat()
+        shutil.copymode(file, name)
         with contextlib.suppress(OSError):  # only root gives files away
             os.chown(name, status.st_uid, status.st_gid)
         os.replace(name, file)

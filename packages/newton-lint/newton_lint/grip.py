@@ -66,12 +66,12 @@ def _is_between(touches: Sequence[Touch]) -> bool:
 def _grip_findings(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: str) -> Iterator[Finding]:
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
     normals = np.array([touch.normal for touch in touches])
-    between, one_sided = _is_between(touches), float((normals @ normals.T).min()) > -OPPOSE
+    between, is_sloped = _is_between(touches), float((normals @ normals.T).min()) > -OPPOSE
     if between:
         yield from _turns(scene, hold, start)
     least_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
     least_n *= AGREES if between else LEAST
-    if not (between or one_sided) or hold.slides or not hold.rests or hold.load_n < least_n:
+    if not (between or is_sloped) or hold.slides or not hold.rests or hold.load_n < least_n:
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
         where = "between fingers" if between else "down a slope"

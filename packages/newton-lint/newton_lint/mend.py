@@ -107,7 +107,8 @@ class Mending:
             line, findings, changes = candidate
             runs = self.runs
             self.outcomes[line] = self._outcome(findings, changes)
-            if runs is not self.runs and all(map(_alike, runs, self.runs)):
+            ends = [[run.data.qpos for run in group] for group in (runs, self.runs)]
+            if runs is not self.runs and all(map(np.array_equal, *ends)):
                 self.idle.add(line)
         return list(self.outcomes.values()).count("") > len(written)
 
@@ -170,10 +171,6 @@ class Mending:
             old, new = (version.decode(errors="replace").splitlines(keepends=True) for version in versions)
             for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
                 yield line.rstrip("\r\n")
-
-
-def _alike(old: Run, new: Run) -> bool:
-    return np.array_equal(old.data.qpos, new.data.qpos)
 
 
 def _key(finding: Finding) -> tuple[str, str, str]:

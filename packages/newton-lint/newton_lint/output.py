@@ -62,13 +62,11 @@ def text_of(report: Report) -> Iterator[str]:
     if hold := report.hold:
         rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
         yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
-    is_asked = any(vars(report.load).values())
-    if report.creep and is_asked:
+    if report.creep and any(vars(report.load).values()):
         yield "predicted creep:"
-    for prediction in report.creep[:WORST] if is_asked else ():
-        yield f"  {creep_line(prediction, report.load)}"
-    if len(report.creep) > WORST and is_asked:
-        yield f"  and {len(report.creep) - WORST} more: --json has them"
+        yield from (f"  {creep_line(prediction, report.load)}" for prediction in report.creep[:WORST])
+        if len(report.creep) > WORST:
+            yield f"  and {len(report.creep) - WORST} more: --json has them"
 
 
 def sentence(group: Sequence[Finding]) -> str:
@@ -92,12 +90,12 @@ def creep_line(prediction: Prediction, load: Load) -> str:
     shapes, partners = zip(*prediction.pairs, strict=True)
     parts = [
         f"timeconst {prediction.timeconst_s:.3g} s",
-        f"{1e3 * prediction.acceleration_s:.3g} mm/s for each m/s² of a support that turns",
+        f"{1e3 * prediction.acceleration_response_s:.3g} mm/s for each m/s² of a support that turns",
     ]
     if load.acceleration_m_s2:
         parts.append(f"{rated(prediction.acceleration_mm_s)} at {load.acceleration_m_s2:g} m/s²")
     if load.load_n:
-        least, most = prediction.load_mm_s
+        least, most = prediction.load_deep_mm_s, prediction.load_shallow_mm_s
         between = rated(most) if rated(least) == rated(most) else f"{rated(least)} to {rated(most)}"
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
     pairs = f"{_named(shapes)} on {_named(partners)}{f' ({count} pairs)' if count > 1 else ''}"

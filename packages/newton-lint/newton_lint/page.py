@@ -22,7 +22,7 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("target", metavar="TARGET", nargs="+", help="FILE.xml, a folder, or FILE.py:function")
     parser.add_argument("-o", "--out", type=Path, default=Path("page"), metavar="FOLDER", help="default: page")
     add_work(parser)
-    parser.set_defaults(ignore=None, acceleration=0.0, load=1.0, no_step=False)
+    parser.set_defaults(ignore=None, acceleration=0.0, load=1.0, no_step=False, turn=0.0)
     options = parser.parse_args(arguments)
     request, reports, scenes = request_of(options, {}), [], []
     for target in targets_of(options.target):

@@ -1,17 +1,14 @@
 """The pairs of geoms that MuJoCo may make contacts of: all of ``mj_collision`` but what distance decides."""
 
+import math
+
 import mujoco
 import numpy as np
-
-from newton_lint.grouping import distinct_rows
 
 PLANE, HFIELD = int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD)
 OFF = int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
 UNFILTERED = int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
 MOST_PAIRS = 1_000_000
-REPRESENTATIVES = (100, 10, 1)
-"""Geoms that are read of those alike where all make more pairs, until they make no more."""
-PARAMETERS = ("type", "contype", "conaffinity", "condim", "priority", "solmix", "solref", "solimp", "friction")
 
 
 def pairs_of(model: mujoco.MjModel) -> tuple[np.ndarray, np.ndarray]:
@@ -31,19 +28,11 @@ def collidable(model: mujoco.MjModel, pairs: np.ndarray) -> np.ndarray:
 
 
 def read(model: mujoco.MjModel) -> np.ndarray:
-    """Return the geoms that can collide; of many that are alike the first ones."""
+    """Return the geoms that can collide, or where they make too many pairs some of them, as far apart as that takes."""
     geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
-    weld = model.body_weldid[model.geom_bodyid]
-    columns = [column for name in PARAMETERS for column in np.atleast_2d(getattr(model, f"geom_{name}").T)]
-    for most in REPRESENTATIVES:
-        counts = np.bincount(weld[geoms]).astype(float)
-        if 0.5 * (counts.sum() ** 2 - (counts**2).sum()) <= MOST_PAIRS:
-            return geoms
-        _, kind = distinct_rows(*(column[geoms] for column in columns), weld[geoms] == 0)
-        order = np.argsort(kind, kind="stable")
-        begins = np.cumsum(np.bincount(kind)) - np.bincount(kind)
-        geoms = np.sort(geoms[order[np.arange(len(geoms)) - begins[kind[order]] < most]])
-    return geoms[: round((2 * MOST_PAIRS) ** 0.5)]
+    counts = np.bincount(model.body_weldid[model.geom_bodyid[geoms]]).astype(float)
+    many = 0.5 * (counts.sum() ** 2 - (counts**2).sum()) > MOST_PAIRS
+    return geoms[:: math.ceil(len(geoms) / (2.0 * MOST_PAIRS) ** 0.5)] if many else geoms
 
 
 def _unnamed(model: mujoco.MjModel) -> np.ndarray:

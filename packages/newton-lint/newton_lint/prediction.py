@@ -31,10 +31,11 @@ class Prediction:
     dmax: float
     response_s: float
     """1/b."""
-    acceleration_s: float
+    acceleration_response_s: float
     """Slide for each m/s² that the rows leave out: 1/b, and what the integrator's step adds or takes."""
-    load_mm_s: tuple[float, float]
-    """Slide under the load, the less first: of a contact as deep as solimp's width and one that hardly touches."""
+    load_deep_mm_s: float
+    """Slide under the load of a contact as deep as solimp's width and of one that hardly touches, the less first."""
+    load_shallow_mm_s: float
     acceleration_mm_s: float
     is_free: bool = False
 
@@ -56,11 +57,12 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
         pair = int(rows[index])
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(contacts.contact(pair), scene.option, load, between, is_free):
-            least, most = prediction.load_mm_s
             if (named := contacts.named[pair]) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
                 mu1, mu2 = scene.model.pair_friction[named, :2]
-                most *= max(1.0, float(mu1 / max(mu2, mujoco.mjMINMU)) ** 2)
-            creeps.append(replace(prediction, load_mm_s=(least, most)))
+                least, most = sorted((1.0, float(mu1 / max(mu2, mujoco.mjMINMU)) ** 2))
+                loads = least * prediction.load_deep_mm_s, most * prediction.load_shallow_mm_s
+                prediction = replace(prediction, load_deep_mm_s=loads[0], load_shallow_mm_s=loads[1])
+            creeps.append(prediction)
     return sorted(creeps, key=_order)
 
 
@@ -89,13 +91,14 @@ def predicted(
         timeconst_s=2.0 * inverse_b / dmax,
         dmax=dmax,
         response_s=inverse_b,
-        acceleration_s=deep.acceleration_s,
-        load_mm_s=(loads[0], loads[1]),
+        acceleration_response_s=deep.acceleration_s,
+        load_deep_mm_s=loads[0],
+        load_shallow_mm_s=loads[1],
         acceleration_mm_s=M * deep.acceleration_s * load.acceleration_m_s2,
         is_free=is_free,
     )
 
 
 def _order(prediction: Prediction) -> tuple[bool, float, float]:
-    total = prediction.load_mm_s[1] + prediction.acceleration_mm_s
-    return not prediction.is_free, -total, -prediction.acceleration_s
+    total = prediction.load_shallow_mm_s + prediction.acceleration_mm_s
+    return not prediction.is_free, -total, -prediction.acceleration_response_s

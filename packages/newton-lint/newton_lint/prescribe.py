@@ -1,13 +1,13 @@
 """``newton-lint prescribe``: settings that keep a held body's creep below a bound, found by the law, then measured."""
 
 import itertools
-import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
 
+from newton_lint.advice import for_option
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of, work_of
 from newton_lint.findings import Change
 from newton_lint.law import M
@@ -27,14 +27,8 @@ MEASURED_S = 1.0
 """Time over which creep is measured, after the settling."""
 TIMECONSTS_S = (0.01, 0.005, 0.002)
 IMPRATIOS = (10.0, 100.0, 1000.0)
-SHORTER = (1.0, 0.5, 0.25)
 NOSLIP = 10
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
-UPRIGHT = 0.99
-"""Cosine to the vertical from which a hinge turns about it."""
-FLYWHEEL = 1e6
-"""Armature of a hinge that nothing slows down [kg m²]."""
 
 
 @dataclass(frozen=True)
@@ -65,8 +59,6 @@ class Trial:
     setting: Setting
     predicted_mm_s: float
     measured_mm_s: float
-    second_s: float
-    """Time of the processor that a simulated second takes."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -75,6 +67,7 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function")
     add_work(parser)
     parser.add_argument("--fix", action="store_true", help="write the cheapest that reaches the bound into the files")
+    parser.set_defaults(turn=0.0)  # which --hold predicts, and nothing here simulates
     options = parser.parse_args(arguments)
     if not options.hold:
         parser.error("--hold BODY says what is held")
@@ -100,7 +93,7 @@ def prescribed(scene: Scene, target: Target, work: Work, bound_mm_s: float) -> t
     if (hold := settled_hold(scene, target, work)) is None:
         raise TargetError(f"{target.name}: nothing touches {work.body}; --settle gives it longer, a keyframe a grip")
     trials = [measured(scene, target, work, Setting(), hold, hold.mm_s)]
-    ranked = sorted(candidates(scene, hold, work), key=lambda candidate: _rank(candidate, bound_mm_s, scene))
+    ranked = sorted(candidates(scene, hold, work), key=lambda candidate: _rank(candidate, bound_mm_s))
     for setting, predicted in () if hold.slides else ranked:
         if len(trials) > MOST_TRIES or trials[-1].measured_mm_s <= bound_mm_s:
             break
@@ -112,15 +105,13 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
     """Yield settings, with the creep that the law gives for each."""
     option = scene.option
     stiffest = min(scene.model.geom_solref[geom, 0] for geom in touched(scene, hold))
-    timeconsts = [None, *(timeconst for timeconst in TIMECONSTS_S if timeconst < stiffest or stiffest <= 0.0)]
+    least = 2.0 * option.timestep_s if option.refsafe else 0.0  # which getsolparam clamps others to
+    most = stiffest if stiffest > 0.0 else np.inf
+    timeconsts = [None, *(timeconst for timeconst in TIMECONSTS_S if least <= timeconst < most)]
     impratios = [None, *(impratio for impratio in IMPRATIOS if impratio > option.impratio)]
     noslips = (False, True) if not option.noslip and scene.engine.name == "mujoco" else (False,)
-    for timeconst, impratio, share, noslip in itertools.product(timeconsts, impratios, SHORTER, noslips):
-        step = option.timestep_s * share
-        if timeconst is not None and option.refsafe and timeconst < 2.0 * step:
-            continue  # getsolparam would clamp it
+    for timeconst, impratio, noslip in itertools.product(timeconsts, impratios, noslips):
         options = {
-            "timestep": step if share < 1.0 else None,
             # In a pyramid impratio makes the rows of the normal harder too.
             "cone": ELLIPTIC if option.cone == "pyramidal" and impratio is not None else None,
             "impratio": impratio,
@@ -149,11 +140,11 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
     return model
 
 
-def _rank(candidate: tuple[Setting, float], bound_mm_s: float, scene: Scene) -> tuple:
-    """Rank what is predicted to be good first, of that the cheap, then what changes least; the rest by creep."""
+def _rank(candidate: tuple[Setting, float], bound_mm_s: float) -> tuple:
+    """Rank what is predicted to be good first, of that what changes least; the rest by creep."""
     setting, predicted = candidate
-    steps, changes = -dict(setting.options).get("timestep", scene.option.timestep_s), setting.change_count
-    return (0, steps, changes, -predicted) if predicted <= SAFETY * bound_mm_s else (1, predicted, steps, changes)
+    is_good, changes = predicted <= SAFETY * bound_mm_s, setting.change_count
+    return (0, changes, -predicted) if is_good else (1, predicted, changes)
 
 
 def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: Hold, predicted_mm_s: float) -> Trial:
@@ -162,36 +153,8 @@ def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: H
     # Seen from a hand that accelerates upward, gravity is larger.
     model.opt.gravity *= 1.0 + work.lift_m_s2 / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
     data = started(model, target.data)
-    if work.turn_rad_s:
-        turn(model, data, hold, work.turn_rad_s)
     settled(model, data, work.settle_s)
-    since = time.process_time()
-    moved = along(model, data, hold, MEASURED_S)
-    spent = time.process_time() - since
-    return Trial(setting, predicted_mm_s, M * moved / MEASURED_S, spent / MEASURED_S)
-
-
-def turn(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, rate_rad_s: float) -> None:
-    """Turn what holds a body about the vertical, with it; a TargetError where it hangs on no such hinge."""
-    mujoco.mj_kinematics(model, data)
-    mujoco.mj_comPos(model, data)  # mj_jacBody reads subtree_com
-    chain = [hold.touches[0].support]
-    while chain[-1]:
-        chain.append(int(model.body_parentid[chain[-1]]))
-    hinges = np.isin(model.jnt_bodyid, chain) & (model.jnt_type == HINGE) & (np.abs(data.xaxis[:, 2]) > UPRIGHT)
-    if not hinges.any():
-        raise TargetError(f"{hold.name}: what holds it hangs on no hinge about the vertical, and cannot turn")
-    hinge = int(np.flatnonzero(hinges)[0])
-    # A hinge that hangs upside down turns the other way; no torque slows a flywheel.
-    dof, rate = model.jnt_dofadr[hinge], rate_rad_s * np.sign(data.xaxis[hinge, 2])
-    model.dof_armature[dof] = FLYWHEEL
-    data.qvel[dof] = rate
-    spin = rate * data.xaxis[hinge]
-    carried = np.concatenate([np.cross(spin, data.xpos[hold.body] - data.xanchor[hinge]), spin])
-    jacobian = np.zeros((6, model.nv))
-    mujoco.mj_jacBody(model, data, jacobian[:3], jacobian[3:], hold.body)
-    dofs = jacobian.any(axis=0)
-    data.qvel[dofs] = np.linalg.lstsq(jacobian[:, dofs], carried, rcond=None)[0]
+    return Trial(setting, predicted_mm_s, M * along(model, data, hold, MEASURED_S) / MEASURED_S)
 
 
 def along(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, time_s: float) -> float:
@@ -210,9 +173,7 @@ def within(data: mujoco.MjData, body: int, support: int) -> np.ndarray:
 
 
 def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Change]:
-    options, changes = setting.attributes(), []
-    if options:
-        changes.append(Change("option", tuple(options.items()), scene.source.option(next(iter(options)))))
+    changes = [*for_option(scene, setting.attributes(), "").changes]
     if setting.timeconst_s is not None:
         attributes = (("solref", f"{setting.timeconst_s:g} 1"),)
         changes += [Change(scene.names[geom], attributes, scene.source.geom(geom)) for geom in geoms]
@@ -220,7 +181,7 @@ def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Cha
 
 
 def _table(trials: Sequence[Trial], bound_mm_s: float) -> Iterator[str]:
-    yield f"{'':2}{'predicted':>18}{'measured':>18}{'a second':>12}  setting (bound {bound_mm_s:g} mm/s)"
+    yield f"{'':2}{'predicted':>18}{'measured':>18}  setting (bound {bound_mm_s:g} mm/s)"
     for trial in trials:
         predicted = "slides" if np.isinf(trial.predicted_mm_s) else rated(trial.predicted_mm_s)
-        yield f"{'':2}{predicted:>18}{rated(trial.measured_mm_s):>18}{trial.second_s:>10.3f} s  {trial.setting}"
+        yield f"{'':2}{predicted:>18}{rated(trial.measured_mm_s):>18}  {trial.setting}"

@@ -7,7 +7,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from newton_lint.findings import SEVERITIES, Change, Finding
+from newton_lint.findings import SEVERITIES, Finding
 from newton_lint.grip import SLIP_MM_S, gripped
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
@@ -75,8 +75,9 @@ def _report_of(target: Target, request: Request) -> Report:
         return newtons(target.name, NEWTONS, "report_of", target, request)
     scene = scene_of(target, request.engine)
     findings = lint(scene)
-    refused = any(finding.rule == "engine" and finding.severity == "error" for finding in findings)
-    work = None if refused else request.work  # nothing creeps in an engine that does not take the scene
+    # Nothing creeps in an engine that does not take the scene, nor what it throws off.
+    refused = any(finding.rule in ("engine", "stiff") for finding in findings)
+    work = None if refused else request.work
     hold = settled_hold(scene, target, work) if work else None
     findings += hold.findings(scene, request.below_mm_s or SLIP_MM_S) if hold else []
     runs = runs_of(scene.model, target) if request.step else []
@@ -85,7 +86,9 @@ def _report_of(target: Target, request: Request) -> Report:
     findings += stepped(scene, target, runs) if request.step else []
     findings = _noted(scene, runs, findings)
     findings += [] if refused else gripped(scene, runs, work.body if work else "")
-    findings += [_untouched(work)] if work and not hold else []
+    if work and not hold:
+        message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
+        findings.append(Finding("slides", work.body, "settle", work.settle_s, message, unit="s", severity="error"))
     findings += _newton_findings(target, request, findings) if request.engine.name == "newton" and target.path else []
     return Report(
         target=target.name,
@@ -104,19 +107,13 @@ def _noted(scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]) -> li
     """Return findings, those of parameters of what touches nothing as notes: it may be no part of what is done."""
     touched = {scene.names[geom] for run in runs for pair in run.first for geom in pair}
     touched |= {scene.names[geom] for run in runs for geom in run.data.contact.geom.ravel().tolist() if geom >= 0}
-
-    def touches(finding: Finding) -> bool:
-        return finding.shape in touched and not (finding.against and touched.isdisjoint(finding.against))
-
     may_touch = not runs or any(run.bad for run in runs)
-    is_idle = [item.rule in OF_CONTACTS and not (may_touch or touches(item)) for item in findings]
-    pairs = zip(findings, is_idle, strict=True)
-    return [replace(item, severity="note") if idle and item.severity == "warning" else item for item, idle in pairs]
 
+    def is_idle(finding: Finding) -> bool:
+        touches = finding.shape in touched and not (finding.against and touched.isdisjoint(finding.against))
+        return finding.severity == "warning" and finding.rule in OF_CONTACTS and not (may_touch or touches)
 
-def _untouched(work: Work) -> Finding:
-    message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
-    return Finding("slides", work.body, "settle", work.settle_s, message, unit="s", severity="error")
+    return [replace(finding, severity="note") if is_idle(finding) else finding for finding in findings]
 
 
 def _newton_findings(target: Target, request: Request, findings: Sequence[Finding]) -> list[Finding]:
@@ -157,7 +154,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "schema": 2,
         **{name: getattr(report, name) for name in ("target", "newton", "dt_s", "shape_count", "pair_count")},
         "findings": [_finding_json(finding) for finding in report.findings],
-        "creep": [_creep_json(prediction, report.load) for prediction in report.creep],
+        "creep": [vars(report.load) | vars(prediction) for prediction in report.creep],
         "hold": report.hold.as_json() if report.hold else None,
     }
 
@@ -168,22 +165,12 @@ def _finding_json(finding: Finding) -> dict[str, Any]:
         **{name: getattr(finding, name) for name in names},
         **_location(finding.element),
         "advice": str(finding.advice) if finding.advice else None,
-        "changes": [_change_json(change) for change in finding.advice.changes] if finding.advice else [],
+        "changes": [
+            {"subject": change.subject, "attributes": dict(change.attributes), **_location(change.element)}
+            for change in (finding.advice.changes if finding.advice else ())
+        ],
     }
-
-
-def _change_json(change: Change) -> dict[str, Any]:
-    return {"subject": change.subject, "attributes": dict(change.attributes), **_location(change.element)}
 
 
 def _location(element: Element | None) -> dict[str, Any]:
     return {"file": str(element.file) if element else None, "line": element.line if element else None}
-
-
-def _creep_json(prediction: Prediction, load: Load) -> dict[str, Any]:
-    values = vars(load) | vars(prediction) | {"pairs": [list(pair) for pair in prediction.pairs]}
-    values["load_deep_mm_s"], values["load_shallow_mm_s"] = prediction.load_mm_s
-    names = ("pairs", "timeconst_s", "dmax", "response_s", "acceleration_m_s2", "acceleration_mm_s", "load_n")
-    more = ("load_deep_mm_s", "load_shallow_mm_s", "acceleration_s", "is_free")
-    renamed = {"acceleration_s": "acceleration_response_s"}  # beside acceleration_m_s2, which is the load's
-    return {renamed.get(name, name): values[name] for name in (*names, *more)}

@@ -40,7 +40,9 @@ THICKER = (2, 4, 8, 16, 32)
 LEAVES, LEAVES_S = 3.0, 0.2
 """Speed at which a keyframe is left from which it is said [m/s or rad/s], and time in which it is looked for."""
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
-HINGE, SLIDE, BOX = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE), int(mujoco.mjtGeom.mjGEOM_BOX)
+HINGE, SLIDE = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE)
+ELLIPSOID, CYLINDER, BOX, MESH = PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
+UNSORTED, MOST_CROSSINGS = int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE), 3
 EQUALITY = int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
 COUPLINGS = {
     int(getattr(mujoco.mjtEq, f"mjEQ_{name.upper()}")): name for name in ("connect", "weld", "joint", "tendon")
@@ -302,26 +304,30 @@ def _servos(model: mujoco.MjModel, rest: Rest) -> Iterator[Give]:
 
 
 def _passed(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Finding]:
-    """Yield what has fallen, flown or been driven through a box that a thicker one would have stopped."""
+    """Yield what has fallen, flown or been driven through a plate that a thicker one would have stopped."""
     model, contacts = scene.model, scene.contacts
     data = list(starts(model, target))[index][1]
     mujoco.mj_kinematics(model, data)
     pairs = np.stack([contacts.first, contacts.second], axis=1)
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     # What moves freely is passed by on all sides within a tenth of a second.
-    walls = (model.geom_type == BOX) & ~scene.free[model.geom_bodyid]
+    walls = np.isin(model.geom_type, PLATES) & ~scene.free[model.geom_bodyid]
     pairs = pairs[walls[pairs[:, 1]]]
-    for geom, wall in pairs[_crossing(model, pairs, [places_of(data), *rest.places])].tolist():
-        axis, pair = int(model.geom_size[wall].argmin()), np.array([[geom, wall]])
+    for geom, wall in pairs[_crossing(model, pairs, [places_of(data), *rest.places])][:MOST_CROSSINGS].tolist():
+        axis, pair = int(model.geom_aabb[wall, 3:].argmin()), np.array([[geom, wall]])
+        thick = M * 2.0 * float(model.geom_aabb[wall, 3 + axis])
         distance = float(np.linalg.norm(data.geom_xpos[geom] - data.geom_xpos[wall]))
         for times in THICKER:
 
             def thicker(model, data, wall=wall, axis=axis, times=times) -> None:
-                model.geom_size[wall, axis] *= times
-                model.geom_rbound[wall] = np.linalg.norm(model.geom_size[wall])
-                model.geom_aabb[wall, 3:] = model.geom_size[wall]
+                kind, mesh = model.geom_type[wall], model.geom_dataid[wall]
+                model.geom_size[wall, axis // 2 if kind == CYLINDER else axis] *= times  # its radius, then its length
+                if kind == MESH:
+                    model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh], axis] *= times
+                model.geom_aabb[wall, 3 + axis] *= times
+                model.geom_rbound[wall] = np.linalg.norm(model.geom_aabb[wall, 3:])
+                model.opt.disableflags |= UNSORTED  # whose tree of boxes is compiled
 
-            thick = M * 2.0 * model.geom_size[wall, axis]
             after = _again(scene, target, index, thicker) if times * thick < 2.0 * M * distance else None
             if after and not _crossing(model, pair, after.places).any():
                 message = f"thick, and it has gone through it, from {rest.start}"
@@ -334,17 +340,18 @@ def _passed(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Fi
 
 
 def _crossing(model: mujoco.MjModel, pairs: np.ndarray, places: Sequence[Places]) -> np.ndarray:
-    """Tell of geoms and boxes whether the geom has gone from one side of the box to the other, and through it."""
+    """Tell of geoms and plates whether the geom has gone from one side of the plate to the other, and through it."""
     rows, (geoms, walls) = np.arange(len(pairs)), pairs.T
-    axis, crossing, last = model.geom_size[walls].argmin(axis=1), np.zeros(len(pairs), dtype=bool), None
+    centres, sizes = np.split(model.geom_aabb[walls], 2, axis=1)
+    axis, crossing, last = sizes.argmin(axis=1), np.zeros(len(pairs), dtype=bool), None
     for positions, axes in places:
-        way = np.einsum("nji,nj->ni", axes[walls].reshape(-1, 3, 3), positions[geoms] - positions[walls])
+        way = np.einsum("nji,nj->ni", axes[walls].reshape(-1, 3, 3), positions[geoms] - positions[walls]) - centres
         if last is not None:
             before, after = last[rows, axis], way[rows, axis]
             is_through = before * after < 0.0
             share = np.where(is_through, before / np.where(is_through, before - after, 1.0), 0.0)
             across = np.abs(last + (way - last) * share[:, None])
-            crossing |= is_through & (across <= model.geom_size[walls]).all(axis=1)
+            crossing |= is_through & (across <= sizes).all(axis=1)
         last = way
     return crossing
 

@@ -12,7 +12,7 @@ from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import closed, engine, fixed, lost, override, pyramid, unread, visual
+from newton_lint.scene_rules import closed, engine, fixed, lost, pyramid, unread, visual
 from newton_lint.source import Element
 
 SAME = 1e-5
@@ -29,7 +29,7 @@ def lint(scene: Scene) -> list[Finding]:
     rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction)
     names = scene.names
     findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
-    scene_rules = (lost, fixed, visual, closed, pyramid, unread, override, engine)
+    scene_rules = (lost, fixed, visual, closed, pyramid, unread, engine)
     return findings + [finding for rule in scene_rules for finding in rule(scene)]
 
 
@@ -64,17 +64,19 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     authored, ratio = contacts.solref.T
     with np.errstate(divide="ignore", invalid="ignore"):
         limit = option.timestep_s / ratio if option.discrete else np.full(len(authored), 2.0 * option.timestep_s)
-        below = np.flatnonzero((authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME)))
+        below = (authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME))
     least = "one step over the dampratio" if option.discrete else "two steps"
-    message, is_default = f"is below {least}, which the engine clamps it to", authored[below] == DEFAULT_SOLREF[0]
+    wording = Wording("timeconst", "timeconst", f"is below {least}, which the engine clamps it to", "s")
+    pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))  # which nobody wrote
 
     def advise(pair: int) -> Advice:
+        more = float(limit[pair] / authored[pair])
+        step = f'timestep="{option.timestep_s / more:.3g}"'
+        text = f"{step}: the contact is as stiff as it says, for {more:.2g} times the steps"
         longer = advice.longer_solref(scene, pair, float(limit[pair]))
-        return advice.either(longer, advice.shorter_step(scene, float(authored[pair])))
+        return advice.either(longer, Advice((), text)) if more <= FAR else longer
 
-    for severity, pairs in (("warning", below[~is_default]), ("note", below[is_default])):  # which nobody wrote
-        wording = Wording("timeconst", "timeconst", message, "s", severity)
-        yield _pair_hits(scene, wording, pairs, (authored[pairs], limit[pairs]), advise)
+    yield _pair_hits(scene, wording, pairs, (authored[pairs], limit[pairs]), advise)
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:
@@ -120,10 +122,9 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     differ = ~np.isclose(authored[contacts.first], authored[contacts.second], rtol=SAME)
     # Direct solrefs are not mixed: the element-wise minimum counts.
     plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
-    stiffest = np.full(len(authored), np.inf)
-    for geoms in (contacts.first, contacts.second):
-        np.minimum.at(stiffest, geoms[plain], contacts.solref[plain, 0])
-        stiffest[geoms[contacts.outranked]] = 0.0  # a priority was given: it is meant so
+    ranked = np.concatenate([contacts.first, contacts.second])[np.tile(contacts.outranked, 2)]
+    stiffest, softest = -_largest(scene, plain, -contacts.solref[:, 0]), _largest(scene, plain, contacts.solref[:, 0])
+    stiffest[ranked], softest[ranked] = 0.0, np.inf  # a priority was given: it is meant so
     is_stiff = (authored > 0.0) & (authored * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
@@ -131,16 +132,11 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     wording, values = Wording("one-sided", "solref", message, unit="s"), (authored[shape], stiffest[shape])
     advise = partial(advice.of_higher_priority, scene)
     yield _geom_hits(scene, wording, shape, values, "solref", lambda geom: advise(geom, stiffest[geom]))
-    softest = np.zeros(len(authored))
-    for geoms in (contacts.first, contacts.second):
-        np.maximum.at(softest, geoms[plain], contacts.solref[plain, 0])
-        softest[geoms[contacts.outranked]] = np.inf
     shape = np.flatnonzero((authored >= FAR * DEFAULT_SOLREF[0]) & (softest > 0.0) & (1.5 * softest < authored))
     message = "is soft on this side only: the other geom's stiff solref is mixed in, in every pair"
     wording, values = Wording("one-sided", "solref", message, "s", "note"), (authored[shape], softest[shape])
-    rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
     gain = "its solref, solimp, friction and condim alone count; or the same solref and solimp on the other geom"
-    advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
+    advise = partial(advice.for_geom, scene, attributes=advice.rank(scene), gain=gain)
     yield _geom_hits(scene, wording, shape, values, "solref", advise)
 
 
@@ -148,17 +144,22 @@ def friction(scene: Scene) -> Iterator[Hits]:
     """Yield geoms whose low friction counts nowhere: the larger of two is taken."""
     contacts, authored = scene.contacts, scene.model.geom_friction[:, 0]
     plain = (contacts.named < 0) & (contacts.condim > 1)
-    least = np.full(len(authored), np.inf)
-    for geoms in (contacts.first, contacts.second):
-        np.minimum.at(least, geoms[plain], contacts.friction[plain, 0])
+    least = -_largest(scene, plain, -contacts.friction[:, 0])
     # The compiled model does not tell a default from the same number that somebody wrote.
     low = np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != DEFAULT_FRICTION[0]))
-    rank = {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
     message = "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority"
     gain = "its friction alone counts, with its solref, solimp and condim"
     wording, values = Wording("friction", "friction", message), (authored[low], least[low])
-    advise = partial(advice.for_geom, scene, attributes=rank, gain=gain)
+    advise = partial(advice.for_geom, scene, attributes=advice.rank(scene), gain=gain)
     yield _geom_hits(scene, wording, low, values, "friction", advise)
+
+
+def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return the largest value that each geom has in some of the pairs; -inf of what is in none."""
+    largest = np.full(scene.model.ngeom, -np.inf)
+    for geoms in (scene.contacts.first, scene.contacts.second):
+        np.maximum.at(largest, geoms[pairs], values[pairs])
+    return largest
 
 
 def _geom_hits(

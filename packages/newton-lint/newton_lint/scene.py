@@ -13,7 +13,6 @@ from newton_lint.source import Source
 from newton_lint.warp_engine import has_noslip
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
-SPHERE, CAPSULE = int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE)
 
 
 def changed(model: mujoco.MjModel, **options: float) -> mujoco.MjModel:
@@ -89,12 +88,6 @@ class Scene:
         counting[contacts.first[plain]] = True
         counting[contacts.second[plain & ~contacts.outranked]] = True
         return counting
-
-    @cached_property
-    def point_counts(self) -> np.ndarray:
-        """Say in how many points each geom touches a flat one."""
-        types = self.model.geom_type
-        return np.select([types == SPHERE, types == CAPSULE], [1.0, 2.0], 4.0)  # mjc_PlaneBox stops at 4 corners
 
     @cached_property
     def free(self) -> np.ndarray:

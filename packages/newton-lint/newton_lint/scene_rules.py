@@ -6,8 +6,7 @@ from collections.abc import Iterator
 import mujoco
 import numpy as np
 
-from newton_lint.advice import elliptic, for_geom, for_option
-from newton_lint.combined import OVERRIDE
+from newton_lint.advice import elliptic, for_geom
 from newton_lint.findings import Advice, Finding
 from newton_lint.pairs import MOST_PAIRS, OFF, read
 from newton_lint.scene import Scene
@@ -28,22 +27,20 @@ def lost(scene: Scene) -> Iterator[Finding]:
     model, contacts = scene.model, scene.contacts
     tree = model.body_rootid[model.geom_bodyid]
     collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)  # of all masks that are off
+    is_whole = len(read(model)) == np.count_nonzero(model.geom_contype | model.geom_conaffinity)
     is_free = scene.free[tree]
     met = {*tree[contacts.first].tolist(), *tree[contacts.second].tolist()}
-    falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & WEIGHTLESS
+    falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & (WEIGHTLESS | OFF)
     others = np.flatnonzero(~is_free)
-    off = bool(model.opt.disableflags & OFF)  # without constraints mj_collision finds none either
-    why = 'contacts are disabled by <flag contact="disable"/>' if off else "no geom's bits meet those of its geoms"
-    for body in sorted({*tree[is_free & collides].tolist()} - met) if falls and len(others) else ():
+    for body in sorted({*tree[is_free & collides].tolist()} - met) if falls and is_whole and len(others) else ():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
         value = float(model.geom_contype[geom])
-        message = f"meets no geom of another body, and falls through all of them: {why}"
+        message = "meets no geom of another body, and falls through all of them: no geom's bits meet those of its geoms"
         attributes = {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
-        advice = None if off else for_geom(scene, geom, attributes, "it is met")
+        advice = for_geom(scene, geom, attributes, "it is met")
         element = scene.source.authored(geom, "contype") or scene.source.geom(geom)
-        name, severity = scene.bodies[body], "note" if off else "warning"  # which somebody wrote
-        yield Finding("lost", name, "contype", value, message, severity=severity, element=element, advice=advice)
+        yield Finding("lost", scene.bodies[body], "contype", value, message, element=element, advice=advice)
 
 
 def fixed(scene: Scene) -> Iterator[Finding]:
@@ -127,36 +124,15 @@ def unread(scene: Scene) -> Iterator[Finding]:
     """Yield how many geoms are left out where all of them make too many pairs."""
     count = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
     if count:
-        message = f"are not read: all make over {MOST_PAIRS:,} pairs, and the first of those alike stand for them"
+        message = f"are not read: all make over {MOST_PAIRS:,} pairs, and the others stand for them"
         yield _scene_finding(scene, "unread", "geoms", float(count), message, severity="note")
-
-
-def override(scene: Scene) -> Iterator[Finding]:
-    """Yield the override flag, which leaves all that geoms say of contacts unread."""
-    opt = scene.model.opt
-    if opt.enableflags & OVERRIDE and len(scene.contacts):
-        message = "is on: all contacts have the option's solref, solimp and friction, whatever their geoms say"
-        advice = for_option(scene, {}, 'take <flag override="enable"/> away: geoms count again')
-        yield _scene_finding(scene, "override", "o_solref", float(opt.o_solref[0]), message, advice)
-    # Their values don't tell whether they were authored: a scene without them has the geoms' defaults there.
-    element = scene.source.option("o_solimp") or scene.source.option("o_solref")
-    names = [name for name in element.attributes if name.startswith("o_")] if element else []
-    if names and not opt.enableflags & OVERRIDE:
-        message = 'counts nowhere without <flag override="enable"/>, and with it for all contacts'
-        advice = Advice((), "say it of the geoms whose contacts are meant")
-        yield _scene_finding(scene, "override", names[0], float(getattr(opt, names[0])[0]), message, advice)
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
     """Yield what MuJoCo Warp says of a scene, in its words."""
-    if scene.engine.name != "warp":
-        return
-    if refused := refusal(scene.model):
+    if scene.engine.name == "warp" and (refused := refusal(scene.model)):
         message = f"MuJoCo Warp refuses this model: {refused}"
         yield _scene_finding(scene, "engine", "", 1.0, message, severity="error")
-    elif refused is None:
-        message = "MuJoCo Warp is not installed, and cannot be asked: pip install mujoco-warp"
-        yield _scene_finding(scene, "engine", "", 0.0, message)
 
 
 def _scene_finding(

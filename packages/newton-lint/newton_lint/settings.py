@@ -33,20 +33,16 @@ def table_of(folder: Path) -> dict[str, Any]:
 
 def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:
     """Tell whether a finding's rule is ignored: everywhere, or by a comment before the first tag or at its line."""
-    if finding.rule in rules:
-        return True
-    if source.root is None:
-        return False
-    element = finding.element
-    for file in {source.root.file, *([element.file] if element else [])}:
-        # A comment before the root's tag counts for all of the file; an included file may have no root of its own.
-        first = source.root.line if file == source.root.file else 1
-        for line, named in _comments(file):
-            # XML takes no comment within a tag: it stands behind it, or on the line before.
-            near = element is not None and element.file == file and element.line in (line, line + 1)
-            if (near or line < first or (line == first == 1)) and (not named or finding.rule in named):
-                return True
-    return False
+    if finding.rule in rules or source.root is None:
+        return finding.rule in rules
+    element, root = finding.element, source.root
+    # XML takes no comment within a tag: it stands behind it, or on the line before.
+    near = [(element.file, (1, element.line - 1, element.line))] if element else []
+    return any(
+        line in lines and (not named or finding.rule in named)
+        for file, lines in ((root.file, range(max(root.line, 2))), *near)
+        for line, named in _comments(file)
+    )
 
 
 @functools.cache

@@ -47,9 +47,14 @@ class Work:
 
 
 @dataclass(frozen=True)
-class Reading:
-    """What a contact point of a held body bears, and how."""
+class Touch:
+    """A contact point of a held body, with means over the end of the settling of what it bears, and how."""
 
+    geoms: tuple[int, int]
+    support: int
+    """The body that touches the held one."""
+    share: float
+    """Of the steps that have the point."""
     normal_n: float
     tangential_n: np.ndarray
     """Force of friction on the held body, in the world's axes."""
@@ -61,17 +66,6 @@ class Reading:
     """The diagonal of A that the engine gives it."""
     softer: float
     """Times that R is larger along its friction than along the first axis: a ``<pair>`` has a μ for each."""
-
-
-@dataclass(frozen=True)
-class Touch(Reading):
-    """A contact point, with means of its readings over the end of the settling."""
-
-    geoms: tuple[int, int]
-    support: int
-    """The body that touches the held one."""
-    share: float
-    """Of the steps that have the point."""
 
 
 @dataclass(frozen=True)
@@ -153,8 +147,7 @@ def started(model: mujoco.MjModel, state: mujoco.MjData | None = None) -> mujoco
 
 
 def settled(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> mujoco.MjData:
-    for _ in range(round(time_s / model.opt.timestep)):
-        mujoco.mj_step(model, data)
+    mujoco.mj_step(model, data, nstep=round(time_s / model.opt.timestep))
     return data
 
 
@@ -162,7 +155,7 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
     """Step on, and return means of each point in which a body, or what is fixed to it, is touched."""
     model, body_of = scene.model, scene.model.geom_bodyid
     is_held = model.body_weldid == model.body_weldid[body]
-    readings: defaultdict[tuple[tuple[int, int], int], list[Reading]] = defaultdict(list)
+    readings: defaultdict[tuple[tuple[int, int], int], list[dict[str, Any]]] = defaultdict(list)
     for _ in range(step_count):
         mujoco.mj_step(model, data)
         counts: Counter[tuple[int, int]] = Counter()
@@ -176,7 +169,7 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
                 counts[geom1, geom2] += 1
     touches = []
     for (pair, _), series in readings.items():
-        sums = {name: sum(getattr(reading, name) for reading in series) for name in vars(series[0])}
+        sums = {name: sum(reading[name] for reading in series) for name in series[0]}
         # A point that is there in half of the steps bears half of its force; where and how it acts is of those alone.
         means = {name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()}
         support = next(int(side) for side in body_of[list(pair)] if not is_held[side])
@@ -184,7 +177,7 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
     return touches
 
 
-def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> Reading | None:
+def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> dict[str, Any] | None:
     """Return what a contact bears, with the friction times a sign; None where it presses nothing."""
     model, contact, force = scene.model, data.contact[index], np.zeros(6)
     if contact.efc_address < 0:  # within the gap, or without a dof: it is listed, and has no rows
@@ -200,8 +193,8 @@ def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> Read
     along1, along2 = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
     softer = along1 + along2 * (contact.friction[0] / contact.friction[1]) ** 2 if along1 + along2 else 1.0
-    tangential = sign * (force[1:3] @ frame[1:])
-    return Reading(force[0], tangential, frame[0].copy(), contact.pos.copy(), used, weight, softer)
+    means = {"normal_n": force[0], "tangential_n": sign * (force[1:3] @ frame[1:]), "normal": frame[0].copy()}
+    return means | {"position": contact.pos.copy(), "used": used, "weight_1_kg": weight, "softer": softer}
 
 
 def _weight(scene: Scene, data: mujoco.MjData, index: int) -> float:

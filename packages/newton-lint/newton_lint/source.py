@@ -34,10 +34,6 @@ class Element:
     def sections(self, tag: str) -> Iterator["Element"]:
         return (child for child in self.children if child.tag == tag)
 
-    @property
-    def location(self) -> str:
-        return f"{self.file.name}:{self.line}"
-
 
 Texts = Mapping[Path, bytes]
 """What files are taken to hold, by their paths, in place of what they hold."""
@@ -159,23 +155,19 @@ class Source:
 
 
 def _bodies(element: Element, inherited: str | None) -> Iterator[list[tuple[Element, str | None]]]:
-    """Yield the geoms of a body, and of those within it, with their classes; a replicate counts as often as it says."""
-    childclass = element.attributes.get("childclass", inherited)
-    geoms: list[tuple[Element, str | None]] = []
-    bodies: list[tuple[Element, str | None]] = []
-    _collect(element, childclass, geoms, bodies)
-    yield geoms
-    for body, name in bodies:
-        yield from _bodies(body, name)
+    """Yield the geoms of a body, and of those within it, with their classes."""
+    children = list(_children(element, element.attributes.get("childclass", inherited)))
+    yield [(child, child.attributes.get("class", name)) for child, name in children if child.tag == "geom"]
+    for child, name in children:
+        if child.tag == "body":
+            yield from _bodies(child, name)
 
 
-def _collect(element: Element, childclass: str | None, geoms: list, bodies: list) -> None:
+def _children(element: Element, childclass: str | None) -> Iterator[tuple[Element, str | None]]:
+    """Yield a body's children with their childclass; those of a replicate count as often as it says."""
     for child in element.children:
-        if child.tag == "geom":
-            geoms.append((child, child.attributes.get("class", childclass)))
-        elif child.tag == "body":
-            bodies.append((child, childclass))
-        elif child.tag in GROUPS:
-            count = int(child.attributes.get("count", "1")) if child.tag == "replicate" else 1
-            for _ in range(count):
-                _collect(child, child.attributes.get("childclass", childclass), geoms, bodies)
+        if child.tag in GROUPS:
+            for _ in range(int(child.attributes.get("count", "1")) if child.tag == "replicate" else 1):
+                yield from _children(child, child.attributes.get("childclass", childclass))
+        else:
+            yield child, childclass

@@ -140,11 +140,10 @@ def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Fi
                 advices.append(for_option(scene, options, f"{text} {calms}" if text else calms))
         return either(*advices[:3]) if advices else None
 
-    stiff = _stiff(model, begins[index][1]) if run.bad else []
     if run.bad:
         advice = mended(lambda after: not after.bad)
         message = f"after {run.time_s:.3g} s from {run.start} accelerations become infinite, and MuJoCo starts anew"
-        for servo, _, ratio, _ in stiff[:1]:
+        for servo, _, ratio, _ in _stiff(model, begins[index][1])[:1]:
             name = model.actuator(servo).name or model.joint(model.actuator_trnid[servo, 0]).name
             bears = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
             message += f": servo {name} has a kp·h²/m of {ratio:.3g}, and the step bears {bears}"
@@ -195,12 +194,11 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
             message += f": it throws them apart at {thrown:.2g} m/s"
         gain = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
         exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), gain)
-        advice = (
-            exclude if one_tree else Advice((), f"{margin and 'lower the margin, or '}move one by {M * depth:.3g} mm")
-        )
+        apart = Advice((), f"{margin and 'lower the margin, or '}move one by {M * depth:.3g} mm")
         # Robots come with a keyframe to start from: qpos0 of their links may overlap.
         severity = "note" if not hard or (model.nkey and run.start == "the start") else "warning"
         shape, partner = (scene.names[geom] for geom in pair)
+        advice = exclude if one_tree else apart
         element, against = scene.source.geom(pair[1]) or scene.source.geom(pair[0]), (partner,)
         yield Finding("overlap", shape, "overlap", M * depth, message, against, None, "mm", severity, element, advice)
 

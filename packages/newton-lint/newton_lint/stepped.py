@@ -15,8 +15,6 @@ STEPPED_S = 0.2
 """Time that a scene is stepped by each call."""
 BUDGET_S = 5.0
 """Time of the processor after which a run stops where it is."""
-SELDOM = 4
-"""Steps after which what lasts is looked at: energy, and whether it blew up."""
 MOST_STARTS = 4
 MOST_DOFS = 3000
 """What moves in more ways is not stepped: a step takes seconds."""
@@ -99,8 +97,6 @@ def run_of(model: mujoco.MjModel, data: mujoco.MjData, name: str, time_s: float)
         deepest, late = max(deepest, now_m), max(late, now_m) if 3 * step > count else late
         iterations = data.solver_niter  # of each island, those that are not there 0
         limited, solved = limited + (iterations.max() >= most), solved + iterations.sum()
-        if step % SELDOM and step < count:
-            continue
         if bad := next((warning for number, warning in BAD.items() if data.warning[number].number), ""):
             break
         rise = np.maximum(rise, energy() - begin)

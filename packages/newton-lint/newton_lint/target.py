@@ -2,15 +2,15 @@
 
 import contextlib
 import importlib
-import importlib.util
+import os
 import re
+import runpy
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
 from operator import attrgetter
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import mujoco
@@ -58,16 +58,14 @@ def targets_of(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[st
         scenes = [path for path in files if path not in excluded and _is_scene(path)]
         if not scenes:
             raise TargetError(f"{name}: has no scene")
-        # MJCF that others include has <mujoco> as its root too; what compiles by itself is a scene all the same.
+        # MJCF that others include has <mujoco> as its root too, and is read with them.
         pieces = {piece for path in scenes for piece in _included(path)}
-        yield from (str(path) for path in scenes if path.resolve() not in pieces or _compiles(path))
+        yield from (str(path) for path in scenes if path.resolve() not in pieces)
 
 
 def _is_scene(path: Path) -> bool:
-    try:
-        return path.suffix.lower() not in (".xml", ".urdf") or bool(ROOTS.search(path.read_bytes()))
-    except OSError:
-        return True  # which is said when it is read
+    is_readable = path.suffix.lower() in MUJOCOS and os.access(path, os.R_OK)  # or it is said when it is read
+    return not is_readable or bool(ROOTS.search(path.read_bytes()))
 
 
 def _included(path: Path) -> Iterator[Path]:
@@ -75,13 +73,6 @@ def _included(path: Path) -> Iterator[Path]:
     with contextlib.suppress(OSError):
         for match in INCLUDE.finditer(path.read_bytes()):
             yield (path.parent / match[1].decode(errors="replace")).resolve()
-
-
-def _compiles(path: Path) -> bool:
-    try:
-        return compiled(path) is not None
-    except (ValueError, mujoco.FatalError):
-        return False
 
 
 def read_target(target: str) -> Target:
@@ -96,20 +87,14 @@ def read_target(target: str) -> Target:
 
 
 def _read_file(target: str, path: Path) -> Target:
-    if not path.is_file():
-        raise TargetError(f"{path}: {'is no file' if path.exists() else 'there is no such file'}")
-    try:
-        path.open("rb").close()
-    except OSError as error:
-        raise TargetError(f"{path}: cannot be read: {error.strerror}") from error
+    if not path.is_file() or not os.access(path, os.R_OK):
+        raise TargetError(f"{path}: {'cannot be read' if path.exists() else 'there is no such file'}")
     if path.suffix.lower() in USD:
         return Target(target, None, newtons(target, READER, "imported", path))
     try:
         return Target(target, compiled(path), path=path)
-    except (ValueError, mujoco.FatalError) as error:
+    except (ValueError, TypeError, mujoco.FatalError) as error:  # a TypeError of a name that is no text
         raise TargetError(f"{path}: MuJoCo refuses it: {_line(error)}") from error
-    except TypeError as error:
-        raise TargetError(f"{path}: has a name that is no text, which MuJoCo cannot open") from error
 
 
 def tried(target: Target, texts: Mapping[Path, bytes]) -> Target:
@@ -143,7 +128,8 @@ def _returned(target: str) -> Any:
     name, _, function = target.rpartition(":")
     sys.path.insert(0, str(Path(name).parent if name.endswith(".py") else Path.cwd()))
     try:
-        return getattr(_imported(name), function)()
+        names = runpy.run_path(name) if name.endswith(".py") else vars(importlib.import_module(name))
+        return names[function]()
     except (Exception, SystemExit) as error:  # the code is the user's
         raise TargetError(f"{target}: gives no model: {type(error).__name__}: {_line(error)}") from error
     finally:
@@ -177,17 +163,6 @@ def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
         raise TargetError(f"{target}: {NEEDS_NEWTON} ({_line(error)})") from error
     except Exception as error:  # whatever the importers meet in a file that is none of theirs
         raise TargetError(f"{target}: cannot be read: {type(error).__name__}: {_line(error)}") from error
-
-
-def _imported(name: str) -> ModuleType:
-    if not name.endswith(".py"):
-        return importlib.import_module(name)
-    spec = importlib.util.spec_from_file_location(f"linted_{Path(name).stem}", name)
-    assert spec and spec.loader  # what ends in .py has both
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look annotations up there
-    spec.loader.exec_module(module)
-    return module
 
 
 def _line(error: BaseException) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 
 import mujoco
 
+from newton_lint.target import TargetError
+
 
 @contextlib.contextmanager
 def muted_standard_error() -> Iterator[None]:
@@ -21,15 +23,15 @@ def muted_standard_error() -> Iterator[None]:
         os.close(nowhere)
 
 
-def refusal(model: mujoco.MjModel) -> str | None:
-    """Return why ``put_model`` refuses a model, empty where it takes it; None where MuJoCo Warp is not installed."""
+def refusal(model: mujoco.MjModel) -> str:
+    """Return why ``put_model`` refuses a model, empty where it takes it; TargetError without MuJoCo Warp."""
     try:
         with muted_standard_error():
             warp, engine = importlib.import_module("warp"), importlib.import_module("mujoco_warp")
             warp.config.quiet = True
             warp.init()
-    except ImportError:
-        return None
+    except ImportError as error:
+        raise TargetError(f"--engine warp takes MuJoCo Warp: pip install mujoco-warp ({error})") from error
     try:
         with muted_standard_error(), warp.ScopedDevice("cpu"):  # a machine without a GPU is to answer too
             engine.put_model(model)

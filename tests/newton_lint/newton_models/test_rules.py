@@ -61,14 +61,8 @@ def found(model: newton.Model, **options) -> list[tuple]:
     ]
 
 
-GAP = newton.ModelBuilder().rigid_gap
 STIFF = {"ke": 2.5e5, "kd": 1e3}
 FOUND = {
-    "a gap left at the default beside one that was set": (
-        *({"gap": None}, {"gap": 0.004}, {}, [("default-gap", PAIR[:1], "gap", GAP, GAP + 0.004)]),
-    ),
-    "two such gaps are no finding": ({"gap": None}, {"gap": None}, {}, []),
-    "nor are two that were set": ({"gap": 0.002}, {"gap": 0.004}, {}, []),
     "a timeconst below two substeps": (STIFF, STIFF, {}, [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)]),
     "a pair's is the mean of 2 ms and 20 ms": (STIFF, {}, {}, [("one-sided", PAIR[:1], "solref", 2e-3, 11e-3)]),
     "a solref of its own takes the place of ke and kd": (
@@ -84,7 +78,6 @@ FOUND = {
         *({}, {}, {"solref": ((-100.0, -90.0),) * 2, "solref_mode": (RAW, RAW)}),
         [("dampratio", PAIR, "dampratio", 4.5, 1.0)],
     ),
-    "what no contact reads": ({"restitution": 0.5}, {}, {}, [("unused", PAIR[:1], "restitution", 0.5, None)]),
 }
 
 

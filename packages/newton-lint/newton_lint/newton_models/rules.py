@@ -19,7 +19,6 @@ from newton_lint.source import Source
 
 CONVERTED = 2
 """``mujoco.solref_mode`` of a shape whose solref is made from ke and kd."""
-NOT_READ = "is not read by SolverMuJoCo"
 
 
 @dataclass(frozen=True)
@@ -60,21 +59,9 @@ class Shapes(Scene):
 
 def findings_in(scene: Shapes) -> list[Finding]:
     """Return all that ``SolverMuJoCo`` will not use as it was authored; Newton's contacts read kf, MuJoCo's do not."""
-    rules = (default_gap, ke_without_kd, friction_gain, restitution)
+    rules = (ke_without_kd, friction_gain)
     findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, scene.names)]
     return findings + of_mujoco(scene)
-
-
-def default_gap(scene: Shapes) -> Iterator[Hits]:
-    """Yield shapes left at the builder's gap although some that they can touch were not. Gaps of a pair add."""
-    contacts, gap, default = scene.contacts, scene.of_geoms("shape_gap"), newton.ModelBuilder().rigid_gap
-    is_default, plain = np.isclose(gap, default, rtol=SAME), contacts.named < 0  # Newton keeps gaps as float32
-    authored, largest = np.where(is_default, -np.inf, gap), np.full(len(gap), -np.inf)
-    for geoms, partners in ((contacts.first, contacts.second), (contacts.second, contacts.first)):
-        np.maximum.at(largest, geoms[plain], authored[partners[plain]])
-    hit = np.flatnonzero(is_default & (largest > -np.inf))
-    message = "is the builder's default although its neighbours' gaps were set; gaps of a pair add"
-    yield Hits(Wording("default-gap", "gap", message, "m"), hit, gap[hit], gap[hit] + largest[hit])
 
 
 def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
@@ -96,7 +83,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
-        yield Hits(Wording("kf", "kf", f"{NOT_READ} {reason}"), unread, kf[unread])
+        yield Hits(Wording("kf", "kf", f"is not read by SolverMuJoCo {reason}"), unread, kf[unread])
         return
     first, second = contacts.first, contacts.second
     solmix = scene.model.geom_solmix
@@ -120,10 +107,3 @@ def kf_unread(scene: Scene) -> str:
     if scene.engine.name != "newton":
         return "in contacts of MuJoCo"
     return "" if scene.option.cone == "elliptic" else "with a pyramidal cone"
-
-
-def restitution(scene: Shapes) -> Iterator[Hits]:
-    """Yield restitution, which no contact reads."""
-    values = scene.of_geoms("shape_material_restitution")
-    bounces = np.flatnonzero(scene.counts & (values != 0.0))
-    yield Hits(Wording("unused", "restitution", NOT_READ, severity="note"), bounces, values[bounces])
