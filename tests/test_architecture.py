@@ -1,13 +1,22 @@
 """The rooms: who may read whom, and that the picture of them is the one that the imports make."""
 
 import re
+from collections.abc import Mapping
+from functools import cache
 from graphlib import TopologicalSorter
+from pathlib import Path
 
 import pytest
 
-from docs import rooms
 from measured_report.files.root import ROOT
+from measured_report.records.code import Graph
 from measured_report.records.identity import sections
+
+GENERATOR = ROOT / "packages/measured-report"
+PACKAGES = {"measured_report": GENERATOR, "newton_lint": ROOT / "packages/newton-lint"}
+FOLDERS = ("experiments", "report", *PACKAGES)
+OUTSIDE = ("build", "experiments.facts", "experiments", "report", "newton_lint")  # rooms beside the generator's
+ARROW = re.compile(r"^ +([\w.]+) --> ([\w.]+)$", re.MULTILINE)
 
 SIMULATOR = re.compile(r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE)
 WORDING = re.compile(r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b")
@@ -15,6 +24,39 @@ CARRYING = {f"measured_report.measuring.{name}" for name in ("batch", "measureme
 CARRYING |= {f"measured_report.{name}" for name in ("files.errors", "files.root", "editions.environment")}
 """What carries calls to where they are made: its code is no part of a record's identity, and changes no row."""
 MOST_ROOMS, MOST_ARROWS = 11, 60
+
+
+@cache
+def modules() -> Mapping[str, Path]:
+    """Every module of the project by its name, but for what a new report begins as."""
+    roots = {folder: PACKAGES.get(folder, ROOT) for folder in FOLDERS}
+    files = {path: root for folder, root in roots.items() for path in sorted((root / folder).rglob("*.py"))}
+    names = {path: ".".join(path.relative_to(root).with_suffix("").parts) for path, root in files.items()}
+    named = {name.removesuffix(".__init__"): path for path, name in names.items() if "skeleton" not in path.parts}
+    return {"build": ROOT / "build.py", **named}
+
+
+@cache
+def imports() -> Mapping[str, frozenset[str]]:
+    """The project's modules that each of its modules imports, wherever in it the import stands, and their packages."""
+    graph = Graph((str(ROOT), *map(str, PACKAGES.values())))
+    names = {str(path): name for name, path in modules().items()}
+    named = {name: {names[file] for file in graph.imported(str(path))} for name, path in modules().items()}
+    return {name: frozenset(found - {name}) for name, found in named.items()}
+
+
+def room_of(module: str) -> str:
+    """The room that a module is in: a folder of the generator, or one of those outside; empty for a bare package."""
+    if module.startswith("measured_report"):
+        return module.partition(".")[2].partition(".")[0]
+    return next(room for room in OUTSIDE if f"{module}.".startswith(f"{room}."))
+
+
+@cache
+def arrows() -> frozenset[tuple[str, str]]:
+    """Pairs of rooms of which the first imports the second; packages themselves, which all may name, left out."""
+    pairs = ((room_of(module), room_of(named)) for module, found in imports().items() for named in found)
+    return frozenset(pair for pair in pairs if all(pair) and pair[0] != pair[1] and pair[1] not in FOLDERS[:2])
 
 
 @pytest.mark.parametrize(
@@ -30,36 +72,34 @@ def test_each_side_reads_no_more_of_the_others_than_it_may(side, allowed):
     def is_in(name: str, room: str) -> bool:
         return f"{name}.".startswith(f"{room}.")
 
-    named = {(module, name) for module, found in rooms.imports().items() if is_in(module, side) for name in found}
+    named = {(module, name) for module, found in imports().items() if is_in(module, side) for name in found}
     outside = {(module, name) for module, name in named if not any(is_in(name, room) for room in (side, *allowed))}
     assert {(module, name) for module, name in outside if name != "experiments"} == set()
 
 
 def test_the_page_s_side_never_imports_the_simulator():
-    imports, modules = rooms.imports(), rooms.modules()
-    reached = {name for name in modules if name.partition(".")[0] in ("build", "measured_report", "report")}
-    while more := {named for name in reached for named in imports[name]} - reached:
+    reached = {name for name in modules() if name.partition(".")[0] in ("build", "measured_report", "report")}
+    while more := {named for name in reached for named in imports()[name]} - reached:
         reached |= more
-    files = [modules[name] for name in reached]
+    files = [modules()[name] for name in reached]
     assert [path for path in files if SIMULATOR.search(path.read_text(encoding="utf-8"))] == []
 
 
 def test_what_computes_rows_has_the_generator_for_carrying_alone():
     """Besides ROOT and the errors: an identity stops at the generator."""
-    imports = rooms.imports()
     reached = {f"experiments.{section}" for section in sections()}
-    while more := {n for name in reached for n in imports[name] if n.startswith("experiments.")} - reached:
+    while more := {n for name in reached for n in imports()[name] if n.startswith("experiments.")} - reached:
         reached |= more
-    used = {name for module in reached for name in imports[module] if name.startswith("measured_report.")}
+    used = {name for module in reached for name in imports()[module] if name.startswith("measured_report.")}
     assert {name for name in used if name.count(".") > 1} == CARRYING  # not the packages that these are in
 
 
 def test_no_import_leads_in_a_circle_and_the_generator_has_few_rooms():
-    names = rooms.imports()
+    names = imports()
     # A package is there before the modules in it, so that what they take from it is no circle.
     inner = {module: {name for name in found if not module.startswith(f"{name}.")} for module, found in names.items()}
     assert len(list(TopologicalSorter(inner).static_order())) == len(names)
-    inside = [pair for pair in rooms.arrows() if not {*pair} & {*rooms.OUTSIDE}]
+    inside = [pair for pair in arrows() if not {*pair} & {*OUTSIDE}]
     below = {room: {low for high, low in inside if high == room} for pair in inside for room in pair}
     assert len(list(TopologicalSorter(below).static_order())) <= MOST_ROOMS and len(inside) <= MOST_ARROWS
 
@@ -67,22 +107,25 @@ def test_no_import_leads_in_a_circle_and_the_generator_has_few_rooms():
 def test_findings_exist_without_words():
     """What compares editions stands beside pages, and parses no template."""
     below = {"changes": "pages", "findings": "pages", "editions": "findings"}
-    assert [pair for pair in rooms.arrows() if below.get(pair[0]) == pair[1]] == []
+    assert [pair for pair in arrows() if below.get(pair[0]) == pair[1]] == []
 
 
 def test_words_are_in_templates():
-    files = [path for name, path in rooms.modules().items() if name.startswith("report.sections.")]
+    files = [path for name, path in modules().items() if name.startswith("report.sections.")]
     files += (ROOT / "packages/measured-report/measured_report/pages").glob("*.py")
     texts = {path.name: path.read_text(encoding="utf-8") for path in files}
     assert [(name, match[0]) for name, text in texts.items() for match in WORDING.finditer(text)] == []
 
 
-def test_the_picture_is_the_one_that_the_imports_make():
-    text = rooms.ARCHITECTURE.read_text(encoding="utf-8")
-    assert text.partition(rooms.START)[2].partition(rooms.END)[0] == rooms.picture(), "python docs/rooms.py renews it"
+def test_the_picture_has_the_arrows_that_the_imports_make_but_for_those_that_others_imply():
+    text = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    drawn = set(ARROW.findall(text.replace("experiments_facts", "experiments.facts")))
+    implied = set(drawn)
+    while more := {(high, end) for high, low in implied for start, end in drawn if start == low} - implied:
+        implied |= more
+    assert drawn <= arrows() <= implied
 
 
-GENERATOR = ROOT / "packages" / "measured-report"
 SUBJECT = re.compile(
     r"(?i:newton|mujoco|grasp|meta-?world)"
     r"|(?<![A-Za-z])(?:warps?|cubes?|pads?|slip(?:s|ped|ping)?|shak(?:es?|en|ing))(?![a-z])"

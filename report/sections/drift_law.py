@@ -52,10 +52,8 @@ def _by_hand(results: Results, laws: Mapping[str, Value]) -> Claim:
     timeconst = results.value("timeconst_ms", "response over dmax", MS_PER_S * row.response_s / dmax)
     formula = "mean of J̇q̇ along the shake, from the arm's motion"
     g = results.value("g", formula, 2 * row.left_out_mm_s / row.response_s)
-    back, rough = (
-        results.value("back", "what the step takes away", -row.step_mm_s),
-        laws.get(SHIPPED) or _law(results, row),
-    )
+    back = results.value("back", "what the step takes away", -row.step_mm_s)
+    rough = laws.get(SHIPPED) or _law(results, row)
     off = results.value("rough_off", "how far that is from the drift, of the latter", departure(rough, row.drift_mm_s))
     numbers = {"g": g, "dmax": dmax, "timeconst": timeconst, "step": step, "drift": row.drift_mm_s}
     numbers |= {"trailing": row.left_out_mm_s, "back": back, "rough": rough}

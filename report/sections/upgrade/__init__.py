@@ -71,11 +71,8 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
     outcome = next((step for step in outcomes.values() if step.name == "unknown"), outcome)
     if len(measured) < 3:
         outcome = Outcome("unknown", "no release between was measured")
-    return Claim(
-        "in_one_step",
-        nothing_to_explain(same) or outcome,
-        {"steps": [[*map(config().name_of, step)] for step in steps]},
-    )
+    numbers = {"steps": [[*map(config().name_of, step)] for step in steps]}
+    return Claim("in_one_step", nothing_to_explain(same) or outcome, numbers)
 
 
 def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[str]) -> Claim:

@@ -128,15 +128,8 @@ class Move:
         return " → ".join(map(_text, sides))
 
 
-@dataclass(frozen=True)
-class Pair:
-    """Hold what both editions know of a number, with the move that it makes, not yet judged."""
-
-    move: dict[str, Any]  # what the move says of itself, before it is judged
-    column: str
-    estimates: Sequence[Estimate | None]  # None where nobody knows how it scatters
-    ends: tuple[float, float]
-    edge_share: float = 0.0  # no chance is less
+Estimates = Sequence[Estimate | None]  # of a number in both editions; None where nobody knows how it scatters
+Pair = tuple[Move, Estimates, float]  # a move that is not yet judged, with the share of edges: no chance is less
 
 
 def cells_between(before: Chapter, after: Chapter) -> list[Move]:
@@ -146,7 +139,7 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
     edge_share = max(chapter.results.evidence.edge_share for chapter in (before, after))
     rules, old, new = config().changes, _rows_by_key(before), _rows_by_key(after)
     pairs = list(_means_between(before, after))
-    moves, mean_cells = [], {(pair.move["place"]["case"], pair.column) for pair in pairs}
+    moves, mean_cells = [], {(move.place["case"], move.column) for move, *_ in pairs}
     for key in dict.fromkeys((*old, *new)):
         row_key, a, b = dict(key), old.get(key), new.get(key)
         if a is None or b is None:
@@ -162,16 +155,16 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
         is_other_card = a.card != b.card
         for column in _comparable((a.plain, b.plain), records):
             ends = a.plain[column], b.plain[column]
-            move: dict[str, Any] = {"section": before.name, "place": row_key, "rows": (a, b)}
-            if not (is_number(ends[0]) and is_number(ends[1])):
-                moves.append(Move(column, *ends, **move))
+            move = Move(column, *ends, section=before.name, place=row_key, rows=(a, b))
+            if not all(map(is_number, ends)):
+                moves.append(move)
             elif (row_key["case"], column) not in mean_cells:
                 estimates = [a.estimate(column), b.estimate(column)]
                 if is_absolute(column):
                     if is_other_card and not _knows_cards(estimates):
                         continue
                     estimates = [time if time is None or time.is_again else _of_process(time) for time in estimates]
-                pairs.append(Pair(move, column, estimates, ends, edge_share))
+                pairs.append((move, estimates, edge_share))
     return [*judged(pairs), *moves]
 
 
@@ -194,9 +187,8 @@ def _means_between(before: Chapter, after: Chapter) -> Iterator[Pair]:
     for case, column in (key for key in old if key in new):
         means = old[case, column], new[case, column]
         if not (is_absolute(column) and is_other_card) or _knows_cards(means):
-            unit = before.results.record.units[column]
-            move = {"section": before.name, "place": {"case": case}, "unit": unit}
-            yield Pair(move, column, means, (means[0].value, means[1].value))
+            ends, unit = [mean.value for mean in means], before.results.record.units[column]
+            yield Move(column, ends[0], ends[1], section=before.name, place={"case": case}, unit=unit), means, 0.0
 
 
 def judged(pairs: Sequence[Pair]) -> list[Move]:
@@ -209,31 +201,30 @@ def judged(pairs: Sequence[Pair]) -> list[Move]:
 
     if not pairs:
         return []
-    estimated = [_estimates_of(pair) for pair in pairs]
+    estimated = [_estimates_of(move, estimates) for move, estimates, _ in pairs]
     ends = [(before.value, after.value) for (before, after), _, _ in estimated]
     sides = np.array([[(side.variance / side.count, side.freedom) for side in sides] for sides, _, _ in estimated])
     errors, freedoms = welch(sides[:, :, 0], sides[:, :, 1])
     leasts = np.array([least for _, least, _ in estimated])
     distance = np.maximum(0.0, abs(np.array([after - before for before, after in ends])) - leasts)
     arrays = chance_of(distance, errors, freedoms), errors.tolist(), freedoms.tolist(), leasts.tolist()
-    return [
-        Move(pair.column, before, after, max(chance, pair.edge_share), error, freedom, least, is_chosen, **pair.move)
-        for pair, (before, after), (_, _, is_chosen), chance, error, freedom, least in zip(
-            pairs, ends, estimated, *arrays, strict=True
-        )
-    ]
+    judgements, moves = zip(pairs, ends, estimated, *arrays, strict=True), []
+    for (move, _, edge_share), (before, after), (_, _, is_chosen), chance, error, freedom, least in judgements:
+        difference = {"chance": max(chance, edge_share), "error": error, "freedom": freedom, "least": least}
+        moves.append(replace(move, before=before, after=after, is_chosen=is_chosen, **difference))
+    return moves
 
 
-def _estimates_of(pair: Pair) -> tuple[list[Estimate], float, bool]:
+def _estimates_of(move: Move, estimates: Estimates) -> tuple[list[Estimate], float, bool]:
     """Return what is known of both sides, the least difference that counts, and whether nobody knows any of that."""
-    bare = [each or Estimate(end) for each, end in zip(pair.estimates, pair.ends, strict=True)]
-    size, resolution = max(abs(each.value) for each in bare), column_of(pair.column).resolution
-    teacher = max(filter(None, pair.estimates), key=lambda each: each.is_again, default=None)
+    bare = [each or Estimate(end) for each, end in zip(estimates, (move.before, move.after), strict=True)]
+    size, resolution = max(abs(each.value) for each in bare), column_of(move.column).resolution
+    teacher = max(filter(None, estimates), key=lambda each: each.is_again, default=None)
     if teacher is None:
         return bare, max(resolution, CHOSEN_SHARE * size), True
     sides = [
         side if each and each.is_again >= teacher.is_again else Estimate(side.value, teacher.variance, teacher.freedom)
-        for side, each in zip(bare, pair.estimates, strict=True)
+        for side, each in zip(bare, estimates, strict=True)
     ]
     return sides, max(resolution, ROUNDED_SHARE * size, teacher.least), False
 

@@ -13,7 +13,6 @@ from pathlib import Path
 from statistics import fmean, median
 from typing import Any
 
-from measured_report.changes.compare import flips
 from measured_report.changes.moves import CHOSEN_SHARE, Move, few
 from measured_report.editions.status import aligned
 from measured_report.files.config import FILE, config, report
@@ -179,15 +178,6 @@ def _reason(query: Query, chapters: Chapters) -> str:
     if claim:
         return claim.outcome.reason
     return number.reason if isinstance(number, Quantity) and number.source else ""
-
-
-def flip_history(releases: Releases, page_release: str) -> str:
-    """Return a line for each claim that flips, with what each edition says to it; none where that can't compare."""
-    lines = []
-    for flip in (flip for flip in flips(releases, page_release) if flip.is_decided):
-        answers = {release: claim.outcome.answer for names, claim in flip.answers for release in names}
-        lines.append((flip.claim, *(answers.get(release, "") for release in releases)))
-    return "\n".join(["claims that flip", aligned([("", *releases), *lines])]) if lines else "no claim flips"
 
 
 def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | None) -> None:

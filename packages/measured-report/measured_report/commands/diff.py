@@ -4,12 +4,10 @@ from measured_report.changes.alarm import diff_text, rate_of, rate_text
 from measured_report.changes.compare import compare
 from measured_report.commands.options import Arguments, refuse_itself, refuse_unmeasured, shared
 from measured_report.editions.project import Project
-from measured_report.files.cache import Cache
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.editions import derive_edition
 from measured_report.pages.editions import sentences_of
 from measured_report.records.code import unchanged_files
-from measured_report.site.build import inputs_digest
 
 OPTIONS = shared("a", "b", "profile", "format")
 
@@ -20,15 +18,8 @@ def run(project: Project, arguments: Arguments) -> int:
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
-    key = (inputs_digest(project), names, arguments.format)
-    cache = Cache(project.root)
-    if not (answer := cache.get("diff", key)):
-        # Each by itself: what compares releases says nothing of one of them.
-        with unchanged_files():
-            before, after = (derive_edition(project.of(name), DerivedCache(project.root)) for name in names)
-        comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
-        text = diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
-        answer = text, int(comparison.is_alarm)
-        cache.put("diff", key, answer)
-    print(answer[0])
-    return answer[1]
+    with unchanged_files():  # each by itself: what compares releases says nothing of one of them
+        before, after = (derive_edition(project.of(name), DerivedCache(project.root)) for name in names)
+    comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
+    print(diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project)))
+    return int(comparison.is_alarm)

@@ -1,6 +1,6 @@
 """Print a claim or a value over all editions, or the headlines."""
 
-from measured_report.changes.query import Query, flip_history, history
+from measured_report.changes.query import Query, history
 from measured_report.commands.options import Arguments, shared
 from measured_report.editions.project import Project
 from measured_report.files.config import config
@@ -13,8 +13,7 @@ OPTIONS = shared("claim", "value", "profile")
 def run(project: Project, arguments: Arguments) -> int:
     releases = {release: edition.chapters for release, edition in editions_of(project).items()}
     if not (arguments.claim or arguments.value):
-        texts = [history(releases, Query(value)) for value in config().changes.headlines.values()]
-        print("\n\n".join([*texts, flip_history(releases, project.release)]))
+        print("\n\n".join(history(releases, Query(value)) for value in config().changes.headlines.values()))
         return 0
     query = query_of(arguments)
     editions = releases.values()

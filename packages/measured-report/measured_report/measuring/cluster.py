@@ -26,10 +26,7 @@ from measured_report.measuring.section import GONE
 from measured_report.records.identity import files_digest, package_versions
 from measured_report.records.syntax import digest_of
 
-SHARED, EXCLUSIVE = (
-    "shared",
-    "exclusive",
-)  # resources: one a worker that shares its device, one a host that measures times
+SHARED, EXCLUSIVE = "shared", "exclusive"  # resources: of a worker that shares its device, of one that measures times
 SETTINGS = {
     "distributed.scheduler.allowed-failures": 2,  # a batch is tried three times
     "distributed.scheduler.no-workers-timeout": "120s",

@@ -18,7 +18,6 @@ from measured_report.findings.sections import file_of, outline_of
 from measured_report.pages.passages import teller
 from measured_report.pages.plugins import Plugins, plugins
 from measured_report.pages.prose import Prose, Templates, Text
-from measured_report.parts.citations import refuse_contradictions
 from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
@@ -51,6 +50,11 @@ class WordedEdition(Edition):
         chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
         by_page = {page: [chapter for chapter in chapters if chapter.page == page] for page in config().pages}
         return {page: members for page, members in by_page.items() if members or page == config().front}
+
+    @property
+    def measured_on(self) -> str:
+        """Return the day on which the last of its sections was measured; empty where none was."""
+        return max((each.results.record.measured["date"][:10] for each in self.chapters.values()), default="")
 
     @cached_property
     def plugins(self) -> Plugins:
@@ -124,8 +128,6 @@ def worded_editions(
     for release, edition in editions.items():
         worded = WordedEdition(**vars(edition), root="" if release == project.release else "../")
         results[release] = worded.with_chapters([chapter.state for chapter in edition.chapters.values()], say)
-        chapters = results[release].chapters.items()
-        refuse_contradictions(templates.pairs, {name: chapter.section for name, chapter in chapters})
     return results
 
 

@@ -17,7 +17,7 @@ from markupsafe import Markup, escape
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.pages.passages import PassageTag
-from measured_report.parts.citations import Mark, StatedTag, pairs_of, references
+from measured_report.parts.citations import Mark, StatedTag, references
 from measured_report.parts.section import Figure
 from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_numbers, token, with_formulas
 from measured_report.records.identity import sources
@@ -103,7 +103,7 @@ class Templates:
             loader=self._loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
         )
         self._prose = self._layout.overlay(finalize=_as_token)
-        self.references, self.pairs = references(folder), pairs_of(folder)
+        self.references = references(folder)
         self._layout.globals |= {"references": self.references, "config": config(), "sources": sources()}
         for extension in (WordTags, PassageTag, StatedTag):
             self._prose.add_extension(extension)

@@ -8,7 +8,7 @@ package's files, with ``{version}``, ``{file}`` and ``{line}``. A page numbers i
 its end.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -19,10 +19,10 @@ from jinja2.parser import Parser
 from jinja2.runtime import Context
 from markupsafe import Markup
 
+from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
-from measured_report.parts.section import Section
-from measured_report.parts.words import table_beside, token
+from measured_report.parts.words import token
 
 NAME = "sources.toml"
 
@@ -42,7 +42,11 @@ class Reference:
 
 def references(templates: Path) -> Mapping[str, Reference]:
     """Read the references of a folder of templates by name; ReportError, one line, for one that is not whole."""
-    tables = table_beside(templates, NAME)
+    path = templates / NAME  # which need not be there
+    try:
+        tables = read_toml(path) if path.is_file() else {}
+    except ValueError as error:
+        raise ReportError(f"templates/{NAME}: {error}") from None
     addresses, by_name = tables.pop("packages", {}), {}
     for name, fields in tables.items():
         try:
@@ -85,31 +89,3 @@ class StatedTag(Extension):
     def _stated(self, context: Context, name: str, caller: Callable[[], str]) -> Markup:
         statement = Markup(" ".join(caller().split()))
         return macros().stated(statement, token(context["printed"], Mark(f"source {name}"))) + "\n"
-
-
-PAIRS = "pairs.toml"  # `contradict` and `needs`: pairs such as `["gap.not_the_cause holds", "stiffness.cause fails"]`
-Pairs = Mapping[str, Sequence[tuple[str, str]]]
-
-
-def pairs_of(templates: Path) -> Pairs:
-    """Read the pairs of a folder of templates, which need not be there; ReportError, one line, for what is none."""
-    pairs = table_beside(templates, PAIRS)
-    if unknown := sorted(pairs.keys() - {"contradict", "needs"}):
-        raise ReportError(f"templates/{PAIRS} has {unknown[0]}; it may have contradict and needs")
-    return pairs
-
-
-def refuse_contradictions(pairs: Pairs, sections: Mapping[str, Section]) -> None:
-    """Raise ReportError, one line, when what the sections of a release say does not go together."""
-    claims = {f"{name}.{claim.name}": claim for name, section in sections.items() for claim in section.claims}
-    outcomes = {f"{key} {claim.outcome.name}" for key, claim in claims.items()}
-    names = {f"{name}.{claim}" for name, section in sections.items() for claim in section.unmeasured} | claims.keys()
-    for key in (side.partition(" ")[0] for group in pairs.values() for pair in group for side in pair):
-        if key.partition(".")[0] in sections and key not in names:
-            raise ReportError(f"templates/{PAIRS}: there is no claim {key}")
-    for first, second in pairs.get("contradict", ()):
-        if {first, second} <= outcomes:
-            raise ReportError(f"templates/{PAIRS}: {first} contradicts {second}, and both are said")
-    for first, second in pairs.get("needs", ()):
-        if first in outcomes and second not in outcomes:
-            raise ReportError(f"templates/{PAIRS}: {first} needs {second}, which is not said")

@@ -22,7 +22,6 @@ import secrets
 from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
@@ -31,7 +30,6 @@ from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 
 # The parts of each kind; `caption` is what follows the opening tag, the others have a tag of their own.
@@ -162,15 +160,6 @@ def token(printed: list[Any], item: Any) -> Markup:
     """Return what stands in a text for a thing that is printed, which is kept for the time after Markdown."""
     printed.append(item)
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
-
-
-def table_beside(templates: Path, name: str) -> dict[str, Any]:
-    """Read a TOML file of a folder of templates, which need not be there; ReportError, one line, for what is none."""
-    path = templates / name
-    try:
-        return read_toml(path) if path.is_file() else {}
-    except ValueError as error:
-        raise ReportError(f"templates/{name}: {error}") from None
 
 
 def _is_blank(body: list[nodes.Node]) -> bool:

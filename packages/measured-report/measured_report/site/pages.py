@@ -163,7 +163,6 @@ class Site:
             "logo": LOGO if (root / LOGO).is_file() else "",
             "citation": self.citation,
             "sources": sources(),
-            "measured_on": max((each.results.record.measured["date"][:10] for each in chapters), default=""),
             **names,
         }
         pages = dict(edition.plugins.pages(self.templates))
@@ -217,14 +216,9 @@ class Site:
     def _write_feed(self, contents: Mapping[str, Sequence[Content]]) -> None:
         entries = []
         for release, (front, *_) in contents.items():
-            days = [
-                chapter.results.record.measured["date"][:10] for chapter in self.editions[release].chapters.values()
-            ]
-            text, entry = (
-                front.texts[0],
-                {"release": release, "place": self.places[release], "day": max(days, default="")},
-            )
-            entries += [{**entry, "title": text.title, "summary": text.summary}] if days else []
+            text, entry = front.texts[0], {"release": release, "place": self.places[release]}
+            if day := self.editions[release].measured_on:
+                entries.append({**entry, "day": day, "title": text.title, "summary": text.summary})
         names = {"address": self.address, "entries": entries, "authors": self.citation["authors"]}
         self._write("feed.xml", self.templates.layout("feed.xml.j2", names))
 

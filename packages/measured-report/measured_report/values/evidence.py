@@ -219,6 +219,10 @@ class Cell(NamedTuple):
     scale: float = 1.0  # what its deviation would be if runs alone were apart; 1 where nobody knows
 
 
+Far = tuple[Key, list[float]]
+"""A row, and how far each of its measurements is from the others, in normal deviations, of one column; NaN for none."""
+
+
 def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidence:
     """Compare the measurements of a section, None where there is none; the first of them is that which is shown."""
     tracked, *replicas = measured
@@ -251,8 +255,9 @@ def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidenc
             columns[group] = of_cards
         else:
             columns[group], deviations = _moderated(MEAN if MEAN in group else group[0], cells)
-            far.append(Far([cell.key for cell in cells], deviations))
-    events = {(key, index) for column in far for key, index in column.events}
+            far += zip((cell.key for cell in cells), deviations.tolist(), strict=True)
+    # No chance is so far from all others.
+    events = {(key, index) for key, numbers in far for index, number in enumerate(numbers) if number > AT_EDGE}
     count = sum(map(bool, cards))
     share = len(events) / max(1, len(keys) * count)
     changed = [_changed(far, events, index, len(keys) * (count - 1)) for index in range(len(cards)) if count > 2]
@@ -288,20 +293,6 @@ def _cell(key: Key, column: str, rows: Sequence[Cells], is_alike: Sequence[bool]
         numbers = [number if alike else None for number, alike in zip(numbers, is_alike, strict=True)]
     samples = [float(number) if is_number(number) else math.nan for number in numbers]
     return Cell(key, samples, scale) if sum(sample == sample for sample in samples) > 1 else None
-
-
-@dataclass(frozen=True)
-class Far:
-    """Holds how far each measurement of each row of a column is from the others, in normal deviations."""
-
-    keys: Sequence[Key]
-    deviations: "np.ndarray"  # by row and measurement; not a number where there is none
-
-    @property
-    def events(self) -> Iterable[tuple[Key, int]]:
-        """Yield the rows and measurements that no chance is."""
-        rows, indices = (self.deviations > AT_EDGE).nonzero()
-        return ((self.keys[row], index) for row, index in zip(rows.tolist(), indices.tolist(), strict=True))
 
 
 def _moderated(name: str, cells: Sequence[Cell]) -> tuple[Column, "np.ndarray"]:
@@ -344,8 +335,7 @@ def _changed(far: Sequence[Far], events: set[tuple[Key, int]], index: int, count
     """Return how many numbers a measurement has, and how many changed against the others, of ``count`` rows."""
     elsewhere = {(key, measurement) for key, measurement in events if measurement != index}
     share, edges = len(elsewhere) / max(1, count), {key for key, _ in elsewhere}
-    pairs = (pair for column in far for pair in zip(column.keys, column.deviations[:, index].tolist(), strict=True))
-    z = [deviations for key, deviations in pairs if deviations == deviations and key not in edges]
+    z = [numbers[index] for key, numbers in far if numbers[index] == numbers[index] and key not in edges]
     chances = [max(math.erfc(deviation / math.sqrt(2)), share) for deviation in z]
     limit = discoveries(chances)
     return len(z), sum(chance <= limit for chance in chances) if limit else 0

@@ -9,7 +9,7 @@ from toys import MODULE, ROWS, Toy, compared, derived
 
 from measured_report.changes.alarm import rate_of, settings_text
 from measured_report.changes.compare import flips_between
-from measured_report.changes.moves import Move, Pair, judged
+from measured_report.changes.moves import Move, judged
 from measured_report.commands import diff, page
 from measured_report.editions.release import release_of
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
@@ -130,13 +130,13 @@ KNOWN += [(ONCE, None, 200.0, 14.0, 0.5)]
 def test_what_was_measured_again_tells_of_what_was_measured_once(before, after, square, freedom, least):
     """By Welch: a mean of four and one, of a variance of 0.01, have (1/400 + 1/100)² / (1/400² + 1/100²) · 4."""
     ends = tuple(each.value if each else 3.0 for each in (before, after))
-    [move] = judged([Pair({}, "load", (before, after), ends)])
+    [move] = judged([(Move("load", *ends), (before, after), 0.0)])
     assert (move.error**2, move.freedom, move.least) == pytest.approx((square, freedom, least))
     stats = pytest.importorskip("scipy.stats")
     assert move.chance == pytest.approx(
         2 * stats.t.sf((abs(ends[1] - ends[0]) - least) / square**0.5, freedom), rel=0.01
     )
-    [seldom] = judged([Pair({}, "load", (before, after), ends, edge_share=0.99)])
+    [seldom] = judged([(Move("load", *ends), (before, after), 0.99)])
     assert seldom.chance == 0.99
 
 
