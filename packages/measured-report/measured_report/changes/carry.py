@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 import tempfile
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
@@ -27,13 +27,15 @@ from measured_report.measuring.batch import now
 from measured_report.measuring.machine import commit as commit_here
 from measured_report.measuring.measure import MODULE
 from measured_report.records.code import Graph, roots_of
-from measured_report.records.columns import REASON, column_of, columns_of
+from measured_report.records.columns import REASON, column_of, columns_of, is_number
 from measured_report.records.identity import git, identity_of
-from measured_report.records.proof import Code, Place
+from measured_report.records.proof import TIMED, UNEXECUTED, Code, Place
 from measured_report.records.record import Carried, Record, load_record, write_record
 from measured_report.values.evidence import is_cost, key_of
+from measured_report.values.noise import chance_of, discoveries, welch
 
 ASIDE = "carry"  # the folder below `results` of the quick runs of the new code
+REPEAT_COUNT = 3  # chosen: runs of each code on a GPU, where these execute what a CPU does not
 SHORT = 12  # characters of a commit, as those of `commit_here`
 GONE = ()  # stands for a cell that is not there
 COMMIT_LIMIT = 200  # so many commits back an old code is looked for
@@ -41,10 +43,10 @@ COMMIT_LIMIT = 200  # so many commits back an old code is looked for
 
 @dataclass(frozen=True)
 class Run:
-    """Hold a code of a section, and what a quick run of it gave and executed."""
+    """Hold a code of a section, and what quick runs of it gave and executed."""
 
     code: Code
-    record: Record | None  # None where it could not be measured
+    records: Sequence[Record]  # of one run, or of several that do not repeat to the last bit
     executed: Set[Place]
     timed: Set[Place]  # what of it was executed while times were measured
     work: Mapping[str, str]  # digests of what a device was given to do meanwhile, by batch
@@ -54,7 +56,7 @@ Codes = tuple[Code, Code]  # the old and the new one, as the next
 Runs = tuple[Run, Run]
 
 
-def carried(project: Project, release: Release, names: Sequence[str]) -> Iterator[tuple[str, str]]:
+def carried(project: Project, release: Release, names: Sequence[str], device: str) -> Iterator[tuple[str, str]]:
     """Carry the records of sections that are stale by code alone; yield each with why not, or else empty."""
     states = {state.section: state for state in states_of(project) if state.section in names}
     records, after = {}, commit_here() or ""  # before a record that is written makes the tree another
@@ -70,10 +72,27 @@ def carried(project: Project, release: Release, names: Sequence[str]) -> Iterato
         for commit in dict.fromkeys(commits.values()):
             git(tree, "checkout", "--quiet", "--detach", commit)
             pairs = {name: _codes(name, tree, project.root) for name in commits if commits[name] == commit}
-            for name, runs in _run_both(project, release, tree, pairs).items():
-                if not (reasons := _reasons(runs, records[name])):
-                    _write(project, records[name], runs, (commit[:SHORT], after))
-                yield name, few(reasons, 2)
+            runs = _run_both(project, release, tree, pairs, "cpu")
+            reasons = {name: _reasons(runs[name], records[name]) for name in pairs}
+            # Runs on a GPU may settle what a CPU does not execute, and what is timed.
+            is_open = {name: any(why.startswith((UNEXECUTED, TIMED)) for why in reasons[name]) for name in pairs}
+            beside = [name for name in pairs if device != "cpu" and is_open[name]]
+            for name in [name for name in pairs if name not in beside]:  # are kept, whatever becomes of the others
+                yield name, _kept(project, records[name], runs[name], (commit[:SHORT], after), reasons[name])
+            is_new = {name: any(reason.startswith(UNEXECUTED) for reason in reasons[name]) for name in beside}
+            for count in (1, REPEAT_COUNT):
+                group = {name: pairs[name] for name in beside if is_new[name] == (count > 1)}
+                on_device = _run_both(project, release, tree, group, device, count) if group else {}
+                for name, of_device in on_device.items():
+                    why = _reasons(runs[name], records[name], of_device)
+                    yield name, _kept(project, records[name], runs[name], (commit[:SHORT], after), why)
+
+
+def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str], reasons: Sequence[str]) -> str:
+    """Write a record for which there are no reasons against it, else sum these up."""
+    if not reasons:
+        _write(project, record, runs, commits)
+    return few(reasons, 2)
 
 
 def _codes(name: str, *roots: Path) -> Codes:
@@ -117,37 +136,49 @@ def commits_of(tree: Path, records: Mapping[str, Record]) -> dict[str, str]:
     return commits_by_section
 
 
-def _run_both(project: Project, release: Release, tree: Path, pairs: Mapping[str, Codes]) -> dict[str, Runs]:
-    """Run sections of both codes quick, beside one another, on a CPU."""
+def _run_both(
+    project: Project, release: Release, tree: Path, pairs: Mapping[str, Codes], device: str, repeat_count: int = 1
+) -> dict[str, Runs]:
+    """Run sections of both codes quick: beside one another on a CPU, in turn on a GPU."""
     python = python_of(release, expected_packages(project), project.root)
     sides = [replace(project, profile="quick", root=tree), replace(project, profile="quick", aside=ASIDE)]
+    records: list[defaultdict[str, list[Record]]] = [defaultdict(list) for _ in sides]
     with tempfile.TemporaryDirectory() as name:
-        folders, running = [Path(name) / str(place) for place in range(len(sides))], []
-        for place, (side, folder) in enumerate(zip(sides, folders, strict=True)):
-            for section in pairs:
-                side.record_path(section).unlink(missing_ok=True)
-            command = _command(python, side, folder, [codes[place] for codes in pairs.values()], list(pairs))
-            running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, folder)))
-        for process in running:
-            process.wait()
+        folders = [Path(name) / str(place) for place in range(len(sides))]
+        commands = [
+            _command(python, side, folder, [codes[place] for codes in pairs.values()], [*pairs, "--device", device])
+            for place, (side, folder) in enumerate(zip(sides, folders, strict=True))
+        ]
+        for _ in range(repeat_count):
+            running = []
+            for command, side, folder in zip(commands, sides, folders, strict=True):
+                for section in pairs:
+                    side.record_path(section).unlink(missing_ok=True)
+                running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, device, folder)))
+                if device != "cpu":
+                    running[-1].wait()
+            for process, side, records_of_side in zip(running, sides, records, strict=True):
+                process.wait()
+                for section in pairs:
+                    with suppress(RecordError):
+                        records_of_side[section].append(load_record(side.record_path(section)))
         notes = [[json.loads(path.read_bytes()) for path in folder.glob("*.json")] for folder in folders]
-    runs = {section: list(map(_run_of, codes, sides, notes)) for section, codes in pairs.items()}
-    return {section: (old, new) for section, (old, new) in runs.items()}
+    return {
+        section: (_run_of(section, codes[0], records[0], notes[0]), _run_of(section, codes[1], records[1], notes[1]))
+        for section, codes in pairs.items()
+    }
 
 
-def _run_of(code: Code, side: Project, notes: Sequence[Any]) -> Run:
-    """Return what a run gave, and what was noted of a section and of importing it."""
-    record, section = None, code.section
-    with suppress(RecordError):
-        record = load_record(side.record_path(section))
+def _run_of(section: str, code: Code, records: Mapping[str, Sequence[Record]], notes: Sequence[Any]) -> Run:
+    """Return what was noted of a section and of importing it."""
     places = [place for note in notes for name, *place in note["executed"] if name in ("", section)]
     executed = {tuple(place) for _, *place in places}
     timed = {tuple(place) for is_timed, *place in places if is_timed}
     work = {batch: digest for note in notes for batch, digest in note["work"].get(section, {}).items()}
-    return Run(code, record, executed, timed, work)
+    return Run(code, records[section], executed, timed, work)
 
 
-def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], names: Sequence[str]) -> list[str]:
+def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], options: Sequence[str]) -> list[str]:
     """Return the command that runs a side and follows what changed of its codes, as it notes in ``folder``."""
     spans: dict[str, list[tuple[int, int]]] = {}
     for file, lines in (pair for code in codes for pair in code.spans.items()):
@@ -155,49 +186,76 @@ def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], n
     folder.mkdir()
     spans_file = folder.with_suffix(".json")
     spans_file.write_text(json.dumps(spans), encoding="utf-8")
-    options = ["--device", "cpu", "--profile", side.profile, "--edition", side.release, "--aside", side.aside]
-    return [str(python), "-P", reach.__file__, str(spans_file), str(folder), MODULE, *names, *options]
+    edition = ["--profile", side.profile, "--edition", side.release, "--aside", side.aside]
+    return [str(python), "-P", reach.__file__, str(spans_file), str(folder), MODULE, *options, *edition]
 
 
-def _settings(root: Path, folder: Path) -> dict[str, str]:
+def _settings(root: Path, device: str, folder: Path) -> dict[str, str]:
     """Return the settings of a process; what it times waits for nobody else, as these times are not looked at."""
     packages = [str(each) for each in sorted((root / "packages").glob("*"))]
     settings = {"PYTHONPATH": os.pathsep.join([*packages, os.environ.get("PYTHONPATH", "")]), "TQDM_DISABLE": "1"}
     settings["TMPDIR"] = str(folder)
-    return {**os.environ, **settings, **accelerator().NONE}
+    return {**os.environ, **settings} | (accelerator().NONE if device == "cpu" else {})
 
 
-def _reasons(runs: Runs, record: Record) -> list[str]:
-    """Say what keeps a record from being carried."""
+def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str]:
+    """Say what keeps a record from being carried, by runs on a CPU and ``beside`` these on a GPU."""
     old, new = runs
-    if not (old.record and new.record):
+    if not all(each.records for each in (*runs, *(beside or ()))):
         return ["it could not be measured by both codes"]
-    if reason := first_difference(old.record, new.record):
-        return [reason]
-    reasons = [*new.code.unexecuted(old.code, new.executed), *old.code.unexecuted(new.code, old.executed)]
+    repeats = beside if beside and len(beside[0].records) > 1 else None
+    for sides in filter(None, (runs, repeats)):
+        if reason := first_difference(sides[0].records, sides[1].records):
+            return [reason]
+    executed = [each.executed for each in (*runs, *(repeats or ()))]
+    reasons = [*new.code.unexecuted(old.code, executed[1::2]), *old.code.unexecuted(new.code, executed[0::2])]
     reasons += new.code.unread(old.code)
-    if not _gone_columns(old.record, new.record):  # with a column goes what it was made of
+    if not _gone_columns(old.records[0], new.records[0]):  # with a column goes what it was made of
         reasons += old.code.unread(new.code, is_old=True)
     # Which work is given to a device, the same code decides on each: what only a GPU executes is unchanged by then.
-    if any(map(is_cost, record.units)) and not (old.work and old.work == new.work):
+    is_same_work = any(before.work and before.work == after.work for before, after in filter(None, (runs, beside)))
+    if any(map(is_cost, record.units)) and not is_same_work:
         reasons += new.code.timed(new.timed)
     return reasons
 
 
-def first_difference(before: Record, after: Record) -> str:
-    """Name the first cell or trace that two codes give differently, but for times and chance; empty for none."""
-    old, new, gone = _rows(before), _rows(after), _gone_columns(before, after)
-    for key in {**new, **old}:
+def first_difference(before: Sequence[Record], after: Sequence[Record]) -> str:
+    """Name the first cell or trace that runs of two codes have differently, but for times and chance; empty for none.
+
+    Of several runs of each, which do not repeat to the last bit, numbers are compared by Welch's test, and no traces.
+    """
+    old, new = ([_rows(record) for record in records] for records in (before, after))
+    gone, samples = _gone_columns(before[0], after[0]), dict[str, list[list[float]]]()
+    for key in {**new[0], **old[0]}:
         case = key[0][0]
-        if not (key in old and key in new):
+        if not all(key in rows for rows in (*old, *new)):
             return f"{case} is a row of one of both"
-        for column in {*old[key], *new[key]} - gone:
-            cells = [rows[key].get(column, GONE) for rows in (old, new)]
-            is_compared = column_of(column.removesuffix(REASON)).kinds.isdisjoint(("cost", "chance"))
-            if is_compared and len({(type(cell), cell) for cell in cells}) > 1:
-                return f"{case}.{column}: {cells[0]!r} → {cells[1]!r}"
-    different = set(before.traces.items()) ^ set(after.traces.items())
-    return f"the trace of {min(case for case, _ in different)}" if different else ""
+        for column in {*old[0][key], *new[0][key]} - gone:
+            if not column_of(column.removesuffix(REASON)).kinds.isdisjoint(("cost", "chance")):
+                continue
+            sides = [[rows[key].get(column, GONE) for rows in side] for side in (old, new)]
+            if len({(type(cell), cell) for side in sides for cell in side}) > 1:
+                if len(before) == 1 or not all(is_number(cell) for side in sides for cell in side):
+                    return f"{case}.{column}: {sides[0][0]!r} → {sides[1][0]!r}"
+                samples[f"{case}.{column}"] = sides
+    seals = before[0].traces, after[0].traces
+    if len(before) == 1 and seals[0] != seals[1]:
+        return f"the trace of {min(case for case, _ in set(seals[0].items()) ^ set(seals[1].items()))}"
+    return _least_likely(samples) if samples else ""
+
+
+def _least_likely(samples: Mapping[str, list[list[float]]]) -> str:
+    """Name the number of which chance makes such a difference least often; empty where that may be chance."""
+    import numpy as np
+
+    numbers = np.array([*samples.values()])  # by number, code and run
+    count = numbers.shape[2]
+    variances = numbers.var(axis=2, ddof=1) / count
+    error, freedom = welch(variances, np.full(variances.shape, count - 1.0))
+    chances = chance_of(abs(np.diff(numbers.mean(axis=2))[:, 0]), error, freedom)
+    least = min(range(len(chances)), key=chances.__getitem__)
+    name, (old, new) = list(samples.items())[least]
+    return f"{name}: {old} → {new}" if chances[least] <= discoveries(chances) else ""
 
 
 def _gone_columns(before: Record, after: Record) -> set[str]:
@@ -218,8 +276,7 @@ def _rows(record: Record) -> dict[tuple[Any, ...], Mapping[str, Any]]:
 
 def _write(project: Project, record: Record, runs: Runs, commits: tuple[str, str]) -> None:
     """Write a record as one of the new code; columns that this has no more are left out."""
-    before, after = (run.record for run in runs)
-    assert before and after, "there is no reason against it"
+    before, after = (run.records[0] for run in runs)
     gone = _gone_columns(before, after)
     rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
     identity = identity_of(record.section, project.profile, project.root, record.identity.packages)

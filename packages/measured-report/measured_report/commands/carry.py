@@ -12,7 +12,7 @@ from measured_report.files.errors import UsageError, suggestion
 from measured_report.records.identity import sections
 
 SECTION = {"default": "", "help": "section to carry; without one all that are stale by their code alone"}
-OPTIONS = {"section": SECTION, **shared("edition")}
+OPTIONS = {"section": SECTION, **shared("edition", "device")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
@@ -24,7 +24,7 @@ def run(project: Project, arguments: Arguments) -> int:
         raise UsageError(f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}")
     stale = [state.section for state in states_of(project) if state.kind == "stale"]
     chosen, reasons = [arguments.section] if arguments.section else stale, {}
-    for name, reason in carried(project, arguments.release, chosen):
+    for name, reason in carried(project, arguments.release, chosen, arguments.device or "cpu"):
         reasons[name] = reason
         print(f"{name}: {f'not carried: {reason}' if reason else 'carried'}", flush=True)
     if not reasons:

@@ -9,7 +9,7 @@ import ast
 import copy
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -27,6 +27,7 @@ HEADLESS = ("name", "returns", *BODIES)  # of a definition neither its name coun
 HEADED = (ast.stmt, ast.ExceptHandler, ast.match_case)
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SILENT = (ast.Raise, ast.Assert, ast.JoinedStr)  # their texts are only printed
+UNEXECUTED, TIMED = "no run executes", "what is timed has changed"
 TYPES = ("annotation", "returns")
 NAME = re.compile(r"Name\(id='(\w+)'")
 
@@ -74,7 +75,6 @@ class Code:
     """Reads what a section runs in the tree ``root``, and knows what of that differs from another code."""
 
     def __init__(self, section: str, root: Path):
-        self.section = section
         self.graph = Graph(roots_of(root))
         self.reached = self.graph.reached(f"experiments.{section}.measure")
         self.own_digests = {self.graph.digest(node, 0) for node in self.reached}
@@ -111,7 +111,7 @@ class Code:
             spans.setdefault(piece.definition[0], []).append((min(lines), piece.syntax.end_lineno))  # type: ignore
         return spans
 
-    def unexecuted(self, other: "Code", executed: Set[Place]) -> Iterator[str]:
+    def unexecuted(self, other: "Code", executed: Sequence[Set[Place]]) -> Iterator[str]:
         """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
         pieces_by_text: dict[Any, list[Piece]] = {}
         for piece in (inner for outer in other.changed for inner in outer.all()):
@@ -120,7 +120,7 @@ class Code:
         for piece in self._unexecuted(executed):
             twins = (twin for text in piece.texts for twin in pieces_by_text.get(text, ()))
             if not any(self._meanings(piece) == other._meanings(twin) for twin in twins):
-                yield f"no run executes {self._name(piece)}"
+                yield f"{UNEXECUTED} {self._name(piece)}"
 
     def unread(self, other: "Code", *, is_old: bool = False) -> Iterator[str]:
         """Say which data are not in ``other`` as well; of old code it is no loss that some stand in fewer places."""
@@ -134,16 +134,16 @@ class Code:
         for piece in self.changed:
             is_other = self.graph.digest(piece.definition, 0) not in self.common
             if is_other and any(_is_within(place, piece) for place in executed):
-                yield f"what is timed has changed: {self._name(piece)}"
+                yield f"{TIMED}: {self._name(piece)}"
 
-    def _unexecuted(self, executed: Set[Place]) -> Iterator[Piece]:
+    def _unexecuted(self, executed: Sequence[Set[Place]]) -> Iterator[Piece]:
         """Yield the largest parts of what changed that no instruction was executed of."""
         compiled = {file: {*_places(compile(Path(file).read_bytes(), file, "exec"))} for file in self.spans}
         waiting = list(self.changed)
         while waiting:
             piece = waiting.pop()
             places = {place for place in compiled[piece.definition[0]] if _is_within(place, piece)}
-            if not places.isdisjoint(executed):
+            if any(map(places.intersection, executed)):
                 waiting += piece.children()
             elif places:
                 yield piece

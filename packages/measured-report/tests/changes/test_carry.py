@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 from toys import BY_HAND, GENERATOR, git, put
 
-from measured_report.changes.carry import Run, _reasons, carried
+from measured_report.changes.carry import Run, _reasons, carried, first_difference
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.editions.status import states_of
@@ -314,7 +314,7 @@ def answers(tmp_path_factory):
             project = Project(own, root=root, own_release=own)
             before = {name: load_record(project.record_path(name)) for name in PLANTED}
             with unchanged_files():
-                reasons = dict(carried(project, release_of(own), [*PLANTED]))
+                reasons = dict(carried(project, release_of(own), [*PLANTED], "cpu"))
                 kinds = {state.section: state.kind for state in states_of(project)}
             after = {name: load_record(project.record_path(name)) for name in PLANTED}
     return reasons, kinds, before, after
@@ -325,7 +325,7 @@ def test_times_are_carried_where_a_device_is_given_the_same_work(before, after, 
     code = SimpleNamespace(unexecuted=lambda *_: [], unread=lambda *_, **__: [], timed=lambda _: ["timed"])
     record = record_of([{"case": "a", "frame_ms": 1.0}])
     works = [{"times": digest} if digest else {} for digest in (before, after)]
-    runs = [Run(code, record, {}, {}, work) for work in works]
+    runs = [Run(code, [record], {}, {}, work) for work in works]
     assert _reasons(runs, record) == reasons
 
 
@@ -354,3 +354,15 @@ def test_a_carried_record_says_so_and_keeps_its_replicas(answers):
     assert after["column_gone"].measured == old.measured and "other_mm" not in after["column_gone"].units
     assert mismatch(after["extracted"], before["extracted"]) == ""
     assert mismatch(before["extracted"], after["extracted"]) == "" and mismatch(after["seam"], before["kernel"])
+
+
+def test_runs_that_do_not_repeat_are_compared_by_their_noise():
+    """Five of each: means 0.1 apart are told where runs scatter by 0.01, and not where they do by 0.2."""
+    fine, coarse = [0.0, 0.01, -0.01, 0.02, -0.02], [0.0, 0.2, -0.2, 0.3, -0.3]
+
+    def records(middle: float, scatters) -> list:
+        return [record_of([{"case": "a", "value_mm": middle + each}]) for each in scatters]
+
+    assert first_difference(records(1.0, fine), records(1.1, fine)).startswith("a.value_mm: ")
+    assert not first_difference(records(1.0, coarse), records(1.1, coarse))
+    assert not first_difference(records(1.0, fine), records(1.0, reversed(fine)))
