@@ -5,6 +5,7 @@ import operator
 import re
 import shutil
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
@@ -14,15 +15,13 @@ from measured_report.files.atomic import atomic_file, read_own_file
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import PLAIN
 from measured_report.site.check_numbers import UNRESOLVED
-from measured_report.site.marks import BEFORE, CLOSING, FORMS, UNMARKED, Mark, marks_of, printed
+from measured_report.site.marks import BEFORE, CLOSING, FORMS, UNMARKED, Mark, Printed, marks_of
 from measured_report.site.sources import Source, scale_of
 from measured_report.values.format import undusted
 from measured_report.values.quantities import Quantity, Term, constant
 
 BYTE_LIMIT = 64 << 20
 AGAIN = math.sqrt(2)  # the printed number was measured once, too, and may be off by as much as the source's
-OPTION = re.compile(r"\s(?:digits\s+(?P<digits>\d{1,2})|(?:±|\+-)\s*(?P<tolerance>\d[\d.]{0,9})\s*(?P<share>%?))\s*\Z")
-MARK_UNIT = re.compile(r"(?<=[\w)\"\]])\s+([^\W\d_]\S{0,20}|%)\s*\Z")
 TOKEN = re.compile(
     r'\s*(?:"(?P<quoted>[^"]*#/[^"]*)"|(?P<pointer>[^\s"()]*#/[^\s()]+)|(?P<name>[^\W\d]\w*)|(?P<sign>[-+*/()])'
     r"|(?P<number>\d+(?:\.\d+)?(?:e-?\d{1,2})?)(?P<unit>[^\W\d_]*|%))\s*"
@@ -67,54 +66,41 @@ class Audit:
             try:
                 if mark.name and self._named[mark.name] is not mark:
                     raise ReportError(f"line {self._named[mark.name].line} has a mark {mark.name}, too")
-                yield self._of_words(mark) if mark.is_of_words else self._of_number(mark)
+                yield self._of_words(mark) if mark.words else self._of_number(mark)
             except (*UNRESOLVED, ReportError, ArithmeticError, SyntaxError, RecursionError) as error:
                 yield Finding(str(self.path), mark.line, "missing", " ".join(str(error).strip("'").split()))
 
     def _of_number(self, mark: Mark) -> Finding:
-        expression, options = mark.text.partition("=")[2].strip(), dict[str, str]()
-        while option := OPTION.search(expression):
-            options |= {name: text for name, text in option.groupdict().items() if text}
-            expression = expression[: option.start()]
-        if explicit := MARK_UNIT.search(expression):
-            expression = expression[: explicit.start()]
-        if not (match := BEFORE.search(mark.before)):
-            raise ReportError(f"no number stands right before {mark.text:.60}")
-        number = printed(match, mark.start)
-        if re.search(r"(?<!\d)\d{1,3} \Z", mark.before[: match.start()]) and re.fullmatch(
-            r"\d{3}(\.\d*)?", number.digits
-        ):
-            raise ReportError(f"{number.text} may be the end of a larger number: write that without a blank in it")
-        quantity, unit = self._quantity(expression)
-        value, noise, unit = _in_unit(quantity, unit, explicit[1] if explicit else number.unit, bool(explicit))
+        expression, options = mark.expression, mark.options
+        match = BEFORE.search(mark.before)
+        if not match or (len(match["digits"]) == 3 and re.search(r"(?<!\d)\d{1,3} \Z", mark.before[: match.start()])):
+            raise ReportError(f"no number stands right before = {expression}, or one with a blank in it")
+        number, (quantity, unit) = Printed(match, mark.start), self._quantity(expression)
+        value, noise, unit = _in_unit(quantity, unit, options.get("unit", number.unit), "unit" in options)
         exact, step = Decimal(repr(value)), number.step
         if "digits" in options and value:
             step = exact.adjusted() + 1 - int(options["digits"])
         tolerance = float(options.get("tolerance", 0)) * (abs(value) / 100 if "share" in options else 1)
         limit = max(0.5000001 * 10.0**step, AGAIN * (noise or 0), tolerance)
-        kind = "fresh" if abs(float(number.plain) - value) <= limit else "stale"
+        kind = "fresh" if abs(float(number.value) - value) <= limit else "stale"
         within, label = f" ± {noise:.2g}" if noise else "", "" if unit == PLAIN else f" {unit}"
-        text = f"{number.text} is {value:.6g}{within}{label} by {expression}"
+        text = f"{match[0].strip()} is {value:.6g}{within}{label} by {expression}"
         replacement = number.written(exact, step) if kind == "stale" else ""
         return Finding(str(self.path), mark.line, kind, text, value, unit, noise, number.span, replacement)
 
     def _of_words(self, mark: Mark) -> Finding:
-        yes, _, rest = f" {mark.text}".partition(" if ")
-        condition, _, no = (text.strip() for text in rest.rpartition(" else "))
+        yes, left, sign, right, no = mark.words
         before = re.sub(rf"{CLOSING}\Z", "", mark.before)
-        words = [word for word in (yes.strip(), no) if word and re.search(rf"(?i)(?<!\w){re.escape(word)}\Z", before)]
-        if not words and (yes.strip() or not before.split()):
-            raise ReportError(f"neither {yes.strip()} nor {no} stands right before the mark")
+        words = [word for word in (yes, no) if word and re.search(rf"(?i)(?<!\w){re.escape(word)}\Z", before)]
+        if not words and (yes or not before.split()):
+            raise ReportError(f"neither {yes} nor {no} stands right before the mark")
         word = max(words, key=len, default=before.split()[-1])
-        left, sign, right = re.split("(<=|>=|<|>)", condition, maxsplit=1)
-        difference = self._quantity(left)[0] - self._quantity(right)[0]
-        holds, start = COMPARED[sign](difference.number, 0), mark.start + len(before) - len(word)
-        is_close = abs(difference.number) <= (difference.noise or 0)
-        kind = "unclear" if is_close else "fresh" if holds == (word != no) else "false"
-        text = f"{word}, and {condition} {'is within the noise' if is_close else 'holds' if holds else 'does not hold'}"
-        replacement = (yes.strip() if holds else no) if kind == "false" else ""
-        if kind == "false" and not replacement:
-            text += "; the mark has no word for it: WORD if … else …"
+        difference, start = self._quantity(left)[0] - self._quantity(right)[0], mark.start + len(before) - len(word)
+        holds, noise = COMPARED[sign](difference.number, 0), difference.noise
+        kind = "unclear" if noise and abs(difference.number) <= noise else "fresh" if holds == (word != no) else "false"
+        text = f"{word}, and {left}{sign}{right} {'holds' if holds else 'does not hold'}"
+        text += ", within the noise" if kind == "unclear" else ""
+        replacement = (yes if holds else no) if kind == "false" else ""
         if self.text[start : start + 1].isupper():
             replacement = replacement[:1].upper() + replacement[1:]
         return Finding(str(self.path), mark.line, kind, text, span=(start, start + len(word)), replacement=replacement)
@@ -134,7 +120,7 @@ class Audit:
             if name:
                 self._open.add(name)
                 try:
-                    operands.append(self._quantity(self._named[name].text.partition("=")[2].strip()))
+                    operands.append(self._quantity(self._named[name].expression))
                 finally:
                     self._open.discard(name)
             elif number:
@@ -164,32 +150,27 @@ class Audit:
                 shutil.copymode(self.path, temporary)
 
     def suggestions(self, file: str) -> Iterator[Finding]:
-        """Yield a mark for each number without one that is a single number of the results."""
+        """Yield a mark for each number without one that is a single number of the results; others have a choice."""
         source, form = self._source(file), FORMS.get(self.path.suffix, "{}<!-- = {} -->")
-        sourced = [(pointer, *source.quantity(pointer)) for pointer in source.pointers()]
-        for begin, end in self._unmarked:
-            for match in UNMARKED.finditer(self.text, begin, end):
-                number = printed(match)
-                if len(number.plain.as_tuple().digits) < (2 if number.step < 0 else 3):
-                    continue
-                ways = []
-                for pointer, quantity, own_unit in sourced:
-                    try:
-                        value, _, unit = _in_unit(quantity, own_unit, number.unit, False)
-                    except ReportError:
-                        continue
-                    if abs(value - float(number.plain)) <= 0.5000001 * 10.0**number.step:
-                        ways.append(f"{file}#{pointer}")
-                line = self.text.count("\n", 0, match.start()) + 1
-                if len(ways) == 1:
-                    replacement = form.format(
-                        match[0], ways[0].replace("#", r"\#").replace("%", r"\%") if 0 else ways[0]
-                    )
-                    yield Finding(
-                        str(self.path), line, "fresh", replacement, span=match.span(), replacement=replacement
-                    )
-                elif ways:
-                    yield Finding(str(self.path), line, "unclear", f"{match[0]} is {' or '.join(ways)}")
+        sourced = [(f"{file}#{pointer}", *source.quantity(pointer)) for pointer in source.pointers()]
+        for match in (match for stretch in self._unmarked for match in UNMARKED.finditer(self.text, *stretch)):
+            number, pointers = Printed(match), list[str]()
+            for pointer, quantity, unit in sourced:
+                with suppress(ReportError):  # of another unit
+                    value, *_ = _in_unit(quantity, unit, number.unit, False)
+                    if abs(value - float(number.value)) <= 0.5000001 * 10.0**number.step:
+                        pointers.append(pointer)
+            # A number such as 2 or 10 is in any results by chance.
+            if pointers and len(number.value.as_tuple().digits) > (1 if number.step < 0 else 2):
+                text = re.sub(r"(?=[#%_&])", r"\\", pointers[0]) if self.path.suffix == ".tex" else pointers[0]
+                mark = form.format(match[0], text) if len(pointers) == 1 else ""
+                said, line = (
+                    mark or f"{match[0]} is {' or '.join(pointers)}",
+                    self.text.count("\n", 0, match.start()) + 1,
+                )
+                yield Finding(
+                    str(self.path), line, "fresh" if mark else "unclear", said, span=match.span(), replacement=mark
+                )
 
 
 def _in_unit(quantity: Quantity, own_unit: str, unit: str, is_explicit: bool) -> tuple[float, float | None, str]:

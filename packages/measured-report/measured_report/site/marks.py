@@ -1,6 +1,7 @@
 """Marks: comments, macros and roles behind the numbers and words of a text, which say where these are from."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
@@ -15,94 +16,92 @@ CODE = rf"(?P<ticks>`+)(?:(?!\n\s*\n)(?s:.)){{1,{REACH}}}?(?<!`)(?P=ticks)(?!`)|
 LITERAL = r"::[ \t\r]*\n(?:[ \t\r]*\n)+(?:[ \t]+\S.*\n|[ \t\r]*\n)+"
 MACRO = rf"\\audited\{{(?P<of>[^{{}}]{{1,{REACH}}})\}}\{{(?P<role>[^{{}}]{{1,{MOST}}})\}}"
 VERBATIM = r"\\begin\{(?P<verbatim>verbatim|lstlisting|minted)\}(?s:.*?)(?:\\end\{(?P=verbatim)\}|\Z)|(?<!\\)%.*$"
-SYNTAXES = {".html": [COMMENT], ".htm": [COMMENT], ".rst": [LITERAL, ROLE, CODE], ".tex": [VERBATIM, MACRO]}
+MARKDOWN = (FENCE, COMMENT, ROLE, CODE)  # also of what has another name
+SYNTAXES = {".html": (COMMENT,), ".htm": (COMMENT,), ".rst": (LITERAL, ROLE, CODE), ".tex": (VERBATIM, MACRO)}
 FORMS = {".rst": ":audit:`{} <= {}>`", ".tex": r"\audited{{{}}}{{= {}}}"}
-MARKDOWN = [FENCE, COMMENT, ROLE, CODE]  # also of what has another name
 
 SEPARATORS = r",_'\u202f\u2009\xa0"
 GROUPED = rf"\d{{1,3}}(?P<group>[{SEPARATORS}])\d{{3}}(?:(?P=group)\d{{3}})*(?:\.\d+)?(?!\d)"
-POWER = r"(?:[eE](?P<e>[+-]?\d{1,3})|\s?(?:[×x·]|\\times|\\cdot)\s?10(?:\^\{?(?P<caret>[-−]?\d{1,3})\}?|(?P<raised>[⁻⁰¹²³⁴-⁹]+)))"
-NUMBER = rf"(?<![^\W_])(?<!\d[.,])(?P<sign>[+−-])?(?P<digits>{GROUPED}|\d+(?:[.,]\d+)?|\.\d+)(?:{POWER})?"
-UNIT = r"(?P<unit>\\?[^\W\d_]*[%×°]?(?:[/·][^\W\d_]+)?[²³]?)"
+TEN = r"\s?(?:[×x·]|\\times|\\cdot)\s?10(?:\^\{?(?P<caret>[-−]?\d{1,3})\}?|(?P<raised>[⁻⁰¹²³⁴-⁹]+))"
+NUMBER = (
+    rf"(?<![^\W_])(?<!\d[.,])(?P<digits>[+−-]?(?:{GROUPED}|\d+(?:[.,]\d+)?|\.\d+))(?:[eE](?P<e>[+-]?\d{{1,3}})|{TEN})?"
+)
+UNIT = r"\\?(?P<unit>[^\W\d_]*[%×°]?(?:[/·][^\W\d_]+)?[²³]?)"
 CLOSING = r"(?:[\s*_`~)\]}$,;]|\\[,; ]|&\w{1,9};|</?\w[^<>\n]{0,80}>){0,20}"
 BEFORE = re.compile(rf"{NUMBER}{CLOSING}{UNIT}{CLOSING}\Z")
-UNMARKED = re.compile(rf"(?<![\w./#-]){NUMBER}(?:(?:[ \xa0\u2009\u202f]|\\,)?{UNIT})?(?![\w./-]|{CLOSING}<!--)")
-WORDS = re.compile(r"(^|.*\s)if\s.*[<>].*\selse\s", re.DOTALL)
+UNMARKED = re.compile(rf"(?<![\w./#-]){NUMBER}(?:(?:[ \xa0\u2009\u202f~]|\\,)?{UNIT})?(?![\w./-]|{CLOSING}<!--)")
+OPTIONS = re.compile(
+    r"(?P<rest>.*?[\w)\"\]])(?:\s+(?P<unit>[^\W\d_]\S{0,20}|%))?(?:\s+digits\s+(?P<digits>\d{1,2}))?"
+    r"(?:\s*(?:±|\+-)\s*(?P<tolerance>\d[\d.]{0,9})\s*(?P<share>%?))?"
+)
 
 
 @dataclass(frozen=True)
 class Mark:
-    """Holds what a mark says, ``text``, and what stands before it."""
+    """Holds what a mark says, and what stands before it."""
 
     line: int
     start: int  # of `before`
     before: str
-    text: str
-
-    @property
-    def is_of_words(self) -> bool:
-        return bool(WORDS.match(self.text))
-
-    @property
-    def name(self) -> str:
-        return "" if self.is_of_words else self.text.partition("=")[0].strip()
+    name: str
+    expression: str  # of a number
+    options: Mapping[str, str]
+    words: tuple[str, ...]  # of a word: yes if left < right else no
 
 
-@dataclass(frozen=True)
 class Printed:
-    """Holds a number as a text has it."""
+    """Reads a number that NUMBER and UNIT matched, ``value`` times a power of ten with ``step`` for its last digit."""
 
-    text: str
-    digits: str
-    span: tuple[int, int]  # of its sign and digits
-    unit: str
-    group: str  # what is between its thousands
-    power: int
-
-    @property
-    def plain(self) -> Decimal:
-        text = re.sub(f"[{SEPARATORS}]", "", self.digits) if self.group else self.digits.replace(",", ".")
-        return Decimal(text.replace(MINUS, "-")).scaleb(self.power)
-
-    @property
-    def step(self) -> int:
-        """Return the power of ten of its last digit."""
-        return int(self.plain.as_tuple().exponent)
+    def __init__(self, match: re.Match[str], start: int = 0):
+        self.digits, self.unit, self.group = match["digits"], match["unit"] or "", match["group"] or ""
+        self.span = start + match.start("digits"), start + match.end("digits")
+        self.power = int(
+            (match["e"] or match["caret"] or (match["raised"] or "0").translate(DIGITS)).replace(MINUS, "-")
+        )
+        plain = self.digits.replace(self.group, "") if self.group else self.digits.replace(",", ".")
+        self.value = Decimal(plain.replace(MINUS, "-")).scaleb(self.power)
+        self.step = int(self.value.as_tuple().exponent)
 
     def written(self, exact: Decimal, step: int) -> str:
-        """Write another number as this one is: to as many places, with its sign and its thousands."""
+        """Write another number as this one is: to as many places, with its sign, point, thousands and power of ten."""
         rounded = exact.quantize(Decimal(1).scaleb(step), ROUND_HALF_UP)
-        if exact and not rounded:  # it would be written as nothing
-            step = exact.adjusted() + 1 - len(self.plain.as_tuple().digits)
+        if exact and not rounded:  # it keeps its digits where it would be nothing with as many places
+            step = exact.adjusted() + 1 - len(self.value.as_tuple().digits)
             rounded = exact.quantize(Decimal(1).scaleb(step), ROUND_HALF_UP)
         text = f"{rounded.scaleb(-self.power):{'+' if self.digits[0] == '+' else ''}{',' if self.group else ''}f}"
-        text = text.replace(",", self.group) if self.group else text
-        text = text.replace(".", ",") if "," in self.digits and not self.group else text
-        return text.replace("-", MINUS if MINUS in self.text else "-")
-
-
-def printed(match: re.Match[str], start: int = 0) -> Printed:
-    """Read what matches NUMBER and UNIT."""
-    begin, end = match.start("digits") - len(match["sign"] or ""), match.end("digits")
-    power = int((match["e"] or match["caret"] or (match["raised"] or "0").translate(DIGITS)).replace(MINUS, "-"))
-    digits = match.string[begin:end]
-    unit = (match["unit"] or "").strip("\\")
-    return Printed(match[0].strip(), digits, (start + begin, start + end), unit, match["group"] or "", power)
+        text = text.replace(",", self.group) if self.group or "," not in self.digits else text.replace(".", ",")
+        return text.replace("-", MINUS) if MINUS in self.digits else text
 
 
 def marks_of(path: Path, text: str) -> tuple[list[Mark], list[tuple[int, int]]]:
     """Return the marks of a text, and the stretches that are neither marks nor code."""
-    patterns = SYNTAXES.get(path.suffix, MARKDOWN)
-    marks, ends, line, counted = [], [0], 1, 0
-    for match in re.compile("|".join(patterns), re.MULTILINE).finditer(text):
+    syntax = SYNTAXES.get(path.suffix, MARKDOWN)
+    marks, ends, line, counted = list[Mark](), [0], 1, 0
+    for match in re.compile("|".join(syntax), re.MULTILINE).finditer(text):
         groups, start = match.groupdict(), match.start()
-        said = (groups.get("mark") or groups.get("role") or "").strip()
+        said = " ".join((groups.get("mark") or groups.get("role") or "").split())
         said = re.sub(r"\\([#%_&])", r"\1", said) if path.suffix == ".tex" else said
-        is_mark = len(said) <= MOST and (WORDS.match(said) or re.match(r"(?:[^\W\d]\w*\s*)?=(?!=)", said))
-        if is_mark and not (patterns is MARKDOWN and _is_indented(text, start)):
+        name, _, expression = said.partition("=")
+        yes, _, rest = f" {said}".partition(" if ")
+        condition, _, no = rest.rpartition(" else ")
+        words = (yes.strip(), *re.split("(<=|>=|<|>)", condition, maxsplit=1), no.strip())
+        is_mark = len(words) == 5 or (expression and re.fullmatch(r"([^\W\d]\w*\s*)?", name))
+        if is_mark and len(said) <= MOST and not (syntax is MARKDOWN and _is_indented(text, start)):
             line, counted = line + text.count("\n", counted, start), start
             begin = match.start("of") if groups.get("of") else max(ends[-1], start - REACH)
-            marks.append(Mark(line, begin, groups.get("of") or text[begin:start], said))
+            before, words = groups.get("of") or text[begin:start], words if len(words) == 5 else ()
+            options = option.groupdict() if (option := OPTIONS.fullmatch(expression.strip())) else {"rest": expression}
+            marks.append(
+                Mark(
+                    line,
+                    begin,
+                    before,
+                    "" if words else name.strip(),
+                    options.pop("rest"),
+                    {name: text for name, text in options.items() if text},
+                    words,
+                )
+            )
         ends += [start, match.end()]
     return marks, list(zip(ends[::2], [*ends[1::2], len(text)], strict=True))
 
