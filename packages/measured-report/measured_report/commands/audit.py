@@ -58,10 +58,7 @@ def _findings(path: Path, arguments: argparse.Namespace) -> Sequence[Finding]:
 
     try:
         audit = Audit(path, source)
-        if arguments.suggest:
-            findings = list(audit.suggestions(arguments.suggest))
-        else:
-            findings = list(audit.findings())
+        findings = list(audit.suggestions(arguments.suggest) if arguments.suggest else audit.findings())
         if arguments.suggest or arguments.fix:
             audit.write(findings)
         return findings if not arguments.fix else list(Audit(path, source).findings())

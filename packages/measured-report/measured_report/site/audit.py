@@ -67,8 +67,9 @@ class Audit:
                 if mark.name and self._named[mark.name] is not mark:
                     raise ReportError(f"line {self._named[mark.name].line} has a mark {mark.name}, too")
                 yield self._of_words(mark) if mark.words else self._of_number(mark)
-            except (*UNRESOLVED, ReportError, ArithmeticError, SyntaxError, RecursionError) as error:
-                yield Finding(str(self.path), mark.line, "missing", " ".join(str(error).strip("'").split()))
+            except (*UNRESOLVED, AttributeError, ReportError, ArithmeticError, SyntaxError, RecursionError) as error:
+                text = "it has too many digits" if isinstance(error, ArithmeticError) else str(error).strip("'")
+                yield Finding(str(self.path), mark.line, "missing", " ".join(text.split()))
 
     def _of_number(self, mark: Mark) -> Finding:
         expression, options = mark.expression, mark.options
@@ -153,24 +154,36 @@ class Audit:
         """Yield a mark for each number without one that is a single number of the results; others have a choice."""
         source, form = self._source(file), FORMS.get(self.path.suffix, "{}<!-- = {} -->")
         sourced = [(f"{file}#{pointer}", *source.quantity(pointer)) for pointer in source.pointers()]
-        for match in (match for stretch in self._unmarked for match in UNMARKED.finditer(self.text, *stretch)):
-            number, pointers = Printed(match), list[str]()
-            for pointer, quantity, unit in sourced:
+
+        @cache
+        def printed_in(unit: str) -> list[tuple[str, float]]:
+            values = list[tuple[str, float]]()
+            for pointer, quantity, own_unit in sourced:
                 with suppress(ReportError):  # of another unit
-                    value, *_ = _in_unit(quantity, unit, number.unit, False)
-                    if abs(value - float(number.value)) <= 0.5000001 * 10.0**number.step:
-                        pointers.append(pointer)
+                    values.append((pointer, _in_unit(quantity, own_unit, unit, False)[0]))
+            return values
+
+        stretches = (
+            (end, match) for begin, end in self._unmarked for match in UNMARKED.finditer(self.text, begin, end)
+        )
+        for end, match in stretches:
+            if self.text.startswith("<!--", end) and re.compile(CLOSING).fullmatch(self.text, match.end(), end):
+                continue  # it has a mark
+            number = Printed(match)
+            printed, limit = float(number.value), 0.5000001 * 10.0**number.step
+            pointers = [pointer for pointer, value in printed_in(number.unit) if abs(value - printed) <= limit]
             # A number such as 2 or 10 is in any results by chance.
             if pointers and len(number.value.as_tuple().digits) > (1 if number.step < 0 else 2):
                 text = re.sub(r"(?=[#%_&])", r"\\", pointers[0]) if self.path.suffix == ".tex" else pointers[0]
-                mark = form.format(match[0], text) if len(pointers) == 1 else ""
+                is_unit = number.unit and (scale_of(number.unit) or number.unit in "×°")
+                written = self.text[match.start() : match.end() if is_unit else match.start("unit")].rstrip()
+                mark = form.format(written, text) if len(pointers) == 1 else ""
                 said, line = (
-                    mark or f"{match[0]} is {' or '.join(pointers)}",
+                    mark or f"{written} is {' or '.join(pointers)}",
                     self.text.count("\n", 0, match.start()) + 1,
                 )
-                yield Finding(
-                    str(self.path), line, "fresh" if mark else "unclear", said, span=match.span(), replacement=mark
-                )
+                span, kind = (match.start(), match.start() + len(written)), "fresh" if mark else "unclear"
+                yield Finding(str(self.path), line, kind, said, span=span, replacement=mark)
 
 
 def _in_unit(quantity: Quantity, own_unit: str, unit: str, is_explicit: bool) -> tuple[float, float | None, str]:

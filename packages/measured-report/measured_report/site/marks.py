@@ -9,10 +9,10 @@ from pathlib import Path
 from measured_report.values.format import DIGITS, MINUS
 
 REACH, MOST = 200, 600  # the most characters of what a mark is of, and of a mark
-FENCE = r"^[ >]*(?P<fence>`{3,}|~{3,}).*\n(?:.*\n)*?(?:[ >]*(?P=fence)[`~]*[ \t\r]*$|\Z)"
-COMMENT = r"<!--(?P<mark>(?s:.*?))(?:-->|\Z)"
+FENCE = r"^[ >]*(?P<fence>`{3,20}|~{3,20}).*\n(?:.*\n)*?(?:[ >]*(?P=fence)[`~]*[ \t\r]*$|\Z)"
+COMMENT = r"<!--(?:(?P<mark>(?s:.*?))-->|(?s:.*)\Z)"
 ROLE = rf"(?::audit:|\{{audit\}})`(?P<of>[^`<]{{1,{REACH}}})<(?P<role>[^`]{{1,{MOST}}})>`"
-CODE = rf"(?P<ticks>`+)(?:(?!\n\s*\n)(?s:.)){{1,{REACH}}}?(?<!`)(?P=ticks)(?!`)|`+"
+CODE = rf"(?<!`)(?P<ticks>`{{1,8}})(?!`)(?:(?!\n\s*\n)(?s:.)){{1,{REACH}}}?(?<!`)(?P=ticks)(?!`)|`+"
 LITERAL = r"::[ \t\r]*\n(?:[ \t\r]*\n)+(?:[ \t]+\S.*\n|[ \t\r]*\n)+"
 MACRO = rf"\\audited\{{(?P<of>[^{{}}]{{1,{REACH}}})\}}\{{(?P<role>[^{{}}]{{1,{MOST}}})\}}"
 VERBATIM = r"\\begin\{(?P<verbatim>verbatim|lstlisting|minted)\}(?s:.*?)(?:\\end\{(?P=verbatim)\}|\Z)|(?<!\\)%.*$"
@@ -29,7 +29,7 @@ NUMBER = (
 UNIT = r"\\?(?P<unit>[^\W\d_]*[%×°]?(?:[/·][^\W\d_]+)?[²³]?)"
 CLOSING = r"(?:[\s*_`~)\]}$,;]|\\[,; ]|&\w{1,9};|</?\w[^<>\n]{0,80}>){0,20}"
 BEFORE = re.compile(rf"{NUMBER}{CLOSING}{UNIT}{CLOSING}\Z")
-UNMARKED = re.compile(rf"(?<![\w./#-]){NUMBER}(?:(?:[ \xa0\u2009\u202f~]|\\,)?{UNIT})?(?![\w./-]|{CLOSING}<!--)")
+UNMARKED = re.compile(rf"(?<![\w./#-]){NUMBER}(?:(?:[ \xa0\u2009\u202f~]|\\,)?{UNIT})?(?![\w./-])")
 OPTIONS = re.compile(
     r"(?P<rest>.*?[\w)\"\]])(?:\s+(?P<unit>[^\W\d_]\S{0,20}|%))?(?:\s+digits\s+(?P<digits>\d{1,2}))?"
     r"(?:\s*(?:±|\+-)\s*(?P<tolerance>\d[\d.]{0,9})\s*(?P<share>%?))?"

@@ -2,6 +2,7 @@
 
 import json
 import os
+import time
 
 import pytest
 
@@ -41,6 +42,8 @@ RESULTS = {
         "share": 12.5,
         "none": None,
     },
+    "odd.json": {"rows": 1, "units": 2, "identity": 3, "a": 1e308},
+    "twice.json": {"a_ms": 12.3, "b_ms": 12.3},
     "table.csv": "case;time_ms;n\nx;12.5;10\ny;13.5;20\ny;14.5;30\n",
     "values.json": {"section": {"drag": {"value": 2.5, "unit": "mm", "noise": 0.1}}},
 }
@@ -116,7 +119,8 @@ def test_a_number_is_fresh_or_stale_by_any_source_and_a_fix_ends_at_its_own_byte
 
 def test_names_make_arithmetic_and_words_that_turn(audit):
     marks = "4.0<!-- old = plain.json#/old --> 2.0<!-- new = plain.json#/new --> 2×<!-- ratio = old / new --> "
-    words = "{}<!-- faster if new < old else slower --> {}<!-- not so if ratio < 1.5 else so --> {}<!-- if old > 1 else small -->"
+    words = "{}<!-- faster if new < old else slower --> {}<!-- not so if ratio < 1.5 else so --> "
+    words += "{}<!-- if old > 1 else small -->"
     right, wrong = marks + words.format("Faster", "so", "large"), marks + words.format("Slower", "not so", "large")
     assert audit(right, "--check") == (0, [], right)
     status, lines, _ = audit(wrong, "--check")
@@ -143,3 +147,72 @@ def test_what_leads_nowhere_or_out_of_the_project_is_one_line(audit, source, mes
 
 def test_a_folder_outside_is_read_when_allowed(audit):
     assert audit("5<!-- = ../out.json#/a --> 5<!-- = link.json#/a -->", "--check", "--allow", "..")[0] == 0
+
+
+MEAN = "pytest.json#/benchmarks/a[1/2]/mean"
+FORMS = {
+    "a.tex": "\\audited{%s\\,ms}{= pytest.json\\#/benchmarks/0/mean} % \\audited{7}{= no.json\\#/x}",
+    "a.rst": f":audit:`%s ms <= {MEAN}>`, ``:audit:`7 <= no.json#/x>` ``::\n\n   :audit:`7 <= no.json#/x>`\n",
+    "a.myst": f"{{audit}}`%s ms <= {MEAN}>` `{{audit}}`7 <= no.json#/x>`",
+    "a.html": f"<b>%s</b>&nbsp;ms<!-- = {MEAN} -->",
+    "a.md": f"```\n7<!-- = no.json#/x -->\n```\n`7<!-- = no.json#/x -->`\n\n"
+    f"    7<!-- = no.json#/x -->\n\n- %s\nms<!-- = {MEAN} -->",
+}
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_each_kind_of_text_has_its_marks_and_code_has_none(audit, name):
+    right, wrong = (FORMS[name].replace("%s", number) for number in ("12.3", "14.3"))
+    assert audit(right, "--check", name=name) == (0, [], right)
+    assert audit(wrong, "--fix", "--check", name=name) == (0, [], right)
+
+
+def test_suggestions_mark_what_is_one_number_of_the_results_and_leave_a_choice(audit):
+    old, big = "<!-- = plain.json#/old -->", "<!-- = plain.json#/big -->"
+    text = "It takes 12.3 ms, or `12.3 ms`; 4.0, 10 and 1,234,567 of v12.5."
+    status, _, marked = audit(text, "--suggest", "plain.json")
+    assert (status, marked) == (0, text.replace("4.0", f"4.0{old}").replace("567", f"567{big}"))
+    status, _, marked = audit(marked, "--suggest", "pytest.json")
+    assert (status, "12.3 ms<!-- = pytest.json#/benchmarks/a[1/2]/stats/mean -->, or `" in marked) == (0, True)
+    assert audit(marked, "--check") == (0, [], marked) and audit(marked, "--suggest", "pytest.json")[1:] == ([], marked)
+    (choice,) = audit("12.5", "--suggest", "table.csv")[1]
+    assert choice == "a.md:1: fresh: 12.5<!-- = table.csv#/x/time_ms -->"
+    assert "or" in audit("12.3 ms", "--suggest", "twice.json")[1][0]
+
+
+def test_a_build_server_gets_annotations_or_json(audit):
+    text = f"\n14.3 ms<!-- = {MEAN} -->"
+    assert audit(text, "--format", "github")[1][0].startswith(
+        "::error file=a.md,line=2::stale: 14.3 ms is 12.3 ± 0.072 ms"
+    )
+    [finding] = json.loads("".join(audit(text, "--format", "json")[1]))
+    assert (finding["kind"], finding["value"], finding["unit"], finding["line"]) == ("stale", 12.3, "ms", 2)
+
+
+HOSTILE = {
+    "bytes that are no text": b"\xff\xe9 12.9 ms<!-- = " + MEAN.encode() + b" -->\xff\r\n",
+    "a comment in a comment": b"7<!-- a <!-- = no.json#/x -->",
+    "no end": b"7<!-- = no.json#/x" + b"<!--" * 9999,
+    "ticks": b"`" * 99999 + b"7<!-- = no.json#/x",
+    "no code": b"5<!-- = __import__('os') --> 5<!-- a = a --> 5<!-- = odd.json#/rows/0/a --> 5<!-- = odd.json#/a -->",
+    "a year": b"2024 we were<!-- = plain.json#/old -->, 16 384<!-- = plain.json#/old -->",
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_whatever_a_file_has_is_a_line_or_works(audit, name):
+    status, lines, after = audit(HOSTILE[name], "--fix")
+    assert len(lines) == HOSTILE[name].count(b" -->") - name.startswith("a comment") and status == int(len(lines) > 1)
+    right = HOSTILE[name].replace(b"12.9", b"12.3").decode("utf-8", "replace")
+    assert after == right or "odd.json#/a" in after
+
+
+def test_a_thousand_marks_take_no_longer_than_a_second(audit, folder):
+    runs = [{"name": f"t{i}", "stats": {"mean": i + 1, "stddev": 0.01, "rounds": 5 + i % 20}} for i in range(1000)]
+    (folder / "many.json").write_text(json.dumps({"machine_info": {}, "benchmarks": runs}))
+    audit("1 s<!-- = many.json#/benchmarks/t0/mean -->")  # what is imported once is
+    began = time.process_time()
+    assert audit("".join(f"{i + 1} s<!-- = many.json#/benchmarks/t{i}/mean -->\n" for i in range(1000)), "--check")[
+        :2
+    ] == (0, [])
+    assert time.process_time() - began < 1
