@@ -5,6 +5,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from statistics import fmean
 from typing import Any
@@ -64,13 +65,17 @@ class Source:
         noise = _noise(around, name, nodes[-1] if isinstance(nodes[-1], list) else value)
         if isinstance(self.data, Mapping) and {"rows", "units", "identity"} <= self.data.keys() and names[1] == "rows":
             file, row = f"{self.path.parent.name}/{self.path.name}", self.data["rows"].index(nodes[2])
-            value, noise = Data(self.path.parents[1]).number(f"{file}#/rows/{row}/{name}")
+            value, noise = self._data.number(f"{file}#/rows/{row}/{name}")
             if value is None:
                 raise LookupError(f"{pointer} was lost")
         unit = self._unit(around, name, names)
         factor, base = scale_of(unit) or (1.0, unit)
         noise = None if noise is None else noise * factor
         return Quantity(value * factor, base, f"{self.path}#{pointer}", noise=noise), unit
+
+    @cached_property
+    def _data(self) -> Data:
+        return Data(self.path.parents[1])
 
     def _child(self, node: Any, keys: Sequence[str]) -> tuple[Any, str, Sequence[str]]:
         """Return what the first keys lead to, their name, which may have slashes, and the keys behind them."""
