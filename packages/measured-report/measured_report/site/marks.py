@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
 
-from measured_report.values.format import DIGITS, MINUS
+from measured_report.values.format import DIGITS, MINUS, SUPERSCRIPTS
 
 REACH, MOST = 200, 600  # the most characters of what a mark is of, and of a mark
 FENCE = r"^[ >]*(?P<fence>`{3,20}|~{3,20}).*\n(?:.*\n)*?(?:[ >]*(?P=fence)[`~]*[ \t\r]*$|\Z)"
@@ -54,7 +54,10 @@ class Printed:
 
     def __init__(self, match: re.Match[str], start: int = 0):
         self.digits, self.unit, self.group = match["digits"], match["unit"] or "", match["group"] or ""
-        self.span = start + match.start("digits"), start + match.end("digits")
+        self.exponent = match["e"] or match["caret"] or match["raised"] or ""
+        end = max(match.end(name) for name in ("digits", "e", "caret", "raised"))
+        self.between = match.string[match.end("digits") : end - len(self.exponent)]
+        self.span = start + match.start("digits"), start + end
         self.power = int(
             (match["e"] or match["caret"] or (match["raised"] or "0").translate(DIGITS)).replace(MINUS, "-")
         )
@@ -64,13 +67,25 @@ class Printed:
 
     def written(self, exact: Decimal, step: int) -> str:
         """Write another number as this one is: to as many places, with its sign, point, thousands and power of ten."""
+        power = self.power
+        if self.exponent and exact and step == self.step:  # the power of ten follows, so that as many digits stay
+            power += exact.adjusted() - self.value.adjusted()
+            step += power - self.power
         rounded = exact.quantize(Decimal(1).scaleb(step), ROUND_HALF_UP)
         if exact and not rounded:  # it keeps its digits where it would be nothing with as many places
             step = exact.adjusted() + 1 - len(self.value.as_tuple().digits)
             rounded = exact.quantize(Decimal(1).scaleb(step), ROUND_HALF_UP)
-        text = f"{rounded.scaleb(-self.power):{'+' if self.digits[0] == '+' else ''}{',' if self.group else ''}f}"
+        text = f"{rounded.scaleb(-power):{'+' if self.digits[0] == '+' else ''}{',' if self.group else ''}f}"
         text = text.replace(",", self.group) if self.group or "," not in self.digits else text.replace(".", ",")
-        return text.replace("-", MINUS) if MINUS in self.digits else text
+        text = text.replace("-", MINUS) if MINUS in self.digits else text
+        if not self.exponent:
+            return text
+        plain = (
+            f"{power:{'+0' if self.between in 'eE' and self.exponent[0] in '+-' else ''}{len(self.exponent)}d}".strip()
+        )
+        return (
+            text + self.between + (str(power).translate(SUPERSCRIPTS) if self.exponent[-1] in "⁰¹²³⁴⁵⁶⁷⁸⁹" else plain)
+        )
 
 
 def marks_of(path: Path, text: str) -> tuple[list[Mark], list[tuple[int, int]]]:
