@@ -28,21 +28,15 @@ GENERATOR = "measured-report"
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog=GENERATOR, description=__doc__, allow_abbrev=False)
+    if sys.argv[1:2] == ["audit"]:
+        return audit.main()
+    parser.add_argument("command", choices=("new", "audit"), help="audit --help tells more")
+    parser.add_argument("folder", metavar="DIR", type=Path, help="a folder that is empty or not there")
+    parser.add_argument("--package", default="", help="what it is on, as numpy or numpy==2.3.0")
+    parser.add_argument("--title", default="", help="what it is called")
     parser.add_argument("--version", action="version", version=metadata.version(GENERATOR))
-    commands = parser.add_subparsers(dest="command", required=True)
-    creating, auditing = (
-        commands.add_parser("new", description=__doc__),
-        commands.add_parser("audit", description=audit.__doc__),
-    )
-    creating.add_argument("folder", metavar="DIR", type=Path, help="a folder that is empty or not there")
-    creating.add_argument("--package", default="", help="what it is on, as numpy or numpy==2.3.0")
-    creating.add_argument("--title", default="", help="what it is called")
-    for name, settings in audit.OPTIONS.items():
-        auditing.add_argument(name, **settings)
     arguments = parser.parse_args()
     try:
-        if arguments.command == "audit":
-            return audit.audit(arguments)
         new(arguments.folder.resolve(), arguments.package, arguments.title)
     except (ReportError, OSError) as error:
         print(error, file=sys.stderr)
