@@ -81,8 +81,7 @@ class Source:
         self._path, text = path, read(path).decode("utf-8-sig")
         lines = csv.reader(text.splitlines(), delimiter=max(",;", key=text.partition("\n")[0].count))
         header, *rows = lines if path.suffix == ".csv" else [[]]
-        table = [dict(zip(("name", *header[1:]), row, strict=False)) for row in rows]
-        self._data: Any = table or json.loads(text)
+        self._data: Any = [dict(zip(("name", *header[1:]), row, strict=False)) for row in rows] or json.loads(text)
         self.places = dict(_places(self._data, ""))
 
     def quantity(self, pointer: str) -> Quantity:
@@ -102,12 +101,13 @@ class Source:
 
     def _unit(self, name: str, beside: Mapping[str, Any]) -> str:
         data, (stem, _, end) = self._data if isinstance(self._data, Mapping) else {}, name.rpartition("_")
+        units = data["units"] if isinstance(data.get("units"), Mapping) else {}
         if name in SECONDS and ("machine_info" in data or "command" in beside):  # pytest-benchmark, hyperfine
             return "s"
         if name in ("real_time", "cpu_time", "point_estimate"):  # google-benchmark, criterion
             return str(beside.get("time_unit", "ns"))
         by_end = end if end in UNITS and stem and not stem.endswith("per") else PLAIN
-        return str(beside.get("unit", PLAIN) if name == "value" else dict(data.get("units", {})).get(name, by_end))
+        return str(beside.get("unit", PLAIN) if name == "value" else units.get(name, by_end))
 
 
 def _places(node: Any, way: str, name: str = "", beside: Mapping[str, Any] | None = None) -> Iterator[tuple[str, Any]]:
@@ -128,12 +128,12 @@ def _places(node: Any, way: str, name: str = "", beside: Mapping[str, Any] | Non
 def _noise(name: str, beside: Mapping[str, Any]) -> float | None:
     """Bound how far a number may be from the truth; None where its source does not say."""
     noise, error, deviation = (beside.get(key) for key in ("noise", "standard_error", "stddev"))
-    count = beside.get("rounds") or beside.get("runs") or len(beside.get("times") or ())
+    count = next((len(n) if isinstance(n, list) else n for n in map(beside.get, ("rounds", "runs", "times")) if n), 0)
     if name == "point_estimate" and is_number(error):
         return Z * error
-    if name in SCATTER and is_number(deviation) and is_number(count) and count > 1:
-        return SCATTER[name] * t_quantile(SURE, count - 1) * deviation / count**0.5
-    return noise if name == "value" and is_number(noise) else None
+    if not (name in SCATTER and is_number(deviation) and is_number(count) and count > 1):
+        return noise if name == "value" and is_number(noise) else None
+    return SCATTER[name] * t_quantile(SURE, count - 1) * deviation / count**0.5
 
 
 def value_of(match: re.Match[str]) -> Decimal:
@@ -226,7 +226,7 @@ class Audit:
         # It has nothing but names of operands, numbers, signs and brackets in it.
         result = eval(code, {"__builtins__": {}}, operands)
         if not isinstance(result, Quantity) or result.value is None:
-            raise ReportError(getattr(result, "reason", f"{expression} is no number"))
+            raise ReportError(getattr(result, "reason", "") or f"{expression} is no number")
         return result if scale_of(result.unit)[1] or not unit else Quantity(result.value, unit, "", noise=result.noise)
 
     def suggestions(self, file: str) -> Iterator[Finding]:
