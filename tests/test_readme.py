@@ -6,6 +6,7 @@ import textwrap
 import pytest
 
 from experiments.facts.case import differences
+from measured_report.commands.new import main
 from measured_report.files.root import ROOT
 from measured_report.findings.sections import outline_of
 from measured_report.records.identity import sections
@@ -40,6 +41,14 @@ def test_what_it_names_is_there_and_needs_no_uv_but_the_own():
     places = re.findall(r"^\| (`.*`) \|", README, re.MULTILINE)
     assert len(places) > 5
     assert all((ROOT / name).exists() for place in places for name in re.findall(r"`([^`]+)`", place))
+
+
+def test_numbers_that_have_a_mark_are_what_was_measured(monkeypatch, capsys):
+    monkeypatch.setattr(
+        "sys.argv", ["", "audit", *map(str, [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))])]
+    )
+    assert main() == 0, capsys.readouterr().out
+    assert capsys.readouterr().out.count("contact-bias.md") > 3
 
 
 def test_the_section_that_is_added_works(toy, files):

@@ -12,6 +12,7 @@ from importlib import metadata
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
+from measured_report.commands import audit
 from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
 from measured_report.files.config import Config
@@ -27,7 +28,9 @@ GENERATOR = "measured-report"
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog=GENERATOR, description=__doc__, allow_abbrev=False)
-    parser.add_argument("command", choices=("new",))
+    if sys.argv[1:2] == ["audit"]:
+        return audit.main()
+    parser.add_argument("command", choices=("new", "audit"), help="audit --help tells more")
     parser.add_argument("folder", metavar="DIR", type=Path, help="a folder that is empty or not there")
     parser.add_argument("--package", default="", help="what it is on, as numpy or numpy==2.3.0")
     parser.add_argument("--title", default="", help="what it is called")
