@@ -37,9 +37,9 @@ def without_secrets(text: str) -> str:
 
 
 def suggestion(name: str, names: Iterable[str]) -> str:
-    """Say ``; near it: `` and the names that are like a mistyped one; nothing where none is."""
+    """Say ``; similar: `` and the names that are like a mistyped one; nothing where none is."""
     matches = get_close_matches(name, list(names), n=4, cutoff=0.5)
-    return f"; near it: {', '.join(matches)}" if matches else ""
+    return f"; similar: {', '.join(matches)}" if matches else ""
 
 
 def bug_of(error: BaseException) -> str:

@@ -215,7 +215,7 @@ class Results:
         if isinstance(function, Quantity):
             unit, sources, function = function.unit, (function,), operator.pos
         if not is_unit(unit):
-            raise ResultsError(f"the value {name} has the unit {unit}, which units in report.toml does not declare")
+            raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
         term = combined(function, *sources, unit=unit, across=across)
         names = "value", "unit", "reason", "origins", *(() if is_noise else ("noise", "samples")), "roots"
         sources = tuple(operand.source for operand in term.operands if operand.source)
