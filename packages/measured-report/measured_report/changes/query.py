@@ -235,9 +235,12 @@ def _refuse_unknown_cases(edition: Edition) -> None:
 
 
 def _refuse_absent_imports(root: Path) -> None:
-    """Raise ReportError for what is imported first of all where sections are measured, and that is not installed."""
-    graph, modules = files().graph(roots_of(root)), (file_of("experiments", section) for section in sections(root))
+    """Raise ReportError where a module measures nothing, or imports first of all what is not installed."""
+    graph, modules = files().graph(roots_of(root)), [file_of("experiments", section) for section in sections(root)]
     measuring = {path for module in modules if module for path in graph.closure(str(module), CARRIED)}
+    for module in filter(None, modules):
+        if "measure" not in graph.source(str(module)).top:
+            raise ReportError(f"{graph.name_of(str(module))} has no function measure(conditions)")
     for path in sorted(measuring):
         for node in ast.parse(Path(path).read_bytes()).body:
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []

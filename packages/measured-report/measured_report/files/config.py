@@ -183,7 +183,8 @@ class Report:
                         raise ValueError(f"there is no setting {table_name}{name}{suggestion(name, names)}")
             config = msgspec.convert(settings, Config)
         except (OSError, ValueError, TypeError) as error:  # which msgspec's are
-            raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
+            hint = "; REFERENCE.md says what it takes" if isinstance(error, msgspec.ValidationError) else ""
+            raise ReportError(f"{FILE}: {' '.join(str(error).split())}{hint}") from None
         if not (package := config.edition):
             return config
         return replace(config, packages=[package, *config.packages], edition_name=config.edition_name or package)

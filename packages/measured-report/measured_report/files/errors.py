@@ -47,7 +47,8 @@ def bug_of(error: BaseException) -> str:
     generator = Path(__file__).parents[1]
     frames = [(Path(frame.filename), frame.lineno) for frame in extract_tb(error.__traceback__)]
     installed = (generator, Path(sys.base_prefix), Path(sys.prefix))
-    own_frames = [(file, line) for file, line in frames if not any(map(file.is_relative_to, installed))]
+    files = [(file, line) for file, line in frames if file.suffix == ".py"]  # a dataclass is made in a <string>
+    own_frames = [(file, line) for file, line in files if not any(map(file.is_relative_to, installed))]
     kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "
     text = f"{kind}{' '.join(str(error).split())}"
     for file, line in own_frames[-1:]:

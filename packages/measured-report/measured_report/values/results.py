@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, suggestion
 from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
@@ -71,7 +71,7 @@ class Row:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
             if not self._lack and not any(column in row for row in self._record.rows):
-                raise ResultsError(f"{self._record.section}: {case} has no column {column}")
+                raise ResultsError(f"{self._record.section}: {case} has no column {column}{suggestion(column, units)}")
             return ""
         value = number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
