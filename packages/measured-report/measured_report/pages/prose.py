@@ -153,7 +153,7 @@ def _named(template: str, code: jinja2.Template | None = None) -> Iterator[None]
     except jinja2.TemplateError as error:
         # What is asked of a text or of nothing, as if it were a number, a record has otherwise than was thought.
         kind = ResultsError if PLAIN.match(error.message or "") else ReportError
-        lines = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
+        lines = [frame.lineno or 1 for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
         line = f":{code.get_corresponding_lineno(lines[-1]) if code else lines[-1]}" if lines else ""
         text = OF_CLASS.sub(r"a \1", error.message or "")
         raise kind(f"templates/{template}{line}: {text}") from None
