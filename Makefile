@@ -1,6 +1,6 @@
 # make help says what there is. Every target sets up .venv by itself, once; PYTHON=… takes another Python as it is.
 
-override OWN := lint mutate
+override OWN := lint docs mutate
 include packages/measured-report/measured_report/skeleton/report.mk
 
 # Named for programs that read this file; any other command in measured_report/commands/ or report/commands/ will do.
@@ -28,6 +28,12 @@ lint: $(READY)
 	@"$$PYTHON" -m ruff check .
 	@"$$PYTHON" -m ruff format --check .
 	@"$$PYTHON" -m mypy
+
+# The documents, with the reference, as a site of their own beside what is published.
+.PHONY: docs
+docs: $(READY)
+	@trap 'rm -f docs/REFERENCE.md' EXIT && "$$PYTHON" build.py reference && mv REFERENCE.md docs && \
+		"$$PYTHON" -m mkdocs build --strict --quiet --site-dir published/docs
 
 # Which errors in MODULE=values/format would the tests of its room miss? In a copy, as each is written into the file.
 .PHONY: mutate

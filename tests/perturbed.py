@@ -102,7 +102,7 @@ class Perturbation:
                     derive_section(results, self.releases)
                     chapters[section] = replace(chapter, results=results)
         if name not in releases[release]:  # what a text of a page tells has no record of its own
-            derive = import_module(f"{config().story}.{name}").derive
+            derive = import_module(f"{config().text_modules}.{name}").derive
             return derive(releases, release) if len(signature(derive).parameters) > 1 else derive(releases[release])
         own = self._results(release, name, records, traces)
         releases[release][name] = replace(releases[release][name], results=own)

@@ -47,7 +47,7 @@ def test_a_misspelt_variable_is_refused_and_not_executed(name, word, tmp_path):
     done = make("rerun", f"PYTHON={sys.executable}", f"{name}={word.format(canary)}")
     [line] = [line for line in done.stderr.splitlines() if not line.startswith("make: ")]
     assert (done.returncode, done.stdout) == (2, "")
-    assert line.startswith(f"{name}= is no variable of make here") and "near it: SECTION" in line
+    assert line.startswith(f"{name}= is no variable of make here") and "similar: SECTION" in line
     assert not canary.exists()
 
 

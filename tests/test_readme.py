@@ -1,6 +1,8 @@
 """The README: what it says to type exists, and the section that it shows how to add works."""
 
 import re
+import subprocess
+import sys
 import textwrap
 
 import pytest
@@ -49,6 +51,15 @@ def test_numbers_that_have_a_mark_are_what_was_measured(monkeypatch, capsys):
     )
     assert main() == 0, capsys.readouterr().out
     assert capsys.readouterr().out.count("contact-bias.md") > 3
+
+
+def test_the_documents_are_a_site_without_a_dead_link(tmp_path):
+    mkdocs = pytest.importorskip("mkdocs", reason="make docs installs it").__name__
+    command = [sys.executable, "-m", mkdocs, "build", "--strict", "--quiet", "--site-dir", str(tmp_path)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+    names = {path.stem for path in (ROOT / "docs").glob("*.md")} - {"index"}
+    assert {path.parent.name for path in tmp_path.glob("*/index.html")} == names
 
 
 def test_the_section_that_is_added_works(toy, files):

@@ -11,7 +11,7 @@ from report.shared.arithmetic import MS_PER_S, SETTLES, departure, other_value
 order = 140
 page = "fix"
 reads = ("stiffness",)
-leads = True
+first = True
 label = "the fix as files"
 
 

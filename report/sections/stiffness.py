@@ -21,7 +21,7 @@ from report.shared.tables import by_case
 order = 90
 page = "cause"
 reads = ("contacts", "hold", "noise", "reproduction")
-leads = True
+first = True
 label = "pads' ke and kd"
 labels = {
     "pad-ke-2.5e3": "shipped pads",

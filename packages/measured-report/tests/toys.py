@@ -141,17 +141,17 @@ pages = [{ name = "index", texts = ["front.md.j2", "story.md.j2"] }, { name = "c
 columns = [
     { kind = "setting", pattern = "frame_count|substeps" },
     { kind = "cost", pattern = "(frame_ms|ms_per_s)(_p[0-9]+)?" },
-    { kind = "loss", pattern = "dropped|failure" },
+    { kind = "failure", pattern = "dropped|failure" },
     { unless = "dropped", resolution = 1e-3, signed = false, pattern = "slip_mm" },
     { better = "less", pattern = "slip_mm|frame_ms|dropped" },
     { signed = true, pattern = "growth_per_s" },
     { resolution = 1, pattern = ".*_count" },
 ]
 [changes]
-deciding = ["toy"]
-together = [["warp-lang"], ["mujoco-warp", "mujoco"]]
+upgrade_sections = ["toy"]
+package_groups = [["warp-lang"], ["mujoco-warp", "mujoco"]]
 keys = ["case", "substeps"]
-classes = "classes"
+endings = "classes"
 settings = { option = "solver option" }
 """
 REPORT = """

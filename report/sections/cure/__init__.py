@@ -11,7 +11,7 @@ from report.shared.arithmetic import joined
 order = 141
 page = "cure"
 label = "the root cure"
-leads = True
+first = True
 labels = {
     "steps-as-shipped-1-plain": "shipped pads, 1 substep",
     "steps-as-shipped-#-plain": "shipped pads, {} substeps",

@@ -9,7 +9,7 @@ from report.sections.error_runtime.runs import ERROR, points_of
 
 order = 155
 page = "error"
-leads = True
+first = True
 label = "error and run time"
 labels = {
     "as-shipped/newton/iterations-1": "shipped pads, Newton's contacts, 1 iteration",

@@ -153,7 +153,7 @@ def summary(comparison: Comparison) -> str:
     count = sum(cell.chance is not None for cell in comparison.cells)
     changed = sum(move.chance is not None for move in comparison.moves)
     if not changed:
-        return f"none of {count} numbers changed by more than chance makes"
+        return f"none of {count} numbers changed by more than the noise"
     matters = len(comparison.alarms) or "none"
     return f"{changed} of {count} numbers changed; by more than its threshold: {matters}"
 
@@ -182,9 +182,10 @@ def _may_lead(move: Move) -> bool:
 
 def _rank(move: Move) -> tuple[bool, bool, bool, bool, float]:
     """Put alarms first, of these what was given, then what decides, columns that can ring, and the most change."""
-    is_cause = move.exceeds_threshold and "given" in column_of(move.column).kinds
+    is_cause = move.exceeds_threshold and "computed" in column_of(move.column).kinds
     is_named = any(name.endswith(f".{move.column}") for name in config().changes.thresholds)
-    return move.exceeds_threshold, is_cause, move.section in config().changes.deciding, is_named, move.sure_share
+    is_first = move.section in config().changes.upgrade_sections
+    return move.exceeds_threshold, is_cause, is_first, is_named, move.sure_share
 
 
 def settings_text(settings: Sequence[Move]) -> str:

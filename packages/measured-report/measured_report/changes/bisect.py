@@ -113,7 +113,7 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
 def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]) -> str:
     """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
     old, new = search.packages(before), search.packages(after)
-    groups = [names for names in config().changes.together if any(old[name] != new[name] for name in names)]
+    groups = [names for names in config().changes.package_groups if any(old[name] != new[name] for name in names)]
     pins = [f"{name}=={new[name]}" for names in groups for name in names]
     if any(MISSING in pin for pin in pins):
         return "which package did it cannot be told: one of them is not there in all"

@@ -231,7 +231,7 @@ def first_difference(before: Sequence[Record], after: Sequence[Record]) -> str:
         if not all(key in rows for rows in (*old, *new)):
             return f"{case} is a row of one of both"
         for column in {*old[0][key], *new[0][key]} - gone:
-            if not column_of(column.removesuffix(REASON)).kinds.isdisjoint(("cost", "chance")):
+            if not column_of(column.removesuffix(REASON)).kinds.isdisjoint(("cost", "uncompared")):
                 continue
             sides = [[rows[key].get(column, GONE) for rows in side] for side in (old, new)]
             if len({(type(cell), cell) for side in sides for cell in side}) > 1:

@@ -163,7 +163,7 @@ class Comparison:
 
     @cached_property
     def moves(self) -> list[Move]:
-        """Return the cells that changed, by more than chance makes of so many."""
+        """Return the cells that changed, beyond the noise of so many."""
         return [cell for cell in self.cells if cell.is_real]
 
     def alone(self, cell: Move) -> float:

@@ -1,4 +1,4 @@
-"""Moves: values that editions have differently, and whether by more than chance makes of what was measured of both."""
+"""Moves: values that editions have differently, and whether beyond the noise of both."""
 
 import math
 from collections import Counter
@@ -58,7 +58,7 @@ class Move:
 
     @cached_property
     def is_real(self) -> bool:
-        """Tell whether the values differ, numbers by more than chance would have it."""
+        """Tell whether the values differ, numbers beyond the noise."""
         if self.is_setting or self.chance is None:
             return self.before != self.after
         return self.chance <= self.limit
@@ -89,7 +89,7 @@ class Move:
     def exceeds_threshold(self) -> bool:
         """Tell whether a setting, or a number that report.toml names, moved by more than its threshold, or is lost."""
         rules, run = config().changes, self.name.rpartition(".")[0]
-        if "loss" in column_of(self.column).kinds:
+        if "failure" in column_of(self.column).kinds:
             return self.is_real and any(name.rpartition(".")[0] == run for name in rules.thresholds)
         threshold = rules.setting_threshold if self.is_setting else rules.thresholds.get(self.name)
         if threshold is None or self.share is None:
@@ -112,7 +112,7 @@ class Move:
 
     @property
     def mark(self) -> str:
-        """Say ``better``, ``worse`` or ``moved`` where it is more than chance."""
+        """Say ``better``, ``worse`` or ``moved`` where it is beyond the noise."""
         return (self.direction or "moved") if self.is_real else ""
 
     @property
@@ -149,7 +149,7 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
             continue
         # Where repeats of a run end in different classes it is chance which one the row is about.
         if a.names[0] in edges or any(
-            len(set(row.plain[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row
+            len(set(row.plain[rules.endings].split(", "))) > 1 for row in (a, b) if rules.endings in row
         ):
             continue
         is_other_card = a.card != b.card
@@ -248,7 +248,7 @@ def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterat
             continue
         about = column_of(column)
         if isinstance(before, str | bool) or isinstance(cells[1][column], str | bool):
-            is_so = not (all(lost) and "loss" in about.kinds)
+            is_so = not (all(lost) and "failure" in about.kinds)
         elif any(lost) or ("cost" in about.kinds and not has_same_terms):
             is_so = False
         else:  # of runs that were not set alike nothing, and of those that ran for longer or shorter rates alone
@@ -262,7 +262,7 @@ def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterat
 def _may_differ(column: str) -> bool:
     """Tell whether a column says something of a run, which is no chance and of no other column."""
     is_key = column in config().changes.keys
-    return not (is_key or "chance" in column_of(column).kinds or column.endswith((REASON, *EDGES)))
+    return not (is_key or "uncompared" in column_of(column).kinds or column.endswith((REASON, *EDGES)))
 
 
 def few(names: Sequence[str], count: int = NAMED) -> str:

@@ -74,7 +74,7 @@ class Query:
 
     def cell(self, chapters: Chapters, release: str = "") -> Quantity:
         """Return what a row of the edition ``release`` has; no number, and a reason, when that has nothing."""
-        alike = config().changes.same_runs
+        alike = config().changes.equivalent_sections
         sections = (self.section, *(alike if self.section in alike else ()))
         rows = (self._row(chapters[section].results) for section in sections if section in chapters)
         row = next(filter(None, rows), None)
@@ -186,11 +186,12 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         return
     rules, section_names = config().changes, sections(edition.project.root)
     _refuse("noise_section", [config().noise_section], "section", section_names)
-    _refuse("changes.deciding", rules.deciding, "section", section_names)
-    _refuse("changes.same_runs", rules.same_runs, "section", section_names)
+    _refuse("changes.upgrade_sections", rules.upgrade_sections, "section", section_names)
+    _refuse("changes.equivalent_sections", rules.equivalent_sections, "section", section_names)
     queries = [("thresholds", Query(name)) for name in rules.thresholds]
     queries += [("headlines", Query(name)) for name in rules.headlines.values()]
-    for setting, query in [*queries, *([("cause", Query(rules.cause, is_claim=True))] if rules.cause else [])]:
+    queries += [("explanation", Query(rules.explanation, is_claim=True))] if rules.explanation else []
+    for setting, query in queries:
         _refuse(f"changes.{setting}", [query.section], "section", section_names)
         answer = query.claim(edition.chapters) if query.is_claim else query.quantity(edition.chapters)
         if query.section in edition.chapters and not (answer and (not isinstance(answer, Quantity) or answer.source)):
@@ -224,9 +225,12 @@ def _refuse_unknown_cases(edition: Edition) -> None:
 
 
 def _refuse_absent_imports(root: Path) -> None:
-    """Raise ReportError for what is imported first of all where sections are measured, and that is not installed."""
-    graph, modules = files().graph(roots_of(root)), (file_of("experiments", section) for section in sections(root))
+    """Raise ReportError where a module measures nothing, or imports first of all what is not installed."""
+    graph, modules = files().graph(roots_of(root)), [file_of("experiments", section) for section in sections(root)]
     measuring = {path for module in modules if module for path in graph.closure(str(module), CARRIED)}
+    for module in filter(None, modules):
+        if "measure" not in graph.source(str(module)).top:
+            raise ReportError(f"{graph.name_of(str(module))} has no function measure(conditions)")
     for path in sorted(measuring):
         for node in ast.parse(Path(path).read_bytes()).body:
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
@@ -264,14 +268,14 @@ def blind_spots(edition: Edition) -> list[str]:
     unknown: dict[str, None] = {}
     for chapter in edition.chapters.values():
         for column in chapter.results.record.units:
-            is_asked = column_of(column).kinds.isdisjoint(("chance", "cost", "parameter", "setting"))
+            is_asked = column_of(column).kinds.isdisjoint(("uncompared", "cost", "parameter", "setting"))
             cells = (row[column] for row in chapter.results.rows if is_asked and row.plain.get(column) is not None)
             unknown |= {column: None} if any(cell.noise is None for cell in cells if cell.value is not None) else {}
     late = []
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)
         if isinstance(number, Quantity) and number.value is None:
-            late.append(f"{name} never rings: {number.reason}")
+            late.append(f"{name} can raise no alarm: {number.reason}")
         elif isinstance(number, Quantity) and number.value:
             least = CHOSEN_SHARE if number.noise is None else math.sqrt(2) * number.noise / abs(number.value)
             text = f"{name}: threshold {format_share(threshold)}, but noise hides changes below {format_share(least)}"

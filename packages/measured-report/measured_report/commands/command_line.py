@@ -32,7 +32,7 @@ class Parser(argparse.ArgumentParser):
         if os.environ.get("MAKELEVEL") == "1":
             command = self.prog.rpartition(" ")[2]
             text = re.sub("--([a-z-]+)", lambda flag: f"{flag[1].upper().replace('-', '_')}=", text.partition(";")[0])
-            text += f"; make {command} takes them behind it, and make help says which"
+            text = f"make {command}: {text}; make help says what it takes"
         raise UsageError(text)
 
 

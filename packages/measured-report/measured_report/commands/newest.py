@@ -19,7 +19,7 @@ def run(project: Project, arguments: Arguments) -> int:
     if not releases:
         raise ReportError(f"the index says of no release of {package}; this takes the network")
     new = [(str(releases[-1]), "")] if releases[-1].order > newest.order else []
-    for partner, *_ in config().changes.together:
+    for partner, *_ in config().changes.package_groups:
         used = {record.identity.packages[partner] for edition in projects for record in records_of(edition)}
         last = [str(release) for release in releases_of(partner)[-1:]]
         new += [(newest.version, f"{partner}=={version}") for version in last if version not in used]

@@ -66,7 +66,7 @@ def refuse_unmeasured(project: Project, name: str) -> None:
     if not project.is_own and not any(project.record_path(section).exists() for section in sections(project.root)):
         measured = ", ".join(release for release in project.releases if release != project.release) or "none"
         name = f"{config().option}={name}"
-        raise UsageError(f"{name} has no results (there are: {measured}); make upgrade {name} measures what decides")
+        raise UsageError(f"{name} has no results (there are: {measured}); make upgrade {name} measures it")
 
 
 def refuse_itself(before: str, after: str) -> None:

@@ -1,4 +1,4 @@
-"""Measure the deciding sections of a release, in minutes, and say what changed."""
+"""Measure the sections of a release, in minutes, and say what changed."""
 
 import os
 import shlex
@@ -78,9 +78,9 @@ def _answer_file() -> TextIO:
 
 
 def _unmeasured(edition: Project, device: str | None, renews: bool) -> list[str]:
-    """Name the deciding sections that are to be measured, those that are stale too where it ``renews`` them."""
+    """Name the sections that are to be measured, those that are stale too where it ``renews`` them."""
     stale = {state.section for state in states_of(edition) if state.kind != "fresh"} if device and renews else ()
-    names = [section for section in deciding(edition) if section in {*stale, *lacking(edition)}]
+    names = [section for section in upgrade_sections(edition) if section in {*stale, *lacking(edition)}]
     if names and not device:
         raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
     return names
@@ -117,13 +117,13 @@ def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device:
     return list(map(derive_edition, timed))
 
 
-def deciding(project: Project) -> Sequence[str]:
+def upgrade_sections(project: Project) -> Sequence[str]:
     """Name the sections that tell most of an edition: those that report.toml names, or else all."""
-    return config().changes.deciding or all_sections(project.root)
+    return config().changes.upgrade_sections or all_sections(project.root)
 
 
 def base_of(project: Project) -> str | None:
-    """Return the same release as it came out, or else the newest before it, that has the deciding sections."""
+    """Return the same release as it came out, or else the newest before it, that has the sections."""
     sides = [side.of(name) for side in (project, replace(project, profile="full")) for name in side.releases]
     plain = [side for side in sides if side.release == side.named.version != project.release and not lacking(side)]
     before = [side for side in plain if side.named.order <= project.named.order]
@@ -131,14 +131,14 @@ def base_of(project: Project) -> str | None:
 
 
 def lacking(project: Project) -> list[str]:
-    """Name the deciding sections that an edition has no record of."""
-    return [section for section in deciding(project) if not project.record_path(section).exists()]
+    """Name the sections that an edition has no record of."""
+    return [section for section in upgrade_sections(project) if not project.record_path(section).exists()]
 
 
 def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -> list[str]:
     """Return at most a dozen lines, worst first."""
     a, b = comparison.releases
-    names = deciding(after.project)
+    names = upgrade_sections(after.project)
     pair = [[chapter for name, chapter in side.chapters.items() if name in names] for side in (before, after)]
     old, new = ([chapter.results.record for chapter in chapters] for chapters in pair)
     changed = package_changes(old[0].identity.packages, new[0].identity.packages) if old and new else []
@@ -147,8 +147,8 @@ def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -
     measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in comparison.flips]
-    query, why = Query(config().changes.cause, is_claim=True), "the sections that were measured do not say"
-    given = [move for move in comparison.moves if move.is_setting or "given" in column_of(move.column).kinds]
+    query, why = Query(config().changes.explanation, is_claim=True), "the sections that were measured do not say"
+    given = [move for move in comparison.moves if move.is_setting or "computed" in column_of(move.column).kinds]
     if given:
         why = f"what it is set to changed: {few([f'{move.name} {move.ends}' for move in given])}"
     if (cause := query.claim(after.chapters)) and cause.outcome == HOLDS:

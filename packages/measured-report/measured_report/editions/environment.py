@@ -96,7 +96,7 @@ def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
             raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
     dependencies = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
     pinned = {name: version for name, version in packages.items() if version != MISSING}
-    replaced = {*pinned, config().edition}.union(*config().changes.together)
+    replaced = {*pinned, config().edition}.union(*config().changes.package_groups)
     remaining = [requirement for requirement in dependencies if NAME.sub("", requirement) not in replaced]
     return remaining + [f"{config().requirement_of(name)}=={version}" for name, version in pinned.items()]
 

@@ -32,7 +32,7 @@ class ColumnTraits:
     known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
     grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
     trials: str = ""  # the column that says of how many trials this many, or this share, succeeded: noise is binomial
-    unless: str = ""  # the column that says of a run that it was lost, and then has no such number
+    unless: str = ""  # the column that says that a run failed, where this number then does not exist
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,9 @@ class Columns(ColumnTraits):
 
     names: Collection[str] = ()  # the columns that it is of
     pattern: str = ""  # a regular expression that matches all of the name of any other
-    kind: Literal["", "parameter", "setting", "given", "cost", "chance", "loss"] = ""
-    """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``given`` (made from settings),
-    ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
+    kind: Literal["", "parameter", "setting", "computed", "cost", "uncompared", "failure"] = ""
+    """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``computed`` (of
+    settings), ``cost``, ``uncompared`` (between editions) or ``failure`` (of a run, whose numbers are then chance)."""
     signed: bool | None = None  # whether its numbers have a sign; None: its unit says so
 
 
@@ -51,18 +51,18 @@ class Columns(ColumnTraits):
 class Changes:
     """Holds the table ``changes``: what comparing editions takes to know of this report's sections and rows."""
 
-    deciding: Sequence[str] = ()  # sections that tell most in least time, the longest first; none: all
+    upgrade_sections: Sequence[str] = ()  # sections that make upgrade measures, the longest first; none: all
     headlines: Mapping[str, str] = field(default_factory=dict)  # values that the history shows, by what they are called
     thresholds: Mapping[str, float] = field(default_factory=dict)
     """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
     setting_threshold: float = 0.05  # the same for any setting
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
-    cause: str = ""  # the claim that says why editions differ, where it holds
-    same_runs: Sequence[str] = ()  # sections that have runs alike: a number of a case can be taken from any of them
-    together: Sequence[Sequence[str]] = ()  # groups of packages that come out together, and that bisect swaps as one
+    explanation: str = ""  # the claim that, where it holds, explains why editions differ
+    equivalent_sections: Sequence[str] = ()  # sections of the same runs: where one lacks a case, another's is taken
+    package_groups: Sequence[Sequence[str]] = ()  # groups of packages that bisect swaps as one
     keys: Sequence[str] = ("case",)  # columns that tell the rows of one section apart, where they are there
-    classes: str = ""  # the column that lists how the repeats of a run ended; where they differ, no row is compared
+    endings: str = ""  # the column that lists how the repeats of a run ended; where they differ, no row is compared
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Page:
 class Config:
     """Holds the fields of ``report.toml``, as they are without it."""
 
-    edition: str = ""  # the package whose releases are editions
+    edition: str = ""  # the package whose releases the report compares
     packages: Sequence[str] = ()  # others whose versions a record depends on; it is read with `edition` before them
     requirement: str = ""  # that package as pyproject.toml asks for it, with its extras and without a version
     edition_name: str = ""  # what people call it
@@ -100,14 +100,14 @@ class Config:
     """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
     units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
     cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
-    columns: Sequence[Columns] = ()  # what is to be known of columns besides their units
+    columns: Sequence[Columns] = ()  # the tables ``columns``
     baseline: str = "the baseline"  # what people call the case that all others are changed from
     changes: Changes = field(default_factory=Changes)  # the table of that name
     title: str = "A report"  # what its data are of, where nothing else of it is at hand
-    name: str = "report"  # what it is called where it is cited
+    name: str = "report"  # its name in citations
     repository: str = ""  # the page of its sources on the web; where nothing is said, pages lead to none
     pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))  # in order, the front page first
-    story: str = ""  # the package whose modules derive what texts of pages tell: `front` for `front.md.j2`
+    text_modules: str = ""  # the package with a module for each text of a page: `front` derives what `front.md.j2` says
     plugins: str = "measured_report.pages.plugins"  # the module of what else it shows; this says what it may
     formulas: Sequence[str] = ()  # patterns of names and formulas in drawings and table cells, which lead to no record
 
@@ -183,7 +183,8 @@ class Report:
                         raise ValueError(f"there is no setting {table_name}{name}{suggestion(name, names)}")
             config = msgspec.convert(settings, Config)
         except (OSError, ValueError, TypeError) as error:  # which msgspec's are
-            raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
+            hint = "; REFERENCE.md says what it takes" if isinstance(error, msgspec.ValidationError) else ""
+            raise ReportError(f"{FILE}: {' '.join(str(error).split())}{hint}") from None
         if not (package := config.edition):
             return config
         return replace(config, packages=[package, *config.packages], edition_name=config.edition_name or package)

@@ -37,9 +37,9 @@ def without_secrets(text: str) -> str:
 
 
 def suggestion(name: str, names: Iterable[str]) -> str:
-    """Say ``; near it: `` and the names that are like a mistyped one; nothing where none is."""
+    """Say ``; similar: `` and the names that are like a mistyped one; nothing where none is."""
     matches = get_close_matches(name, list(names), n=4, cutoff=0.5)
-    return f"; near it: {', '.join(matches)}" if matches else ""
+    return f"; similar: {', '.join(matches)}" if matches else ""
 
 
 def bug_of(error: BaseException) -> str:
@@ -47,7 +47,8 @@ def bug_of(error: BaseException) -> str:
     generator = Path(__file__).parents[1]
     frames = [(Path(frame.filename), frame.lineno) for frame in extract_tb(error.__traceback__)]
     installed = (generator, Path(sys.base_prefix), Path(sys.prefix))
-    own_frames = [(file, line) for file, line in frames if not any(map(file.is_relative_to, installed))]
+    files = [(file, line) for file, line in frames if file.suffix == ".py"]  # a dataclass is made in a <string>
+    own_frames = [(file, line) for file, line in files if not any(map(file.is_relative_to, installed))]
     kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "
     text = f"{kind}{' '.join(str(error).split())}"
     for file, line in own_frames[-1:]:

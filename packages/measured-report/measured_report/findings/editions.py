@@ -77,8 +77,8 @@ class Edition:
 
     def story(self, name: str, releases: Releases) -> Section:
         """Return what ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
-        module = f"{config().story}.{name}"
-        file = file_of(config().story, name) if config().story else None
+        module = f"{config().text_modules}.{name}"
+        file = file_of(config().text_modules, name) if config().text_modules else None
         arguments = files().source(file, name).top.get("derive", 0) if file else 0
         if not (file and arguments):
             return Section()

@@ -25,7 +25,7 @@ class Outline:
     compares: bool
     """Set where it compares releases: its ``derive(results, releases)`` then takes them as well, as
     ``releases["1.4.0"]["friction"].results``."""
-    leads: bool  # set where its page begins with it, wherever its order has it: it says what the others there come to
+    first: bool  # set for the section that its page begins with, whatever its order
     label: str  # what figures and tables call the section; the name of its file where it does not say
     labels: Mapping[str, str]  # what they call its cases; `label_of` reads it
     reads: tuple[str, ...]  # sections before it whose results it reads as well
@@ -52,10 +52,10 @@ def outline_of(section: str) -> Outline:
     page, label = says.get("page", next(iter(pages), "")), str(says.get("label", section.replace("_", " ")))
     if page not in pages:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
-    leads, labels, reads = says.get("leads", False), says.get("labels", {}), says.get("reads", ())
+    first, labels, reads = says.get("first", False), says.get("labels", {}), says.get("reads", ())
     if unknown := [read for read in reads if not file_of("report.sections", read)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
-    return Outline(file, root, says["order"], pages[page], says["derive"] > 1, leads, label, labels, reads)
+    return Outline(file, root, says["order"], pages[page], says["derive"] > 1, first, label, labels, reads)
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -19,6 +20,7 @@ from tqdm import tqdm
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
+from measured_report.files.atomic import short_path
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
@@ -98,6 +100,7 @@ def section_module(section: str) -> ModuleType:
             raise ReportError(bug_of(error)) from error
         if hasattr(module, "measure"):
             return module
+        raise ReportError(f"{short_path(Path(str(module.__file__)))} has no function measure(conditions)")
     raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")
 
 

@@ -47,7 +47,7 @@ class WordedEdition(Edition):
     @cached_property
     def pages(self) -> dict[Page, list[WordedChapter]]:
         """Return its pages with what each shows; one that would show nothing is not there."""
-        chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
+        chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).first)
         by_page = {page: [chapter for chapter in chapters if chapter.page == page] for page in config().pages}
         return {page: members for page, members in by_page.items() if members or page == config().front}
 

@@ -30,6 +30,7 @@ TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")  # stands alone in its p
 LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')  # in Markdown, a link that leads to an id
 PARAGRAPH = re.compile(rf"<p(?: [^>]*)?>(?!{NUMBER.pattern}</p>)(?P<words>.+?)</p>", re.DOTALL)
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
+OF_CLASS = re.compile(r"'measured_report[\w.]*\.(\w+) object'")
 BLOCK = ("<figure", "<p", "<div", "</div")
 TITLE, HEADING = re.compile(r"\A<h[12].*?</h[12]>\n?"), re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
 SELF = r'<\1 id="\2">\3 <a aria-hidden="true" class="anchor" href="#\2" tabindex="-1">#</a></\1>'
@@ -118,7 +119,7 @@ class Templates:
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
-            with _named(name):
+            with _named(name, template):
                 context = template.new_context({**numbers, "printed": printed})
                 text = "".join(template.blocks[block](context))
             return _put_back(" ".join(text.split()), printed)
@@ -139,7 +140,8 @@ def stylesheet(root: Path) -> str:
 
 
 @contextmanager
-def _named(template: str) -> Iterator[None]:
+def _named(template: str, code: jinja2.Template | None = None) -> Iterator[None]:
+    """Say in errors which template it is; of a block, which is called by itself, where its ``code`` has the line."""
     try:
         yield
     except jinja2.TemplateNotFound as error:
@@ -151,8 +153,10 @@ def _named(template: str) -> Iterator[None]:
     except jinja2.TemplateError as error:
         # What is asked of a text or of nothing, as if it were a number, a record has otherwise than was thought.
         kind = ResultsError if PLAIN.match(error.message or "") else ReportError
-        lines = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
-        raise kind(f"templates/{template}{f':{lines[-1]}' if lines else ''}: {error.message}") from None
+        lines = [frame.lineno or 1 for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
+        line = f":{code.get_corresponding_lineno(lines[-1]) if code else lines[-1]}" if lines else ""
+        text = OF_CLASS.sub(r"a \1", error.message or "")
+        raise kind(f"templates/{template}{line}: {text}") from None
 
 
 @jinja2.pass_context

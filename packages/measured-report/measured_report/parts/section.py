@@ -139,7 +139,7 @@ class Figure:
         unsaid = sorted(units - {match[1] for match in matches.values() if match}) if PLAIN not in units else []
         for label, match in matches.items():
             if match and " " not in match[1] and not is_unit(match[1]):
-                raise ReportError(f"its axis {label!r} has a unit that nobody knows: units in report.toml declares it")
+                raise ReportError(f"its axis {label!r} has a unit that is not known; units in report.toml adds it")
             if match and match[1] not in units and (clash := [unit for unit in units if unlike([unit, match[1]])]):
                 raise ReportError(f"its axis {label!r} has another unit than what it draws, {clash[0]}")
             if not match and unsaid:

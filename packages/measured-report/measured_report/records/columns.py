@@ -50,7 +50,7 @@ class Column(ColumnTraits):
     @cached_property
     def is_exact(self) -> bool:
         """Tell whether it holds what was set, or made from that alone, and so has no noise."""
-        return self.is_setting or "given" in self.kinds
+        return self.is_setting or "computed" in self.kinds
 
 
 @cached_in_report

@@ -43,7 +43,7 @@ Cells = Mapping[str, Any]
 
 def is_lost(row: Cells) -> bool:
     """Tell whether the run of a row was lost, which makes its numbers chance."""
-    return any(row[name] for name in row if "loss" in column_of(name).kinds)
+    return any(row[name] for name in row if "failure" in column_of(name).kinds)
 
 
 def is_cost(column: str) -> bool:
@@ -268,7 +268,7 @@ def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidenc
 def scatters(column: str) -> bool:
     """Tell whether a column's numbers may come out otherwise, and say something when they do."""
     about = column_of(column)
-    return not (about.is_exact or "chance" in about.kinds or column.endswith(EDGES))
+    return not (about.is_exact or "uncompared" in about.kinds or column.endswith(EDGES))
 
 
 def _by_key(rows: Sequence[Cells]) -> dict[Key, Cells]:

@@ -159,7 +159,7 @@ def absent(unit: str, reason: str) -> Quantity:
 def constant(value: float, unit: str = PLAIN) -> Quantity:
     """Make an exact number that nobody measured, as a factor."""
     if not is_unit(unit):
-        raise ReportError(f"{value:g} has the unit {unit}, which units in report.toml does not declare")
+        raise ReportError(f"{value:g} has the unit {unit}, not known here; units in report.toml adds it")
     return Quantity(value, unit, "", noise=0.0)
 
 

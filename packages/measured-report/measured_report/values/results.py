@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, suggestion
 from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
@@ -71,7 +71,7 @@ class Row:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
             if not self._lack and not any(column in row for row in self._record.rows):
-                raise ResultsError(f"{self._record.section}: {case} has no column {column}")
+                raise ResultsError(f"{self._record.section}: {case} has no column {column}{suggestion(column, units)}")
             return ""
         value = number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
@@ -215,7 +215,7 @@ class Results:
         if isinstance(function, Quantity):
             unit, sources, function = function.unit, (function,), operator.pos
         if not is_unit(unit):
-            raise ResultsError(f"the value {name} has the unit {unit}, which units in report.toml does not declare")
+            raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
         term = combined(function, *sources, unit=unit, across=across)
         names = "value", "unit", "reason", "origins", *(() if is_noise else ("noise", "samples")), "roots"
         sources = tuple(operand.source for operand in term.operands if operand.source)

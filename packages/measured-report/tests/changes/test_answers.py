@@ -72,7 +72,7 @@ LATE = [(4.0, 0.5, 0.18, ""), (-4.0, 0.5, 0.17, HIDDEN.format(17, 18))]  # √2 
 LATE += [
     (4.0, None, 0.09, HIDDEN.format(9, 10)),
     (4.0, None, 0.1, ""),
-    (None, None, 0.2, "s.slip_mm never rings: it fell"),
+    (None, None, 0.2, "s.slip_mm can raise no alarm: it fell"),
 ]
 
 

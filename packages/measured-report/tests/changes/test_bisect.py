@@ -86,7 +86,7 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
     with pytest.raises(ReportError, match="measuring ended") as error:
         searched(search, "1.9.0")
     assert not isinstance(error.value, UsageError)
-    with pytest.raises(UsageError, match=r"there is no claim .*; near it: toy"):
+    with pytest.raises(UsageError, match=r"there is no claim .*; similar: toy"):
         searched(replace(search, query=Query("toy.halps", True)))
     with pytest.raises(UsageError, match="holds at A and holds at B"):
         searched(search, "1.5.9")

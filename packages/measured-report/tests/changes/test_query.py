@@ -16,7 +16,10 @@ RULES = Config(
     noise_section="toy",
     columns=[Columns(names=["slip_mm"], grows_with="dropped")],
     changes=Changes(
-        deciding=["toy"], thresholds={"toy.soft.slip_mm": 0.05}, headlines={"gain": "toy.gain"}, cause="toy.helps"
+        upgrade_sections=["toy"],
+        thresholds={"toy.soft.slip_mm": 0.05},
+        headlines={"gain": "toy.gain"},
+        explanation="toy.helps",
     ),
 )
 
@@ -25,14 +28,14 @@ RULES = Config(
     ("wrong", "said"),
     [
         ({}, ""),
-        ({"noise_section": "tay"}, "noise_section names tay, which is no section here; near it: toy"),
-        ({"columns": [Columns(names=["slap_mm"])]}, "columns names slap_mm, which is no column here; near it: slip_mm"),
-        ({"deciding": ["noise"]}, "changes.deciding names noise, which is no section"),
+        ({"noise_section": "tay"}, "noise_section names tay, which is no section here; similar: toy"),
+        ({"columns": [Columns(names=["slap_mm"])]}, "columns names slap_mm, which is no column here; similar: slip_mm"),
+        ({"upgrade_sections": ["noise"]}, "changes.upgrade_sections names noise, which is no section"),
         (
             {"thresholds": {"toy.saft.slip_mm": 1.0}},
-            "toy.saft.slip_mm, which is no value here; near it: toy.soft.slip_mm",
+            "toy.saft.slip_mm, which is no value here; similar: toy.soft.slip_mm",
         ),
-        ({"cause": "toy.help"}, "changes.cause names toy.help, which is no value here; near it: toy.helps"),
+        ({"explanation": "toy.help"}, "changes.explanation names toy.help, which is no value here; similar: toy.helps"),
     ],
 )
 def test_a_name_of_nothing_stops_the_build(toy, monkeypatch, wrong, said):
@@ -80,7 +83,7 @@ def test_what_was_written_after_the_measurement_and_cannot_be_run_stops_the_buil
 
 def test_repeats_of_no_case_stop_the_build(own):
     own.measure((*ROWS, {"case": "again", "of": "safter", "slip_mm": 6.0, "dropped": False}))
-    with pytest.raises(ReportError, match="toy: of = safter names no case; near it: soft"):
+    with pytest.raises(ReportError, match="toy: of = safter names no case; similar: soft"):
         own.build()
 
 

@@ -35,7 +35,7 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
     toy.record_path.unlink()
     assert base_of(newer.project) is None
     for release, profile in (("1.4.0", "quick"), ("1.8.0", "full"), ("1.10.0", "full")):
-        for section in config().changes.deciding:
+        for section in config().changes.upgrade_sections:
             path = Project(release, profile, root=toy.project.root).record_path(section)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("{}")
@@ -46,7 +46,7 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
     for profile in ("full", "quick"):
         pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
         assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"
-    assert lacking(newer.project) == [*config().changes.deciding]
+    assert lacking(newer.project) == [*config().changes.upgrade_sections]
 
 
 def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monkeypatch):
@@ -88,7 +88,7 @@ def test_the_front_page_stays_the_own_edition_s_after_the_upgrade_of_an_older_on
     toy.of("1.3.0").measure()
     monkeypatch.setattr(upgrade, "measure_what_can", lambda project, *others: (project, True))
     monkeypatch.setattr(upgrade, "verdict", lambda *others: [])
-    monkeypatch.setattr(upgrade, "deciding", lambda project: [])
+    monkeypatch.setattr(upgrade, "upgrade_sections", lambda project: [])
     project = replace(toy.project.of("1.3.0"))
     upgrade.run(project, Namespace(device="cpu", since=release_of("1.4.0"), release=release_of("1.3.0"), format="text"))
     assert '<meta name="release" content="1.4.0">' in toy.front
@@ -115,7 +115,7 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
     for side, damping in ((toy, 0.0), (newer, 0.62)):
         side.measure([{**row, "damping": damping, "slip_mm": row["slip_mm"] * (1 + damping)} for row in ROWS])
     changed = replace(config().changes, thresholds={"toy.soft.slip_mm": 0.05})
-    columns = [*config().columns, Columns(names=["damping"], kind="given")]
+    columns = [*config().columns, Columns(names=["damping"], kind="computed")]
     rules = replace(config(), changes=changed, columns=columns)
     with report_in(toy.project.root) as entered:
         monkeypatch.setitem(vars(entered), "config", rules)

@@ -60,8 +60,8 @@ def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, clo
     ("arguments", "message"),
     [
         (["rerun", "--section", ""], "toy"),
-        (["rerun", "--section", "tay"], "SECTION=tay is no section; near it: toy"),
-        (["bisect", "--claim", "tay.x", "--a", "1.4.0", "--b", "1.8.0"], "tay.x is in no section; near it: toy"),
+        (["rerun", "--section", "tay"], "SECTION=tay is no section; similar: toy"),
+        (["bisect", "--claim", "tay.x", "--a", "1.4.0", "--b", "1.8.0"], "tay.x is in no section; similar: toy"),
         (["rerun", "--section", "toy"], "DEVICE=cpu"),
         (["check", "--section", "nothing"], "--section nothing"),
         (["nothing"], "report"),
@@ -117,10 +117,10 @@ def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(toy, 
 @pytest.mark.parametrize(
     ("typed", "arguments", "status"),
     [
-        ({"SECTION": "tay"}, ["rerun"], "near it: toy"),
-        ({"SECTION": "frction"}, ["rerun", "--section", "tay"], "near it: toy"),
-        ({"SECTON": "toy"}, ["rerun"], "SECTON= is no variable of make here; near it: SECTION"),
-        ({"A": "1.4.0"}, ["diff"], "are required: B=; make diff takes them behind it"),
+        ({"SECTION": "tay"}, ["rerun"], "similar: toy"),
+        ({"SECTION": "frction"}, ["rerun", "--section", "tay"], "similar: toy"),
+        ({"SECTON": "toy"}, ["rerun"], "SECTON= is no variable of make here; similar: SECTION"),
+        ({"A": "1.4.0"}, ["diff"], "make diff: the following arguments are required: B=; make help says what it takes"),
         ({"STRICT": "yes"}, ["check"], "STRICT=1 or left out, not STRICT=yes"),
     ],
 )

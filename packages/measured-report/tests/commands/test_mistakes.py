@@ -17,7 +17,7 @@ X = "experiments/pendulum.py"
 MISTAKES = [
     (X, '{"case": case,', '{"cas": case,', "it returned no rows, or one without a case"),
     (X, "    seconds =", "    1 / 0\n    seconds =", "experiments/pendulum.py:45: ZeroDivisionError"),
-    (X, ": error}", ': float("nan")}', "never rings: euler: the measurement gave nan"),
+    (X, ": error}", ': float("nan")}', "can raise no alarm: euler: the measurement gave nan"),
     ("report.toml", 'edition = "numpy"', "", 'report.toml has no edition = "NAME"'),
     ("results/quick/*/pendulum.json", '"rows"', '"row"', "pendulum: 10 rows in"),
     ("*", "\n", "\r\n", "built"),

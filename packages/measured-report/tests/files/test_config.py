@@ -15,9 +15,9 @@ TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("title =", "titel =", "there is no setting titel; near it: title"),
-        ("better =", "beter =", "there is no setting columns.beter; near it: better"),
-        ("[changes.thresholds]", "[changes.tresholds]", "there is no setting changes.tresholds; near it: thresholds"),
+        ("title =", "titel =", "there is no setting titel; similar: title"),
+        ("better =", "beter =", "there is no setting columns.beter; similar: better"),
+        ("[changes.thresholds]", "[changes.tresholds]", "there is no setting changes.tresholds; similar: thresholds"),
         ('better = "less"', 'better = "fewer"', r"Invalid enum value 'fewer' - at `\$.columns\[1\].better`"),
         ('edition = "', 'edition = 3 # "', r"Expected `str`, got `int` - at `\$.edition`"),
         ("pages = [", 'pages = ["x",', r"Expected `object`, got `str` - at `\$.pages\[0\]`"),
@@ -35,7 +35,7 @@ def test_a_command_says_it_in_that_line_and_no_traceback(tmp_path):
     (tmp_path / "report.toml").write_text(TEXT.replace("title =", "ttle ="))
     (tmp_path / "build.py").write_text((SKELETON / "build.py").read_text())
     done = subprocess.run([sys.executable, "build.py", "help"], cwd=tmp_path, capture_output=True, text=True)
-    assert (done.stdout, done.stderr) == ("", "report.toml: there is no setting ttle; near it: title\n")
+    assert (done.stdout, done.stderr) == ("", "report.toml: there is no setting ttle; similar: title, text_modules\n")
     assert done.returncode == 1
 
 

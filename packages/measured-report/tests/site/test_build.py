@@ -120,7 +120,7 @@ def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_s
         ("raise OSError('no ink')", "report/sections/toy.py:12: OSError: no ink"),
         ("1 / 0", "report/sections/toy.py:12: ZeroDivisionError: division by zero"),
         ("return None", "it draws a builtins.NoneType"),
-        ("axes.set_ylabel('x [furlongs]')", r"its axis 'x \[furlongs\]' has a unit that nobody knows"),
+        ("axes.set_ylabel('x [furlongs]')", r"its axis 'x \[furlongs\]' has a unit that is not known"),
         ("axes.set_ylabel('x')", r"its axis 'x' has no unit, and no axis has mm, which it draws"),
         ("axes.set_ylabel('x [m]')", r"its axis 'x \[m\]' has another unit than what it draws, mm"),
     ],
