@@ -40,7 +40,7 @@ FRESH = [  # each with the number that would be stale, which a fix makes of it a
 ]
 MISSING = {
     "nothing.json#/a": "there is no",
-    "table.csv#/z/time_ms": "near it: /x/time_ms",
+    "table.csv#/z/time_ms": "similar: /x/time_ms",
     "plain.json#/none": "there is no number",
     "../out.json#/a": "out.json is outside",
     "pipe.json#/a": "no regular file",

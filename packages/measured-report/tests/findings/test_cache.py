@@ -101,7 +101,7 @@ def with_readers(toy: Toy, order: int = 2) -> Path:
     """Write both; returns where they say that they are derived."""
     log = toy.project.root / "log"
     for name, reads in READS.items():
-        toy.write(f"experiments/{name}.py", "")
+        toy.write(f"experiments/{name}.py", "def measure(conditions): ...\n")
         toy.write(
             f"report/sections/{name}.py",
             SECTION.format(name=name, reads=reads, named=("toy",) if reads else (), order=order, log=str(log)),
