@@ -51,9 +51,16 @@ def _gains_nothing(results: Results, rows: list[Row], void: list[Row]) -> Claim:
     )
     surprise = results.value("tumble_surprise", formula, _surprise, *cells)
     pairs = results.value("tumble_count", "pairs of worlds", gathered(sum, (row.pair_count for row in rows)))
+    formula = "pairs of bodies and steps of which a world without the term ends with no energy to hold others against"
+    lost = (
+        [results.value("tumble_void_count", formula, gathered(sum, (row.pair_count for row in void)))] if void else []
+    )
+    formula = "worlds that gain with the term less those without, by the root of their sum"
+    more = results.value("tumble_more", formula, combined(_excess, gains["exact"], gains["plain"]))
     chance = "three standard deviations: more is hardly chance"
     outcome = all_of(
-        *(at_most(value, 3.0, why=chance) for value in excess.values()),
+        *(at_most(value, 3.0, why=chance) for value in (more, *excess.values())),
+        *(at_most(count, 2_000, why="a tenth") for count in lost),
         at_most(surprise, 1.05, why="more than an error of the step"),
         at_least(pairs, 20_000, why="enough to see what is rare"),
     )
@@ -61,13 +68,9 @@ def _gains_nothing(results: Results, rows: list[Row], void: list[Row]) -> Claim:
     shortest = results.value("tumble_shortest", "the shortest step", extreme(min, steps))
     longest = results.value("tumble_longest", "the longest step", extreme(max, steps))
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
-    formula = "pairs of bodies and steps of which a world without the term ends with no energy to hold others against"
-    lost = (
-        [results.value("tumble_void_count", formula, gathered(sum, (row.pair_count for row in void)))] if void else []
-    )
     numbers = {"pairs": pairs, "lost": next(iter(lost), ""), "gain": gain, "shortest": shortest, "longest": longest}
     return Claim(
         "tumbling_gains_nothing",
-        outcome.having_read(*gains.values(), *lost),
+        outcome,
         numbers | gains | {"gained": excess["gain"], "risen": excess["rise"], "surprise": surprise},
     )
