@@ -149,7 +149,7 @@ def cost_figure(results: Results, timed: Timed) -> Figure:
 
 
 def _draw_costs(steps: Sequence[tuple[Value, Row]], whole: Mapping[str, Value]) -> Drawing:
-    """Draw a bar for each step that was timed, unranked below the line if not seen, and all together in a corner."""
+    """Draw a bar for each step that was timed, unranked below the line if not seen, and all together beside them."""
     timed = [(saved, 100 * (row.ratio_resolution.value or 0.0), row) for saved, row in steps if saved.value is not None]
     timed.sort(key=lambda step: -step[0].number if abs(step[0].number) > step[1] else math.inf)
     drawing, axes = new_figure(7.2, 1.2 + 0.28 * len(timed))
@@ -161,7 +161,7 @@ def _draw_costs(steps: Sequence[tuple[Value, Row]], whole: Mapping[str, Value]) 
         axes.errorbar(saved.number, place, xerr=interval, color=INK, linewidth=1.0, capsize=0, marker="")
         say_value(axes, max(saved.number, 0.0) + interval, place, f"{write(saved)} %" if is_seen else "not seen")
     lines = ["all together", *(f"{name}: −{write(saved)} %" for name, saved in whole.items())]
-    axes.text(0.98, 0.04, "\n".join(lines), transform=axes.transAxes, ha="right", fontsize=9)
+    axes.text(0.98, 0.5, "\n".join(lines), transform=axes.transAxes, ha="right", va="center", fontsize=9)
     name_lines(axes, [row.label for *_, row in timed])
     axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
     axes.set_xlabel("what a frame then takes less [%]")
