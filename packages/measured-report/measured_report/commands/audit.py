@@ -151,40 +151,40 @@ class Audit:
         self.text = read_own_file(path, BYTE_LIMIT).decode("utf-8", "surrogateescape")
         self._syntax = re.compile("|".join((COMMENT, ROLE, *CODES.get(path.suffix, (FENCE, CODE)))), re.MULTILINE)
         self._marks = list(self._read_marks())
-        self._named = {said["name"]: (said["source"], said["unit"]) for *_, said in self._marks if said.get("name")}
+        self._named = {mark["name"]: (mark["source"], mark["unit"]) for *_, mark in self._marks if mark.get("name")}
 
     def _read_marks(self) -> Iterator[tuple[int, int, str, dict[str, str]]]:
         line, end = 1, 0
         for match in self._syntax.finditer(self.text):
             (comment, of, role), start = (match[name] or "" for name in ("comment", "of", "role")), match.start()
-            said = re.sub(r"\\([#%_&])", r"\1", " ".join((comment or role).split()))
+            text = re.sub(r"\\([#%_&])", r"\1", " ".join((comment or role).split()))
             line, before = line + self.text.count("\n", end, start), of or self.text[max(end, start - 200) : start]
-            if len(said) <= 600 and (groups := OF_NUMBER.fullmatch(said) or OF_WORD.fullmatch(said)):
+            if len(text) <= 600 and (groups := OF_NUMBER.fullmatch(text) or OF_WORD.fullmatch(text)):
                 yield line, match.start("of") if of else start - len(before), before, groups.groupdict("")
             line, end = line + match[0].count("\n"), match.end()
 
     def findings(self) -> Iterator[Finding]:
         """Yield what came of each mark: fresh, unclear, stale, false or missing, and what is to be replaced."""
-        for line, start, before, said in self._marks:
+        for line, start, before, mark in self._marks:
             try:
-                yield (self._of_word if "yes" in said else self._of_number)(line, start, before, said)
+                yield (self._of_word if "yes" in mark else self._of_number)(line, start, before, mark)
             except (*UNRESOLVED, ReportError, SyntaxError, ArithmeticError, RecursionError) as error:
                 yield Finding(line, "missing", " ".join(str(error).strip("'").split()))
 
-    def _of_number(self, line: int, start: int, before: str, said: dict[str, str]) -> Finding:
-        source, name = said["source"], said["name"]
-        if name and self._named[name] != (source, said["unit"]):
+    def _of_number(self, line: int, start: int, before: str, mark: dict[str, str]) -> Finding:
+        source, name = mark["source"], mark["name"]
+        if name and self._named[name] != (source, mark["unit"]):
             raise ReportError(f"another mark is called {name}, too")
         if not (match := BEFORE.search(before)):
             raise ReportError(f"no number stands right before = {source}, or one as 1 000 or 1,5")
-        quantity = self._quantity(source, said["unit"])
-        unit = match["unit"] if scale_of(match["unit"])[1] else said["unit"]
+        quantity = self._quantity(source, mark["unit"])
+        unit = match["unit"] if scale_of(match["unit"])[1] else mark["unit"]
         if not (measured := in_unit(quantity, unit)):
             raise ReportError(f"{unit} is printed, and the source is in {quantity.unit}")
         printed, value, noise = value_of(match), float(measured.number), measured.noise or 0
-        exact, digits = Decimal(repr(value)), int(said["digits"] or 0)
+        exact, digits = Decimal(repr(value)), int(mark["digits"] or 0)
         step = exact.adjusted() + 1 - digits if digits and value else int(printed.as_tuple().exponent)
-        limit = max(0.5000001 * 10.0**step, 2**0.5 * noise, float(said["tolerance"] or 0) * abs(value) / 100)
+        limit = max(0.5000001 * 10.0**step, 2**0.5 * noise, float(mark["tolerance"] or 0) * abs(value) / 100)
         label = f"{f' ± {noise:.2g}' * bool(noise)} {measured.unit.replace(PLAIN, '')}".rstrip()
         text = f"{match[0].strip()} is {value:.6g}{label} by {source}"
         if abs(float(printed) - value) <= limit:
@@ -193,8 +193,8 @@ class Audit:
         new = rounded.translate({44: match["group"], 45: MINUS if MINUS in match[0] else "-"}) * (not match["ten"])
         return Finding(line, "stale", text, start + match.start("digits"), start + match.end("digits"), new)
 
-    def _of_word(self, line: int, start: int, before: str, said: dict[str, str]) -> Finding:
-        yes, no, left, sign, right = (said[name] for name in ("yes", "no", "left", "sign", "right"))
+    def _of_word(self, line: int, start: int, before: str, mark: dict[str, str]) -> Finding:
+        yes, no, left, sign, right = (mark[name] for name in ("yes", "no", "left", "sign", "right"))
         before = re.sub(rf"{CLOSING}\Z", "", before)
         words = [word for word in (yes, no) if re.search(rf"(?<!\w){re.escape(word)}\Z", before)]
         if not words:
@@ -246,8 +246,8 @@ class Audit:
                 text, line = self.text[start:end].rstrip(), self.text.count("\n", 0, start) + 1
                 mark = form.format(text, re.sub(r"(?=[#%_&])", r"\\" * (self._path.suffix == ".tex"), near[0]))
                 mark = mark if len(near) == 1 else ""
-                said = mark or f"{text} is {' or '.join(near[:9])}"
-                yield Finding(line, "fresh" if mark else "unclear", said, start, start + len(text), mark)
+                label = mark or f"{text} is {' or '.join(near[:9])}"
+                yield Finding(line, "fresh" if mark else "unclear", label, start, start + len(text), mark)
 
 
 def main() -> int:
