@@ -54,7 +54,7 @@ NUMBER = (
 UNIT = r"(?P<unit>[^\W\d_]*[%×°]?(?:/[^\W\d_]+)?)"
 CLOSING = r"(?:[\s*_`~)\]}$,;]|\\[,; ]|&\w{1,9};|</?\w[^<>\n]{0,80}>){0,20}"
 BEFORE = re.compile(rf"{NUMBER}{CLOSING}{UNIT}{CLOSING}\Z")
-UNMARKED = re.compile(rf"(?<![\w./#-]){NUMBER}(?:(?:[ \xa0\u2009\u202f~]|\\,)?{UNIT})?(?![\w./-])")
+UNMARKED = re.compile(rf"(?<![\w./#-]){NUMBER}(?:(?:[ \xa0\u2009\u202f~]|\\,)?{UNIT})?(?![\w/-]|\.\w)")
 MARKED = re.compile(rf"{CLOSING}<!--")
 Finding = namedtuple("Finding", ("line", "kind", "text", "start", "end", "replacement"), defaults=(0, 0, ""))
 

@@ -146,6 +146,7 @@ def test_each_kind_of_text_has_its_marks_and_code_has_none(audit, name):
     [
         ("12.3 ms, or `12.3 ms`; 10 of v12.3.", "pytest.json", f"12.3 ms<!-- = {MEAN} -->, or `12.3 ms`; 10 of v12.3."),
         ("4.0 of 1,234", "plain.json", "4.0<!-- = plain.json#/old --> of 1,234"),
+        ("It takes 10.0 ms.", "hyperfine.json", f"It takes 10.0 ms<!-- = {SLEEP} -->."),
         ("**10.0 ms** 12.5<!-- = x -->", "hyperfine.json", f"**10.0 ms<!-- = {SLEEP} -->** 12.5<!-- = x -->"),
         ("12.3 ms", "twice.json", "12.3 ms"),
     ],
