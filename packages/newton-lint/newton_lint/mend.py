@@ -19,7 +19,7 @@ from newton_lint.step_rules import THROWN_M_S
 from newton_lint.stepped import Run, runs_of
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
 
-MEASURED_S = 1.0
+MEASURED_S = 2.0
 """Time that a scene is stepped before and after a change, by each of its starts."""
 DEEPER, DEEPER_M = 1.1, 5e-5
 FASTER, FASTER_M_S = 1.05, 2e-3
