@@ -6,6 +6,11 @@ from measured_report.values.quantities import combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import extreme, gathered, rows_with
 
+DIFFERENCES = {  # counts of pairs that differ: with the term more, and less
+    "gain": ("exact_alone_count", "plain_alone_count"),
+    "rise": ("higher_count", "lower_count"),
+}
+
 
 def derive(results: Results) -> Section:
     rows = rows_with(results, "plain_most_energy", "exact_most_energy")
@@ -32,19 +37,13 @@ def _gains_nothing(results: Results, rows: list[Row], void: list[Row]) -> Claim:
     formula = "worlds that at any time have over 1 % more energy than at the start, or no number"
     sums = {name: gathered(sum, (row[f"{name}_gain_count"] for row in rows)) for name in ("plain", "exact")}
     gains = {name: results.value(f"{name}_gains", formula, count) for name, count in sums.items()}
-    bodies = [
-        [row for row in rows if row.plain["tumbling"] == body] for body in {row.plain["tumbling"]: 0 for row in rows}
-    ]
+    names = dict.fromkeys(row.plain["tumbling"] for row in rows)
+    bodies = [[row for row in rows if row.plain["tumbling"] == name] for name in names]
+    formula = "of the body with most: pairs with more of it with the term less those without, by the root of their sum"
     excess = {}
-    for kind, pair in {
-        "gain": ("exact_alone_count", "plain_alone_count"),
-        "rise": ("higher_count", "lower_count"),
-    }.items():
-        each = [combined(_excess, *(row[name] for row in body for name in pair)) for body in bodies]
-        formula = (
-            "of the body with most: pairs with more of it with the term less those without, by the root of their sum"
-        )
-        excess[kind] = results.value(f"tumble_{kind}_excess", formula, extreme(max, each))
+    for kind, columns in DIFFERENCES.items():
+        excesses = [combined(_excess, *(row[column] for row in body for column in columns)) for body in bodies]
+        excess[kind] = results.value(f"tumble_{kind}_excess", formula, extreme(max, excesses))
     cells = [row[f"{name}_most_energy"] for row in rows for name in ("exact", "plain")]
     formula = (
         "the most energy by that at the start with the term, where at that step the body never has 1 % more without"
@@ -52,9 +51,8 @@ def _gains_nothing(results: Results, rows: list[Row], void: list[Row]) -> Claim:
     surprise = results.value("tumble_surprise", formula, _surprise, *cells)
     pairs = results.value("tumble_count", "pairs of worlds", gathered(sum, (row.pair_count for row in rows)))
     formula = "pairs of bodies and steps of which a world without the term ends with no energy to hold others against"
-    lost = (
-        [results.value("tumble_void_count", formula, gathered(sum, (row.pair_count for row in void)))] if void else []
-    )
+    counts = gathered(sum, (row.pair_count for row in void))
+    lost = [results.value("tumble_void_count", formula, counts)] if void else []
     formula = "worlds that gain with the term less those without, by the root of their sum"
     more = results.value("tumble_more", formula, combined(_excess, gains["exact"], gains["plain"]))
     chance = "three standard deviations: more is hardly chance"
