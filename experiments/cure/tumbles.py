@@ -5,7 +5,8 @@ lies still, and how high a body rises. Spins are so slow that the term is on. A 
 of its own, which makes some gain without the term: what the term adds is what pairs have differently, either way.
 """
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from copy import copy
 from types import SimpleNamespace
 
@@ -21,7 +22,7 @@ from experiments.simulation.simulation import captured
 
 STEPS_S = {"full": (0.0005, 0.001, 0.002, 0.005, 0.01), "quick": (0.005,)}
 PAIR_COUNT = {"full": 100, "quick": 4}  # of each body, step and start: 12 bodies, 5 steps and 4 starts are 24,000 pairs
-SECONDS = 1.0
+SECONDS = wp.constant(1.0)
 RADIUS_M, HELD_M, FRICTION, GAIN, RISE_M = 0.03, 0.2, 0.8, 1.01, 1e-3
 BROKEN = 1e3  # times its energy at the start: what stands for more, and for a world that has no number
 STARTS = {  # tilt [rad], spin [rad/s] and height above what is below [m]
@@ -62,10 +63,11 @@ BODIES = {  # its geom, and what is there beside the ground
 
 def measure(conditions: Conditions) -> list[dict]:
     """Make a row for each body and step: in how many pairs of worlds the energy or the height differs."""
-    chosen = [(body, step_s) for body in BODIES for step_s in STEPS_S[conditions.profile]]
+    steps_s, count = STEPS_S[conditions.profile], PAIR_COUNT[conditions.profile]
     return [
-        row_of(body, step_s, *peaks(body, step_s, PAIR_COUNT[conditions.profile], conditions.device))
-        for body, step_s in tqdm(chosen, desc="cure, tumbles", unit="batch", delay=3.0)
+        row_of(body, *of_step)
+        for body in tqdm(BODIES, desc="cure, tumbles", unit="body", delay=3.0)
+        for of_step in zip(steps_s, *peaks(body, steps_s, count, conditions.device), strict=True)
     ]
 
 
@@ -91,10 +93,10 @@ def row_of(body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray
     return row | {"plain_most_energy": float(plain.max()), "exact_most_energy": float(exact.max())}
 
 
-def model_of(body: str, step_s: float) -> mujoco.MjModel:
+def model_of(body: str) -> mujoco.MjModel:
     geom, beside = BODIES[body]
     return mujoco.MjModel.from_xml_string(f"""<mujoco>
-      <option timestep="{step_s}" cone="elliptic" integrator="implicitfast" impratio="10">
+      <option cone="elliptic" integrator="implicitfast" impratio="10">
         <flag energy="enable"/>
       </option>
       <asset><mesh name="hull" vertex="{CORNERS}"/><mesh name="cone" vertex="{CONE}"/></asset>
@@ -131,45 +133,65 @@ def starts_of(model: mujoco.MjModel, count: int) -> Iterator[tuple[np.ndarray, n
 
 
 @wp.kernel(enable_backward=False)
-def keep_peaks(energy: wp.array[wp.vec2], places: wp.array2d[wp.vec3], most: wp.array[float], highest: wp.array[float]):
+def keep_peaks(
+    energy: wp.array[wp.vec2],
+    places: wp.array2d[wp.vec3],
+    timestep: wp.array[float],
+    time: wp.array[float],
+    last: wp.array[float],
+    most: wp.array[float],
+    highest: wp.array[float],
+):
     world = wp.tid()
-    total = energy[world][0] + energy[world][1]
-    most[world] = wp.max(most[world], wp.where(wp.isfinite(total), total, wp.inf))
+    if time[world] > SECONDS + 0.5 * timestep[world]:
+        return
+    last[world] = energy[world][0] + energy[world][1]
+    most[world] = wp.max(most[world], wp.where(wp.isfinite(last[world]), last[world], wp.inf))
     highest[world] = wp.max(highest[world], places[world, places.shape[1] - 1][2])
 
 
-def peaks(body: str, step_s: float, count: int, device: str) -> tuple[np.ndarray, np.ndarray]:
+def peaks(body: str, steps_s: Sequence[float], count: int, device: str) -> tuple[np.ndarray, np.ndarray]:
     """Return the most energy of each world, by that at the start, and the highest place of its body [m].
 
-    Energy is over the least that a world without the term ends with. Shapes [2, worlds].
+    Shapes [steps, 2, worlds]. All steps are worlds of one batch; one that is done goes on and is no longer looked at.
     """
-    model = model_of(body, step_s)
+    model = model_of(body)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     qpos, qvel = map(np.array, zip(*starts_of(model, count), strict=True))
-    pair_count = len(qpos)
+    shape = (len(steps_s), 2, len(qpos))
     with wp.ScopedDevice(device):
         m = mjw.put_model(model)
-        d = mjw.put_data(model, data, nworld=2 * pair_count, nconmax=32, njmax=128)
-        worlds = np.repeat([False, True], pair_count).tolist()
+        d = mjw.put_data(model, data, nworld=math.prod(shape), nconmax=32, njmax=128)
+        m.opt.timestep = wp.array(np.repeat(steps_s, d.nworld // len(steps_s)), dtype=float)
+        worlds = np.broadcast_to([[False], [True]], shape).ravel().tolist()
         contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), normal=True, worlds=worlds)
-        most, highest = (wp.full(2 * pair_count, -wp.inf, dtype=float) for _ in range(2))
+        last, most, highest = (wp.empty(d.nworld, dtype=float) for _ in range(3))
 
         def step() -> None:
             mjw.step(m, d)  # energy and places are those before it
-            wp.launch(keep_peaks, dim=d.nworld, inputs=[d.energy, d.xipos, most, highest])
+            wp.launch(keep_peaks, dim=d.nworld, inputs=[d.energy, d.xipos, m.opt.timestep, d.time, last, most, highest])
 
         step()  # compiles, which must not happen inside a capture
         advance = captured(step)
-        d.qpos.assign(np.tile(qpos, (2, 1)).astype(np.float32))
-        d.qvel.assign(np.tile(qvel, (2, 1)).astype(np.float32))
+        d.qpos.assign(np.tile(qpos, (d.nworld // len(qpos), 1)).astype(np.float32))
+        d.qvel.assign(np.tile(qvel, (d.nworld // len(qpos), 1)).astype(np.float32))
         d.qacc_warmstart.zero_()
+        d.time.zero_()
         mjw.forward(m, d)
         start = d.energy.numpy().sum(axis=1, dtype=float)
         for values in (most, highest):
             values.fill_(-wp.inf)
-        for _ in range(round(SECONDS / step_s)):
+        for _ in range(round(SECONDS / min(steps_s))):
             advance()
-        floor = d.energy.numpy()[:pair_count].sum(axis=1, dtype=float).min()
-        energies = (most.numpy() - floor) / (start - floor)
-        return energies.reshape(2, -1), highest.numpy().reshape(2, -1)
+        energies = relative(*(values.reshape(shape) for values in (start, most.numpy(), last.numpy())))
+        return energies, highest.numpy().reshape(shape)
+
+
+def relative(start: np.ndarray, most: np.ndarray, last: np.ndarray) -> np.ndarray:
+    """Divide the most energy by that at the start, both over the least that a world without the term ends with.
+
+    Worlds that end without a number do not count for the least. Shapes [steps, 2, worlds].
+    """
+    floor = np.nanmin(last[:, :1], axis=-1, keepdims=True)
+    return (most - floor) / (start - floor)

@@ -17,9 +17,19 @@ def test_pairs_are_counted_by_which_of_them_gains_or_rises_and_a_world_that_brea
     assert (row["plain_most_energy"], row["exact_most_energy"]) == (1.02, tumbles.BROKEN)
 
 
+def test_a_world_that_ends_without_a_number_voids_no_other():
+    start, most, last = (
+        np.array([[[3.0, 2.0], [3.0, 2.0]]]),
+        np.array([[[3.0, np.inf], [5.0, 2.0]]]),
+        np.ones((1, 2, 2)),
+    )
+    last[0, 0, 1], last[0, 1, 0] = np.nan, 0.5  # nor does a world with the term say what the least is
+    assert np.array_equal(tumbles.relative(start, most, last), [[[1.0, np.inf], [2.0, 1.0]]])
+
+
 @pytest.mark.parametrize("body", ["cone", "coin-on-block"])
 def test_bodies_are_put_down_or_dropped(body):
-    model = tumbles.model_of(body, 0.002)
+    model = tumbles.model_of(body)
     data = mujoco.MjData(model)
     for index, (data.qpos[:], data.qvel[:]) in enumerate(tumbles.starts_of(model, 3)):
         gaps = []
