@@ -90,9 +90,23 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
 
 def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str], reasons: Sequence[str]) -> str:
     """Write a record for which there are no reasons against it, else sum these up."""
+    elsewhere = _release_with_proof(project, record) if any(why.startswith(UNEXECUTED) for why in reasons) else ""
+    reasons = [reason for reason in reasons if not (elsewhere and reason.startswith(UNEXECUTED))]
     if not reasons:
-        _write(project, record, runs, commits)
+        _write(project, record, runs, commits, elsewhere)
     return few(reasons, 2)
+
+
+def _release_with_proof(project: Project, record: Record) -> str:
+    """Name a release with packages that execute what those of this one do not: it was carried over the same change."""
+    code = identity_of(record.section, project.profile, project.root, record.identity.packages).code
+    for release in project.releases:
+        with suppress(RecordError):
+            other = load_record(project.of(release).record_path(record.section))
+            last = other.carried[-1] if other.carried and other.identity.code == code else None
+            if last and last.code == record.identity.code and not last.executed_in:
+                return release
+    return ""
 
 
 def _codes(name: str, *roots: Path) -> Codes:
@@ -274,7 +288,7 @@ def _rows(record: Record) -> dict[tuple[Any, ...], Mapping[str, Any]]:
     return rows
 
 
-def _write(project: Project, record: Record, runs: Runs, commits: tuple[str, str]) -> None:
+def _write(project: Project, record: Record, runs: Runs, commits: tuple[str, str], elsewhere: str) -> None:
     """Write a record as one of the new code; columns that this has no more are left out."""
     before, after = (run.records[0] for run in runs)
     gone = _gone_columns(before, after)
@@ -287,6 +301,7 @@ def _write(project: Project, record: Record, runs: Runs, commits: tuple[str, str
         date=now().isoformat(timespec="seconds"),
         row_count=len(after.rows),
         cell_count=sum(map(len, after.rows)),
+        executed_in=elsewhere,
     )
     units = {name: unit for name, unit in record.units.items() if name not in gone}
     record = replace(record, identity=identity, rows=rows, units=units, carried=(*record.carried, change))

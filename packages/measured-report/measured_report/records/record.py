@@ -52,7 +52,7 @@ class Seal(Struct, frozen=True, forbid_unknown_fields=True):
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
-class Carried(Struct, frozen=True, forbid_unknown_fields=True):
+class Carried(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """Tell of a change of code over which a record was carried, as quick runs of both gave the same."""
 
     code: Digest  # of the identity that it had before
@@ -61,9 +61,11 @@ class Carried(Struct, frozen=True, forbid_unknown_fields=True):
     date: Time
     row_count: Annotated[int, Meta(ge=1)]
     cell_count: Annotated[int, Meta(ge=1)]
+    executed_in: Line = ""  # another release, whose runs executed what these did not, and gave the same
 
     def __str__(self) -> str:
         runs = f"quick runs of both gave the same {self.row_count} rows, {self.cell_count} cells"
+        runs += f"; what is executed in {self.executed_in} alone was proven there" if self.executed_in else ""
         return f"from the code of {self.before} to that of {self.after} on {self.date[:10]}: {runs}"
 
 

@@ -3,8 +3,10 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from types import SimpleNamespace
 
+import msgspec
 import pytest
 from toys import BY_HAND, GENERATOR, git, put
 
@@ -15,7 +17,8 @@ from measured_report.editions.status import states_of
 from measured_report.measuring.measure import MODULE
 from measured_report.records.code import unchanged_files
 from measured_report.records.columns import units_of
-from measured_report.records.record import Record, load_record
+from measured_report.records.identity import identity_of
+from measured_report.records.record import Carried, Record, load_record, write_record
 from measured_report.records.replicas import mismatch
 
 SETTINGS = """title = "A report"
@@ -317,6 +320,16 @@ def answers(tmp_path_factory):
                 reasons = dict(carried(project, release_of(own), [*PLANTED], "cpu"))
                 kinds = {state.section: state.kind for state in states_of(project)}
             after = {name: load_record(project.record_path(name)) for name in PLANTED}
+            old, path = before["new_branch"], project.of("0.1").record_path("new_branch")
+            change = Carried(old.identity.code, "1", "2", old.measured["date"], 1, 2)
+            identity = identity_of("new_branch", "full", root, old.identity.packages)
+            for code, key in ((old.identity.code, "proven"), ("0" * 64, "from_another_code")):
+                twin = replace(old, identity=identity, carried=(msgspec.structs.replace(change, code=code),))
+                path.parent.mkdir(exist_ok=True)
+                write_record(path, twin)
+                [(_, reasons[key])] = carried(project, release_of(own), ["new_branch"], "cpu")
+                after[key] = load_record(project.record_path("new_branch"))
+                write_record(project.record_path("new_branch"), old)
     return reasons, kinds, before, after
 
 
@@ -354,6 +367,14 @@ def test_a_carried_record_says_so_and_keeps_its_replicas(answers):
     assert after["column_gone"].measured == old.measured and "other_mm" not in after["column_gone"].units
     assert mismatch(after["extracted"], before["extracted"]) == ""
     assert mismatch(before["extracted"], after["extracted"]) == "" and mismatch(after["seam"], before["kernel"])
+
+
+@pytest.mark.slow
+def test_what_another_release_alone_executes_is_proven_by_its_runs_over_the_same_change(answers):
+    reasons, _, before, after = answers
+    assert not reasons["proven"] and after["proven"].carried[-1].executed_in == "0.1"
+    assert str(after["proven"].carried[-1]).endswith("; what is executed in 0.1 alone was proven there")
+    assert reasons["from_another_code"] and after["from_another_code"] == before["new_branch"]
 
 
 def test_runs_that_do_not_repeat_are_compared_by_their_noise():
