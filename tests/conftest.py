@@ -21,6 +21,7 @@ from measured_report.findings.cache import DerivedCache
 from measured_report.findings.editions import Edition
 from measured_report.pages.editions import WordedEdition, worded_editions
 from measured_report.pages.prose import Prose, Templates
+from measured_report.records import code
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import package_versions
 from measured_report.records.traces import load_trace
@@ -80,13 +81,16 @@ def site(tmp_path_factory) -> Path:
 
     def make(root: Path) -> None:
         link(root, "results", *SOURCES)
-        kept, cache = KEPT / "derived-of-tests", Cache(root).folder
-        with suppress(FileNotFoundError):
-            shutil.copytree(kept, cache)
+        kept = KEPT / "caches-of-tests"
+        caches = {"derived": Cache(root).folder, "sources": Cache(Path(code.HERE)).folder}
+        for name, cache in caches.items():
+            with suppress(FileNotFoundError):
+                shutil.copytree(kept / name, cache, dirs_exist_ok=True)
         done = program("-c", REPORT, root, own_release())
         assert done.returncode == 0, done.stderr
         with suppress(OSError), staging_folder(kept) as fresh:
-            shutil.copytree(cache, fresh)
+            for name, cache in caches.items():
+                shutil.copytree(cache, fresh / name)
             replace(kept, fresh)
 
     return made_once(tmp_path_factory, "tracked", make) / "site"

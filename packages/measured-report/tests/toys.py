@@ -37,7 +37,8 @@ gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage
 atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
 GENERATOR, HERE = Path(measured_report.__file__).parents[1], Path(__file__).parent
 os.environ["PYTHONPATH"] = f"{GENERATOR}{os.pathsep}{HERE}"  # of the programs that the tests start
-KEPT = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")  # from one run of the tests to the next
+CACHE = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+KEPT = Path(os.environ.setdefault("CACHE_OF_TESTS", CACHE))  # from one run of the tests to the next
 os.environ.setdefault("UV_CACHE_DIR", str(KEPT / "uv"))  # a new report's packages are unpacked there already
 if "PYTEST_XDIST_WORKER" not in os.environ:  # the processes of one run share what they derive
     CACHES = tempfile.TemporaryDirectory(prefix="caches-")
@@ -158,9 +159,11 @@ REPORT = """
 import sys
 from pathlib import Path
 from measured_report.editions.project import Project, own_release
+from measured_report.records.code import cached_sources
 from measured_report.site.build import build
 
-build(Project(sys.argv[2], root=Path(sys.argv[1]), own_release=own_release()))
+with cached_sources():
+    build(Project(sys.argv[2], root=Path(sys.argv[1]), own_release=own_release()))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
 """
 """Builds the site of a folder and a release; what builds it must not import the simulator."""
