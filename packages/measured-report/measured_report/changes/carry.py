@@ -54,6 +54,7 @@ class Run:
 
 Codes = tuple[Code, Code]  # the old and the new one, as the next
 Runs = tuple[Run, Run]
+Notes = tuple[Mapping[str, Set[Place]], Mapping[str, Set[Place]], Mapping[str, Mapping[str, str]]]
 
 
 def carried(project: Project, release: Release, names: Sequence[str], device: str) -> Iterator[tuple[str, str]]:
@@ -176,20 +177,30 @@ def _run_both(
                 for section in pairs:
                     with suppress(RecordError):
                         records_of_side[section].append(load_record(side.record_path(section)))
-        notes = [[json.loads(path.read_bytes()) for path in folder.glob("*.json")] for folder in folders]
+        notes = [_notes_in(folder) for folder in folders]
     return {
         section: (_run_of(section, codes[0], records[0], notes[0]), _run_of(section, codes[1], records[1], notes[1]))
         for section, codes in pairs.items()
     }
 
 
-def _run_of(section: str, code: Code, records: Mapping[str, Sequence[Record]], notes: Sequence[Any]) -> Run:
+def _notes_in(folder: Path) -> Notes:
+    """Read by section what processes noted that they executed, what of it while times were measured, and their work."""
+    executed, timed = defaultdict[str, set[Place]](set), defaultdict[str, set[Place]](set)
+    work = defaultdict[str, dict[str, str]](dict)
+    for note in (json.loads(path.read_bytes()) for path in folder.glob("*.json")):
+        for section, is_timed, *place in note["executed"]:
+            for places in (executed, timed) if is_timed else (executed,):
+                places[section].add(tuple(place))
+        for section, digests in note["work"].items():
+            work[section] |= digests
+    return executed, timed, work
+
+
+def _run_of(section: str, code: Code, records: Mapping[str, Sequence[Record]], notes: Notes) -> Run:
     """Return what was noted of a section and of importing it."""
-    places = [place for note in notes for name, *place in note["executed"] if name in ("", section)]
-    executed = {tuple(place) for _, *place in places}
-    timed = {tuple(place) for is_timed, *place in places if is_timed}
-    work = {batch: digest for note in notes for batch, digest in note["work"].get(section, {}).items()}
-    return Run(code, records[section], executed, timed, work)
+    executed, timed = (side[""] | side[section] for side in notes[:2])
+    return Run(code, records[section], executed, timed, notes[2][section])
 
 
 def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], options: Sequence[str]) -> list[str]:
