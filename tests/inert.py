@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from itertools import product
+from itertools import count, product
 from typing import Any
 
 from markupsafe import Markup
@@ -83,22 +83,43 @@ class Survey:
         }
 
     def inert(self) -> set[str]:
-        """Numbers of which no factor of ``FACTORS`` at their origin changes a claim's outcome or words."""
+        """Numbers of which no factor of ``FACTORS`` at their origin changes a claim's outcome or words.
 
-        @cache
-        def claims(leaves: tuple[str, ...], change: str) -> dict[str, Claim]:
-            return _claims(self.perturbation.of(self.release, self.section, map(Pointer, leaves), change))
-
-        def moves(claim: Claim, leaves: tuple[str, ...], change: str) -> bool:
-            after = claims(leaves, change).get(claim.name)
-            return not after or _shape(claim) != _shape(replace(after, wording=claim.wording))
-
-        return {
-            f"{self.section}.{claim.name} {name}"
+        Where claims read nothing of each other's, numbers of all of them are changed at once.
+        """
+        waiting = {
+            (claim.name, name, pointer): (claim, list(changes(measured(self.values, pointer))))
             for claim, name, pointer in self.numbers()
             if not self.perturbation.says_before(self.release, self.section, claim)
-            and not any(moves(claim, *change) for change in changes(measured(self.values, pointer)))
         }
+        for step in count():
+            tried = {key: (claim, *tries[step]) for key, (claim, tries) in waiting.items() if step < len(tries)}
+            if not tried:
+                return {f"{self.section}.{claim} {name}" for claim, name, _ in waiting}
+            for group in _independent(tried):
+                leaves, change = {leaf for key in group for leaf in tried[key][1]}, tried[group[0]][2]
+                after = _claims(self.perturbation.of(self.release, self.section, map(Pointer, sorted(leaves)), change))
+                for key, before in [(key, waiting[key][0]) for key in group]:
+                    claim = after.get(before.name)
+                    if not claim or _shape(before) != _shape(replace(claim, wording=before.wording)):
+                        del waiting[key]
+
+
+def _independent(tried: Mapping[Any, tuple[Claim, tuple[str, ...], str]]) -> list[list[Any]]:
+    """Group numbers whose claims read none of what is changed for another of the group."""
+    groups: list[list[Any]] = []
+    for key, (claim, leaves, _) in tried.items():
+        for group in groups:
+            pairs = [tried[other][:2] for other in group]
+            if all(
+                leaves == others or (claim.outcome.reads.isdisjoint(others) and other.outcome.reads.isdisjoint(leaves))
+                for other, others in pairs
+            ):
+                group.append(key)
+                break
+        else:
+            groups.append([key])
+    return groups
 
 
 def _claims(section: Section) -> dict[str, Claim]:
