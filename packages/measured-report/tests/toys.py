@@ -35,6 +35,7 @@ from measured_report.site.build import build
 
 gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
 atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
+os.fsync = lambda _: None  # thousands of times a disk would be waited for, and none of these files outlives its test
 GENERATOR, HERE = Path(measured_report.__file__).parents[1], Path(__file__).parent
 os.environ["PYTHONPATH"] = f"{GENERATOR}{os.pathsep}{HERE}"  # of the programs that the tests start
 CACHE = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
