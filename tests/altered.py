@@ -26,7 +26,7 @@ from measured_report.pages.editions import worded_editions
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Pictures
 from measured_report.records.columns import REASON, column_of, is_number, units_of
-from measured_report.records.record import Record, load_record, write_record
+from measured_report.records.record import Record, load_record, record_text
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from tests.perturbed import load_trace_once
@@ -234,7 +234,7 @@ def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]
                 path.parent.mkdir(parents=True, exist_ok=True)
                 for trace in own.of(release).results.glob(f"{section}.*.csv.gz"):
                     shutil.copy(trace, path.parent)
-                write_record(path, replace(record, rows=rows, units=units_of(rows)))
+                path.write_text(record_text(replace(record, rows=rows, units=units_of(rows))), encoding="utf-8")
 
         def load(path: Path, seal: object = None) -> pd.DataFrame:
             tracked = ROOT / path.relative_to(project.root)

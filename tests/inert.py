@@ -107,18 +107,18 @@ class Survey:
 
 def _independent(tried: Mapping[Any, tuple[Claim, tuple[str, ...], str]]) -> list[list[Any]]:
     """Group numbers whose claims read none of what is changed for another of the group."""
+
+    def are_apart(key: Any, other: Any) -> bool:
+        (claim, leaves, _), (other_claim, other_leaves, _) = tried[key], tried[other]
+        reads = claim.outcome.reads, other_claim.outcome.reads
+        return leaves == other_leaves or (reads[0].isdisjoint(other_leaves) and reads[1].isdisjoint(leaves))
+
     groups: list[list[Any]] = []
-    for key, (claim, leaves, _) in tried.items():
-        for group in groups:
-            pairs = [tried[other][:2] for other in group]
-            if all(
-                leaves == others or (claim.outcome.reads.isdisjoint(others) and other.outcome.reads.isdisjoint(leaves))
-                for other, others in pairs
-            ):
-                group.append(key)
-                break
-        else:
-            groups.append([key])
+    for key in tried:
+        group = next((group for group in groups if all(are_apart(key, other) for other in group)), None)
+        if group is None:
+            groups.append(group := [])
+        group.append(key)
     return groups
 
 
