@@ -13,7 +13,7 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_at, writ
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity, absent
 from report.sections.reproduction import FRAME_RATE
-from report.shared.arithmetic import Sections
+from report.shared.arithmetic import MS_PER_S, Sections
 from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
 from report.shared.timing import TIMED_WORLDS, worlds_name
 
@@ -120,10 +120,14 @@ def figure(sections: Sections) -> Figure:
     other = next((way for way in WAYS if way.name in OTHERS and way.ratios(sections)), None)
     marked = [way for way in (*WAYS, *C_WAYS) if way.name in MARKED or way is other]
     ways = {way: way.ratios(sections) for way in marked if way.creep_mm(sections) is not None}
+    core, ratio = sections.value(section, "one_core_rate"), C_WAYS[0].ratios(sections).get(ALONE)
+    # As the error page compares them: by the times that C took in turn with each number of worlds.
+    core_ms = {ALONE: MS_PER_S.number / FRAME_RATE / core.value / ratio.number} if core.value and ratio else frames_ms
     marks = [
         Mark(way, way.creep_mm(sections), times, way.slip(sections).number > (way.slip(sections).noise or 0.0))
         for way, ratios in ways.items()
-        if (times := [ratio.number * frames_ms[count] for count, ratio in ratios.items() if count in frames_ms])
+        if (paces := core_ms if way in C_WAYS else frames_ms)
+        and (times := [ratio.number * paces[count] for count, ratio in ratios.items() if count in paces])
     ]
     shake = [sections.cell("reproduction", "as-shipped", column).value for column in SHAKE]
     bounds = [sections.value(*place) for place in BOUNDS.values()]
@@ -133,7 +137,7 @@ def figure(sections: Sections) -> Figure:
     numbers["is_cut"] = all_of(at_least(gain, 10.0, why="an order of magnitude"), at_most(stiff, bounds[0])) == HOLDS
     numbers["is_ended"] = any(way.effort == PATCH and way.keeps(sections, bounds[1]) == HOLDS for way in ways)
     cells = [cell for way, ratios in ways.items() for cell in (way.slip(sections), *ratios.values())]
-    return Figure(lambda: _draw(marks, lines), [*cells, *seconds.values(), *bounds], numbers)
+    return Figure(lambda: _draw(marks, lines), [*cells, *seconds.values(), core, *bounds], numbers)
 
 
 class Mark(NamedTuple):

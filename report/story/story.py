@@ -49,7 +49,8 @@ def derive(releases: Releases, shown: str) -> Section:
     slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
     figures = {"mechanism": Figure(draw_mechanism, [slide]), "frontier": frontier.figure(sections)}
     claims = [*frontier.advice(sections, every), _fine_since(every, bound), _still_needed(every, bound)]
-    claims += [_with_mujoco(sections, bound), _coarser_moves(sections)]
+    claims += [_with(sections, *way, bound) for way in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID))]
+    claims += [_coarser_moves(sections)]
     return Section(tables=tables, figures=figures, claims=claims)
 
 
@@ -90,11 +91,11 @@ def _still_needed(every: Mapping[str, Sections], bound: Quantity) -> Claim:
     return Claim("still_needed", outcome, {"pyramids": " and ".join(filter(None, (", ".join(names), last)))})
 
 
-def _with_mujoco(sections: Sections, bound: Quantity) -> Claim:
-    before, after = _slips(sections, MUJOCO)
+def _with(sections: Sections, name: str, way: str, bound: Quantity) -> Claim:
+    before, after = _slips(sections, way)
     is_halved = None not in (before.value, after.value) and 2.0 * after.number <= before.number
     outcome = all_of(at_least(before, bound), decided(is_halved, before, after))
-    return Claim("with_mujoco", outcome, {"before": before, "after": after})
+    return Claim(name, outcome, {"before": before, "after": after})
 
 
 def _coarser_moves(sections: Sections) -> Claim:
