@@ -1,7 +1,10 @@
 """Who finds the contacts, how often, on which shape, and which engine solves them."""
 
+from dataclasses import replace
+
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
+from report.shared.tables import by_case
 from report.shared.variants import variant_section, variants_of
 
 order = 30
@@ -16,4 +19,5 @@ labels = {
 
 
 def derive(results: Results) -> Section:
-    return variant_section(results, variants_of(results, "contacts-60hz"))
+    section = variant_section(results, variants_of(results, "contacts-60hz"))
+    return replace(section, tables={"cases": by_case(results.rows, {"slip": "slip_mm", "drift": "drift_mm_s"})})

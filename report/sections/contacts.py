@@ -7,6 +7,7 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import CASES, departure, noise_floor
+from report.shared.tables import table_of
 
 order = 70
 page = "cause"
@@ -24,7 +25,9 @@ def derive(results: Results) -> Section:
     claims = [_far_inside_cone(results, run)]
     claims += [*_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s)]
     claims += [_slide_accounts(results, run), _missing_term(results, left_out, ends.outcome), ends]
-    return Section(claims=claims)
+    rows = [row for row in results.rows if row.kind == "row" and row["case"] == "as-shipped"]
+    columns = {"residual": "residual_mm", "velocity": "velocity_mm_s", "force": "force_n"}
+    return Section(tables={"rows": table_of("row", [row.row for row in rows], columns, rows)}, claims=claims)
 
 
 def _far_inside_cone(results: Results, run: Row) -> Claim:

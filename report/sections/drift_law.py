@@ -10,12 +10,13 @@ from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import PERCENT, Quantity, Value, absent, combined
 from measured_report.values.results import Results, Row
+from report.sections.poses import MOTION
 from report.shared import arithmetic, drawing
-from report.shared.arithmetic import MS_PER_S, departure, largest_size, noise_floor, quantile, resolved
+from report.shared.arithmetic import MM_PER_M, MS_PER_S, departure, largest_size, noise_floor, quantile, resolved
 
-order = 91
+order = 126  # after the runs that are shown moving
 page = "cause"
-reads = ("noise", "stiffness")
+reads = ("noise", "poses", "stiffness")
 label = "law of the drift"
 labels = {
     "pad-ke-2.5e3": "shipped pads",
@@ -36,7 +37,7 @@ def derive(results: Results) -> Section:
     offs = [results.value(f"off_kept_{row.case}", formula, departure(row.drift_mm_s, laws[row.case])) for row in runs]
     follows, sources = _follows(results, runs, laws, offs), [*laws.values(), *(row.drift_mm_s for row in runs)]
     figure = Figure(partial(_draw, runs, laws), sources, {"follows": follows.outcome == HOLDS})
-    return Section(figures={"law": figure}, claims=[_by_hand(results, laws), follows])
+    return Section(figures={"law": figure}, claims=[_by_hand(results, laws), _arc(results), follows])
 
 
 def _law(results: Results, row: Row) -> Value:
@@ -58,6 +59,16 @@ def _by_hand(results: Results, laws: Mapping[str, Value]) -> Claim:
     numbers = {"g": g, "dmax": dmax, "timeconst": timeconst, "step": step, "drift": row.drift_mm_s}
     numbers |= {"trailing": row.left_out_mm_s, "back": back, "rough": rough}
     return Claim("by_hand", at_most(off, 5.0, why="nearly all of it").having_read(g, dmax, timeconst, step), numbers)
+
+
+def _arc(results: Results) -> Claim:
+    """Tell the same acceleration by a speed and an arc, of the joints' record: no contact and no law is in them."""
+    numbers: dict[str, Quantity] = {name: arithmetic.other_value(results, "poses", name) for name in MOTION}
+    formula = "squared speed of the hand over the radius of its arc"
+    swing = results.value("g_swing", formula, MM_PER_M * numbers["speed_squared"] / numbers["arc"])
+    off = results.value("g_off", "how far that is from what the law takes", departure(swing, results.derived["g"]))
+    outcome = at_most(off, 5.0, why="the same acceleration").having_read(swing, *numbers.values())
+    return Claim("arc", outcome, numbers | {"swing": swing})
 
 
 def _follows(results: Results, runs: Sequence[Row], laws: Mapping[str, Value], offs: Sequence[Value]) -> Claim:
