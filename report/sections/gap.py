@@ -1,11 +1,13 @@
 """The contact gap: it makes contacts, but none of those that it adds carries force."""
 
+from typing import Any
+
 from measured_report.parts.claim import Claim, all_of, decreases, equal_within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import noise_floor, spread
-from report.shared.variants import is_small
+from report.shared.variants import is_small, unseen_in
 
 order = 110
 reads = ("noise",)
@@ -27,7 +29,8 @@ def _not_the_cause(results: Results, rows: list[Row]) -> Claim:
     of_default = results.value("slip_difference_share", formula, PERCENT * difference / slips[0])
     bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, "%")
     outcome = is_small(results, "slip_difference", difference, bound, slips[0], floor)
-    return Claim("not_the_cause", outcome, {"difference": difference, "share": of_default, "slip": slips[0]})
+    numbers: dict[str, Any] = {"difference": difference, "share": of_default, "slip": slips[0]}
+    return Claim("not_the_cause", outcome, numbers | {"unseen": unseen_in(difference, floor)})
 
 
 def _same_contacts_carry(rows: list[Row]) -> Claim:

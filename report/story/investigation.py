@@ -4,21 +4,22 @@ from measured_report.findings.chapters import Chapters
 from measured_report.parts.claim import Claim, Outcome, all_of
 from measured_report.parts.section import Section
 from report.shared.arithmetic import Sections
+from report.shared.variants import unseen_in
 
 SHIPPED, STIFF, HELD = "reproduction/as-shipped/", "reproduction/stiff-pads/", "hold/hold-60s/"
 SOURCE, DRIFT = "contact_source/", "cure/{}_drift"
 STATEMENTS = {  # by name: the claims that decide a statement, and the cells and values that its words name
     "drifts": ("reproduction.slips reproduction.drift_is_steady", f"{SHIPPED}slip_mm", f"{SHIPPED}drift_mm_s"),
-    "not_friction": ("friction.not_the_cause", "friction/largest_share"),
+    "not_friction": ("friction.not_the_cause", "friction/largest_share", "friction/floor_share"),
     "not_solver": ("solver.not_the_cause solver.solver_has_converged", "solver/largest_share"),
-    "not_contacts": ("contact_source.not_the_cause", f"{SOURCE}largest_share"),
+    "not_contacts": ("contact_source.not_the_cause", f"{SOURCE}largest_share", f"{SOURCE}floor_share"),
     "pads_and_engine": (
         "contact_source.not_the_cause",
         *(f"{SOURCE}{case}/slip_mm" for case in ("pads-convex-mesh", "engine-mujoco-c")),
     ),
     "stiff_pads": ("reproduction.stiff_pads_hold", f"{STIFF}slip_mm", f"{SHIPPED}slip_mm"),
     "not_rectified": (
-        "cure.only_turning_creeps stiffness.not_creep_under_load",
+        "cure.only_turning_creeps cure.joints_turn stiffness.not_creep_under_load",
         *map(DRIFT.format, ("straight", "turning")),
     ),
     "static_creep": ("hold.creep_goes_on", f"{HELD}slip_mm", f"{HELD}shake_duration_s"),
@@ -33,5 +34,6 @@ def derive(chapters: Chapters) -> Section:
     for name, (needs, *places) in STATEMENTS.items():
         cells = [(sections.cell if place.count("/") > 1 else sections.value)(*place.split("/")) for place in places]
         outcome = all_of(*(said.get(need, unmeasured) for need in needs.split())).having_read(*cells)
-        claims.append(Claim(name, outcome, dict(zip(NAMES, cells, strict=False))))
+        unseen = unseen_in(cells[0], cells[-1]) if places[-1].endswith("floor_share") else ""
+        claims.append(Claim(name, outcome, {**dict(zip(NAMES, cells, strict=False)), "unseen": unseen}))
     return Section(claims=claims)
