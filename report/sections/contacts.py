@@ -6,12 +6,12 @@ from measured_report.parts.claim import Claim, Outcome, all_of, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, combined
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import CASES, departure, noise_floor
+from report.shared.arithmetic import CASES, departure, noise_floor, other_value
 from report.shared.tables import table_of
 
 order = 70
 page = "cause"
-reads = ("noise",)
+reads = ("noise", "reproduction")
 label = "contact rows"
 
 
@@ -22,7 +22,7 @@ def derive(results: Results) -> Section:
     left_out, restored = ([results.row[f"{case}-{way}"] for case in CASES] for way in ("missing-term", "term-restored"))
     run = next((row for row in more_runs if row.case == "as-shipped"), results.row["as-shipped"])
     ends = _term_restored(results, left_out, restored)
-    claims = [_far_inside_cone(results, run)]
+    claims = [_far_inside_cone(results, run, [row for row in frames if row["case"] == "as-shipped"])]
     claims += [*_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s)]
     claims += [_slide_accounts(results, run), _missing_term(results, left_out, ends.outcome), ends]
     rows = [row for row in results.rows if row.kind == "row" and row["case"] == "as-shipped"]
@@ -30,11 +30,14 @@ def derive(results: Results) -> Section:
     return Section(tables={"rows": table_of("row", [row.row for row in rows], columns, rows)}, claims=claims)
 
 
-def _far_inside_cone(results: Results, run: Row) -> Claim:
+def _far_inside_cone(results: Results, run: Row, frames: list[Row]) -> Claim:
     formula = "most of its friction cone that a contact uses through the shake, with shipped pads"
     used = results.value("grip_used_shipped", formula, PERCENT * run.cone_use_max)
     outcome = at_most(run.cone_use_max, 0.1, why="far from the limit, which is 1").having_read(used)
-    return Claim("far_inside_cone", outcome, {"used": used})
+    along = combined(max, *(row.tangential_force_n for row in frames))
+    load = results.value("load_along", "most that all contacts carry along the pads, over all looks", along)
+    weight = other_value(results, "reproduction", "cube_weight")
+    return Claim("far_inside_cone", outcome.having_read(load, weight), {"used": used, "load": load, "weight": weight})
 
 
 def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> Iterator[Claim]:

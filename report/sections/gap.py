@@ -1,7 +1,5 @@
 """The contact gap: it makes contacts, but none of those that it adds carries force."""
 
-from typing import Any
-
 from measured_report.parts.claim import Claim, all_of, decreases, equal_within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT
@@ -29,8 +27,8 @@ def _not_the_cause(results: Results, rows: list[Row]) -> Claim:
     of_default = results.value("slip_difference_share", formula, PERCENT * difference / slips[0])
     bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, "%")
     outcome = is_small(results, "slip_difference", difference, bound, slips[0], floor)
-    numbers: dict[str, Any] = {"difference": difference, "share": of_default, "slip": slips[0]}
-    return Claim("not_the_cause", outcome, numbers | {"unseen": unseen_in(difference, floor)})
+    unseen = unseen_in(difference, floor)
+    return Claim("not_the_cause", outcome, {"share": of_default, "slip": slips[0], "unseen": unseen})
 
 
 def _same_contacts_carry(rows: list[Row]) -> Claim:

@@ -20,13 +20,8 @@ labels = {
     "hold-#s": "arm held still, {} s",
 }
 
-COLUMNS = {
-    "amplitude": "shake_amplitude_m",
-    "time": "shake_duration_s",
-    "slip at the end": "slip_mm",
-    "out of the grasp after": "left_grasp_s",
-    "cube ends at": "cube_height_m",
-}
+COLUMNS = {"amplitude": "shake_amplitude_m", "time": "shake_duration_s", "slip at the end": "slip_mm"}
+COLUMNS |= {"out of the grasp after": "left_grasp_s", "cube ends at": "cube_height_m"}
 AXES = ("along", "across", "up")  # of the shake, which are those of the world
 MOTION = {f"amplitude_{axis}": ("mm", f"√2 of how far the hand deviates {axis}") for axis in AXES}
 MOTION |= {f"rate_{axis}": ("Hz", f"frequency that the hand's swing {axis} has most of") for axis in AXES}

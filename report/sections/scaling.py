@@ -28,11 +28,8 @@ def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "way" not in row]
     worst = resolution(results, "resolution", rows)
     columns: dict[str, Column] = {"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": "frame_ratio"}
-    columns |= {
-        "all substeps": "world_substeps_per_s",
-        "memory": "bytes_per_world",
-        "buffers": "buffer_bytes_per_world",
-    }
+    columns |= {"all substeps": "world_substeps_per_s"}
+    columns |= {"memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"}
     tables = {"worlds": table_of("worlds", [str(row.worlds) for row in rows], columns, rows, resolution=worst)}
     cheap = _first_worlds_are_cheap(results, rows)
     if len(rows) == len(results.rows):  # on a CPU, and in releases that were measured before

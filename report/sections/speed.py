@@ -23,10 +23,10 @@ def derive(results: Results) -> Section:
     columns = {"a frame": "frame_ms", "of shipped pads": "frame_ratio", "of real time": "realtime_factor"}
     rows = [row for row in results.rows if "worlds" not in row]
     worst = resolution(results, "resolution", rows)
-    table = by_case(rows, columns, resolution=worst)
+    tables, claims = {"frames": by_case(rows, columns, resolution=worst)}, [_same_time(results, worst)]
     if len(rows) == len(results.rows):  # on a CPU
-        return Section(tables={"frames": table}, claims=[_same_time(results, worst)], unmeasured=("many_worlds",))
-    return Section(tables={"frames": table}, claims=[_same_time(results, worst), _many_worlds(results)])
+        return Section(tables=tables, claims=claims, unmeasured=("many_worlds",))
+    return Section(tables=tables, claims=[*claims, _many_worlds(results)])
 
 
 def _same_time(results: Results, worst: Value) -> Claim:

@@ -35,13 +35,8 @@ SHIPPED, FIX, STIFFEST = "pad-ke-2.5e3", "pad-ke-2.5e5", "pad-ke-2.5e6"
 HARDEST = "solimp-dmax-0.9999"
 SHOWN = (SHIPPED, "pad-ke-2.5e4", FIX, STIFFEST, *(f"pad-ke-2.5e{n}-kd-100" for n in (4, 5, 6)), HARDEST)
 """Runs of the table."""
-COLUMNS = {
-    "timeconst": "timeconst_s",
-    "dampratio": "dampratio",
-    "penetration": "penetration_mm",
-    "friction used": "cone_use",
-    "slip": "slip_mm",
-}
+COLUMNS = {"timeconst": "timeconst_s", "dampratio": "dampratio", "penetration": "penetration_mm"}
+COLUMNS |= {"friction used": "cone_use", "slip": "slip_mm"}
 
 
 def derive(results: Results) -> Section:

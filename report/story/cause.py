@@ -26,7 +26,6 @@ SUSPECTS = {  # what was changed; section, cases, and the claim by which it is n
     "pads' ke and kd": ("both raised", "stiffness", (FIX,), "", ""),
 }
 
-
 COLUMNS = {"slip": "slip_mm", "drift": "drift_mm_s"}
 
 

@@ -23,7 +23,6 @@ labels = {
 
 PARTS = (turntable, controls, limits, bodies, tumbles, budget)  # its parts; the last reads what the limits are
 
-
 FILES = (  # said in full: what is kept of a section is made anew when a file changes that its code names
     "experiments/simulation/contact_bias.py",
     "experiments/simulation/contact_place.py",

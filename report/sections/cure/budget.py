@@ -52,11 +52,8 @@ def derive(results: Results) -> Section:
     for name, case in OTHER_CONTACTS.items():
         slip = results.row[case].slip_mm
         others.append(Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip}))
-    return Section(
-        tables={"budget": _budget_table(results)},
-        figures={"use": _use_figure(results)},
-        claims=[_what_to_use(results), _budget_closes(results), *others],
-    )
+    claims = [_what_to_use(results), _budget_closes(results), *others]
+    return Section(tables={"budget": _budget_table(results)}, figures={"use": _use_figure(results)}, claims=claims)
 
 
 def _use_figure(results: Results) -> Figure:

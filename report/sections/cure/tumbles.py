@@ -6,10 +6,8 @@ from measured_report.values.quantities import combined
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import extreme, gathered, rows_with
 
-DIFFERENCES = {  # counts of pairs that differ: with the term more, and less
-    "gain": ("exact_alone_count", "plain_alone_count"),
-    "rise": ("higher_count", "lower_count"),
-}
+# Counts of pairs that differ: with the term more, and less.
+DIFFERENCES = {"gain": ("exact_alone_count", "plain_alone_count"), "rise": ("higher_count", "lower_count")}
 
 
 def derive(results: Results) -> Section:
@@ -45,9 +43,7 @@ def _gains_nothing(results: Results, rows: list[Row], void: list[Row]) -> Claim:
         excesses = [combined(_excess, *(row[column] for row in body for column in columns)) for body in bodies]
         excess[kind] = results.value(f"tumble_{kind}_excess", formula, extreme(max, excesses))
     cells = [row[f"{name}_most_energy"] for row in rows for name in ("exact", "plain")]
-    formula = (
-        "the most energy by that at the start with the term, where at that step the body never has 1 % more without"
-    )
+    formula = "the most energy by that at the start with the term, where the body never has 1 % more without, by step"
     surprise = results.value("tumble_surprise", formula, _surprise, *cells)
     pairs = results.value("tumble_count", "pairs of worlds", gathered(sum, (row.pair_count for row in rows)))
     formula = "pairs of bodies and steps of which a world without the term ends with no energy to hold others against"
@@ -67,8 +63,5 @@ def _gains_nothing(results: Results, rows: list[Row], void: list[Row]) -> Claim:
     longest = results.value("tumble_longest", "the longest step", extreme(max, steps))
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
     numbers = {"pairs": pairs, "lost": next(iter(lost), ""), "gain": gain, "shortest": shortest, "longest": longest}
-    return Claim(
-        "tumbling_gains_nothing",
-        outcome,
-        numbers | gains | {"gained": excess["gain"], "risen": excess["rise"], "surprise": surprise},
-    )
+    numbers |= {"gained": excess["gain"], "risen": excess["rise"], "surprise": surprise}
+    return Claim("tumbling_gains_nothing", outcome, numbers | gains)

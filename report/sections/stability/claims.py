@@ -163,10 +163,7 @@ def size(results: Results, bound: Value) -> Claim:
     smallest = {"as-shipped": shipped.value, "scaled": scaled.value}
     lost = [row for row in rows if row not in passing]
     small = None not in smallest.values() and all(row.cube_edge_mm.value < smallest[row.grip] for row in lost)
-    fails = [row for row in lost if row.grip == "as-shipped"]
-    too_small = most(results, "size_fails", "largest edge that does not pass, grip as shipped", fails, "cube_edge_mm")
-    numbers: dict[str, Any] = {"bound": bound, "shipped": shipped, "scaled": scaled, "too_small": too_small}
-    return family_claim(results, "sizes", rows, small_ones_fail=small, **numbers)
+    return family_claim(results, "sizes", rows, small_ones_fail=small, bound=bound, shipped=shipped, scaled=scaled)
 
 
 def overlap(results: Results) -> Claim:
