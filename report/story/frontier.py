@@ -190,22 +190,22 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     effort = min((way.effort for way in holding), default=PATCH)
     times = {way: ratios[ALONE] for way in holding if ALONE in (ratios := way.ratios(sections))}
     paces = {way: time.number for way, time in times.items()}
-    timed = [way for way in times if way.effort == effort]
+    least = [way for way in holding if way.effort == effort]
     near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
     none = absent("1", bound.reason or untimed)
     numbers = {"way": "", "slip": none, "ratio": none, "bound": bound}
     numbers |= dict.fromkeys(("many", "off", "patch", "patch_slip", "patch_ratio", "patch_many", "elsewhere"), "")
-    if near or not timed:
+    if near or not least or not times.keys() >= {*least}:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
-    way = min(timed, key=paces.__getitem__)
+    way = min(least, key=paces.__getitem__)
     ratios = way.ratios(sections)
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
     off = sections.cell(SOLVERS, f"{way.timed.rpartition('/')[2]}-3cm", "wander_mm")  # from its place, on the way
     numbers |= {"way": way.name, "slip": way.slip(sections), "ratio": ratios[ALONE], "many": ratios.get(MANY, "")}
     numbers["off"] = off if at_least(off, bound) == HOLDS else ""
-    least = 0.01 * (seen.value or 0.0)
-    is_longer = any(ratio.number - 1.0 > max(ratio.noise or 0.0, least) for ratio in ratios.values())
+    share = 0.01 * (seen.value or 0.0)
+    is_longer = any(ratio.number - 1.0 > max(ratio.noise or 0.0, share) for ratio in ratios.values())
     patches = [way for way in times if way.effort == PATCH]
     flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
@@ -217,7 +217,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     numbers["elsewhere"] = Markup(", ").join(Markup("{} in {}").format(*pair) for pair in more)
     read = [seen, off, *(slip for slip, _ in more), *(way.slip(sections) for way in tests)]
     read = [cell for cell in read if cell.value is not None]
-    read += [*ratios.values(), *(times[way] for way in (*timed, *patches))]
+    read += [*ratios.values(), *(times[way] for way in (*least, *patches))]
     # Each way is looked at by itself: times are ratios of what one machine measured in turn.
     outcomes = [decided(way.effort != PATCH, cell) for cell in (*read, bound)]
     return Claim(name, all_of(*outcomes), numbers | dict(zip(FLAGS, flags, strict=True)))

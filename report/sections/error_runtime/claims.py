@@ -83,8 +83,8 @@ def solver_effort(points: Points) -> Claim:
 
 def crossover(points: Points) -> Claim:
     results, rows = points.results, points.worlds
-    if not rows:
-        lost = Outcome("unknown", "it was not measured")
+    if not rows or rows[0].worlds.value != 1:
+        lost = Outcome("unknown", "one world was not timed")
         return Claim("crossover", lost, dict.fromkeys(("advantage", "engine", "crossover", "gain", "most"), ""))
     # From the times that it took in turn with each number of worlds: alone a core may run at another pace.
     formula = "simulated seconds of one world per second, MuJoCo C on one core, median of all comparisons"
