@@ -45,6 +45,7 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
     values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
     # a billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
     low, high = (np.round(side, 9) for side in (values[chosen].min(axis=0), values[chosen].max(axis=0)))
+    turned = np.round(turn[run.shake_start], 9).tolist()
     whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * 65535).astype("<u2")
     return {
         "name": name,
@@ -52,10 +53,7 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
         "step_s": step * row["kept_frame_step"] / row["frame_rate_hz"],
         "count": len(chosen),
         "left_grasp_s": row["left_grasp_s"],
-        "begin": {
-            "position": run.begin_in_hand[:3, 3].tolist(),
-            "quaternion": np.round(turn[run.shake_start], 9).tolist(),
-        },
+        "begin": {"position": run.begin_in_hand[:3, 3].tolist(), "quaternion": turned},
         **{"low": low.tolist(), "high": high.tolist()},
         "samples": base64.b64encode(whole.T.tobytes()).decode(),
     }

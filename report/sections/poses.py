@@ -23,17 +23,18 @@ labels = {
 COLUMNS = {"amplitude": "shake_amplitude_m", "time": "shake_duration_s", "slip at the end": "slip_mm"}
 COLUMNS |= {"out of the grasp after": "left_grasp_s", "cube ends at": "cube_height_m"}
 AXES = ("along", "across", "up")  # of the shake, which are those of the world
-MOTION = {f"amplitude_{axis}": ("mm", f"√2 of how far the hand deviates {axis}") for axis in AXES}
-MOTION |= {f"rate_{axis}": ("Hz", f"frequency that the hand's swing {axis} has most of") for axis in AXES}
-MOTION["speed_squared"] = "m²/s²", "mean of the squared speed of the hand"
-MOTION["arc"] = "m", "radius of the path at held joint speeds, in the mean of its bend along the shake over the way"
+# The hand's motion, units by name: √2 of its deviation, its strongest rate, its mean squared speed, and the radius of
+# its path at held joint speeds, by the mean of its bend along the shake over the way.
+MOTION = {f"{name}_{axis}": unit for name, unit in (("amplitude", "mm"), ("rate", "Hz")) for axis in AXES}
+MOTION |= {"speed_squared": "m²/s²", "arc": "m"}
 AHEAD_S = 1e-2  # how far ahead, and back, joints are taken to go on at the speeds that they have
 
 
 def derive(results: Results) -> Section:
     row, trace = results.row["as-shipped"], results.trace("as-shipped")
-    for name, (unit, formula) in MOTION.items():
-        read = trace, row.frame_rate_hz, row.shake_frequency_hz
+    read = trace, row.frame_rate_hz, row.shake_frequency_hz
+    for name, unit in MOTION.items():
+        formula = f"{name} of the hand, by the positions of its joints in pairs of whole cycles after the first"
         results.value(name, formula, lambda *read, name=name: _motion(*read)[name], *read, unit=unit)
     return Section(tables={"runs": by_case(results.rows, COLUMNS)})
 

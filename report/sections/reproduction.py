@@ -45,19 +45,17 @@ SCENE: tuple[tuple[str, float, str], ...] = (  # name, value and unit of what th
 
 def derive(results: Results) -> Section:
     shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
-    _scene(results, shipped, stiff)
+    _scene(results, shipped)
     slips, cells = _slips(results, shipped), (results.trace("as-shipped"), shipped.shake_frequency_hz)
     claims = [slips, _steady(results, cells), _every_second(results, cells), _same_on_both_engines(results, slips)]
     return Section(claims=[*claims, _stiff_pads_hold(results, shipped, stiff)])
 
 
-def _scene(results: Results, shipped: Row, stiff: Row) -> None:
+def _scene(results: Results, shipped: Row) -> None:
     for name, value, unit in SCENE:
         results.value(name, "set in the scene", constant(value, unit))
     results.value("amplitude", "in whole mm", combined(round, MM_PER_M * shipped.shake_amplitude_m))
     results.value("frequency", "as a whole number", combined(round, shipped.shake_frequency_hz))
-    formula = "size of the change in slip with stiff pads, of the slip as shipped"
-    results.value("stiff_share", formula, departure(stiff.slip_mm, shipped.slip_mm))
 
 
 def _slips(results: Results, shipped: Row) -> Claim:

@@ -1,9 +1,9 @@
 """A package of plain Python as a wheel, so that what a page offers can be installed from it; always the same bytes."""
 
-import hashlib
 import io
 from base64 import urlsafe_b64encode
 from functools import cache
+from hashlib import sha256
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
@@ -27,9 +27,7 @@ def wheel(folder: Path) -> tuple[str, bytes]:
         "entry_points.txt": f"[console_scripts]\n{commands}",
     }
     files |= {f"{package}-{version}.dist-info/{name}": text.encode() for name, text in about.items()}
-    digests = {
-        name: urlsafe_b64encode(hashlib.sha256(data).digest()).decode().rstrip("=") for name, data in files.items()
-    }
+    digests = {name: urlsafe_b64encode(sha256(data).digest()).decode().rstrip("=") for name, data in files.items()}
     record = f"{package}-{version}.dist-info/RECORD"
     sums = "".join(f"{name},sha256={digests[name]},{len(data)}\n" for name, data in files.items())
     files[record] = f"{sums}{record},,\n".encode()

@@ -4,15 +4,14 @@ from measured_report.findings.chapters import Chapters
 from measured_report.parts.claim import Claim, Outcome, all_of
 from measured_report.parts.section import Section
 from report.shared.arithmetic import Sections
-from report.shared.variants import unseen_in
 
 SHIPPED, STIFF, HELD = "reproduction/as-shipped/", "reproduction/stiff-pads/", "hold/hold-60s/"
 SOURCE, DRIFT = "contact_source/", "cure/{}_drift"
 STATEMENTS = {  # by name: the claims that decide a statement, and the cells and values that its words name
     "drifts": ("reproduction.slips reproduction.drift_is_steady", f"{SHIPPED}slip_mm", f"{SHIPPED}drift_mm_s"),
-    "not_friction": ("friction.not_the_cause", "friction/largest_share", "friction/floor_share"),
+    "not_friction": ("friction.not_the_cause", "friction/largest_share"),
     "not_solver": ("solver.not_the_cause solver.solver_has_converged", "solver/largest_share"),
-    "not_contacts": ("contact_source.not_the_cause", f"{SOURCE}largest_share", f"{SOURCE}floor_share"),
+    "not_contacts": ("contact_source.not_the_cause", f"{SOURCE}largest_share"),
     "pads_and_engine": (
         "contact_source.not_the_cause",
         *(f"{SOURCE}{case}/slip_mm" for case in ("pads-convex-mesh", "engine-mujoco-c")),
@@ -29,11 +28,12 @@ NAMES = ("first", "second")  # of the numbers
 
 def derive(chapters: Chapters) -> Section:
     sections = Sections({name: chapter.results for name, chapter in chapters.items()})
-    said = {f"{name}.{claim.name}": claim.outcome for name, each in chapters.items() for claim in each.section.claims}
-    unmeasured, claims = Outcome("unknown", "it was not measured"), []
+    tests = {f"{name}.{claim.name}": claim for name, each in chapters.items() for claim in each.section.claims}
+    unmeasured, claims = Claim("unmeasured", Outcome("unknown", "it was not measured")), []
     for name, (needs, *places) in STATEMENTS.items():
         cells = [(sections.cell if place.count("/") > 1 else sections.value)(*place.split("/")) for place in places]
-        outcome = all_of(*(said.get(need, unmeasured) for need in needs.split())).having_read(*cells)
-        unseen = unseen_in(cells[0], cells[-1]) if places[-1].endswith("floor_share") else ""
-        claims.append(Claim(name, outcome, {**dict(zip(NAMES, cells, strict=False)), "unseen": unseen}))
+        first, *more = (tests.get(need, unmeasured) for need in needs.split())
+        outcome = all_of(first.outcome, *(claim.outcome for claim in more)).having_read(*cells)
+        numbers = {"unseen": first.numbers.get("unseen", ""), **dict(zip(NAMES, cells, strict=False))}
+        claims.append(Claim(name, outcome, numbers))
     return Section(claims=claims)

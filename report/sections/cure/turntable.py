@@ -67,10 +67,9 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
 
 def _by_hand(results: Results, plain: Value) -> Claim:
     """Work the law out of what is given, without the contacts' regularization."""
-    given = "given: {}"
-    turn = results.chosen("turn", given.format("how fast the table turns"), 2.0, "rad/s")
-    step = results.chosen("step", given.format("the time step"), 2.0, "ms")
-    timeconst, dmax = results.row["plain-c"].timeconst_s, results.chosen("dmax", given.format("MuJoCo's default"), 0.95)
+    turn = results.chosen("turn", "given: how fast the table turns", 2.0, "rad/s")
+    step = results.chosen("step", "given: the time step", 2.0, "ms")
+    timeconst, dmax = results.row["plain-c"].timeconst_s, results.chosen("dmax", "given: MuJoCo's default", 0.95)
     b = results.value("b", "2 / (dmax · timeconst)", 2 / (timeconst * dmax))
     formula = "ω² / b, of the distance from the axis"
     braking = results.value("braking", formula, lambda turn, b: 100 * turn**2 / b, turn, b, unit="%/s")

@@ -61,10 +61,9 @@ def draw_limits(limits: Sequence[Limit]) -> Drawing:
     drawing, axes = new_figure(7.6, 0.9 + (0.46 if is_narrow() else 0.34) * len(limits))
     for place, limit in enumerate(limits):
         low, high = (cell.number / limit.shipped for cell in (limit.low, limit.high))
-        axes.plot(
-            [low, high], [place, place], color=STIFF, linewidth=8, marker="", solid_capstyle="butt", linestyle="-"
-        )
-        axes.plot([low, high], [place, place], color=STIFF, linestyle="", marker="|", markersize=8, markevery=1)
+        bar = [low, high], [place, place]
+        axes.plot(*bar, color=STIFF, linewidth=8, marker="", solid_capstyle="butt", linestyle="-")
+        axes.plot(*bar, color=STIFF, linestyle="", marker="|", markersize=8, markevery=1)
         is_lost = limit.broken.value is not None
         end = limit.broken.number / limit.shipped if is_lost else 1.6 * high
         style = {"color": SHIPPED, "marker": "X", "markersize": 8} if is_lost else {"color": STIFF, "marker": ">"}

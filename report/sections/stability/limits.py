@@ -57,9 +57,7 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
     starts = [row for row in family(results, "overlap") if is_stable(row)]
     first = said("safe_settings", "least")
     safe = [row for row in critical if first.value is not None and row.pad_ke.value >= first.value]
-    soft = [
-        row for row in critical if first.value is not None and row.pad_ke.value < first.value and not is_stable(row)
-    ]
+    soft = [row for row in critical if first.value is not None and row not in safe and not is_stable(row)]
     sunk = most(results, "ke_critical_lost", "largest below these that fails", soft, "pad_ke")
     up_to = said("safe_settings", "limit")
     below = [row for row in alone if row.substeps.value == AS_SHIPPED.substeps and is_stable(row)]
