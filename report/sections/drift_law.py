@@ -64,8 +64,7 @@ def _by_hand(results: Results, laws: Mapping[str, Value]) -> Claim:
 def _arc(results: Results) -> Claim:
     """Tell the same acceleration by a speed and an arc, of the joints' record: no contact and no law is in them."""
     numbers: dict[str, Quantity] = {name: arithmetic.other_value(results, "poses", name) for name in MOTION}
-    formula = "squared speed of the hand over the radius of its arc"
-    swing = results.value("g_swing", formula, MM_PER_M * numbers["speed_squared"] / numbers["arc"])
+    swing = results.value("g_swing", "squared speed over arc", MM_PER_M * numbers["speed_squared"] / numbers["arc"])
     off = results.value("g_off", "how far that is from what the law takes", departure(swing, results.derived["g"]))
     outcome = at_most(off, 5.0, why="the same acceleration").having_read(swing, *numbers.values())
     return Claim("arc", outcome, numbers | {"swing": swing})

@@ -23,8 +23,7 @@ labels = {
 COLUMNS = {"amplitude": "shake_amplitude_m", "time": "shake_duration_s", "slip at the end": "slip_mm"}
 COLUMNS |= {"out of the grasp after": "left_grasp_s", "cube ends at": "cube_height_m"}
 AXES = ("along", "across", "up")  # of the shake, which are those of the world
-# The hand's motion, units by name: √2 of its deviation, its strongest rate, its mean squared speed, and the radius of
-# its path at held joint speeds, by the mean of its bend along the shake over the way.
+# Units by name: √2 of the hand's deviation, its strongest rate, mean squared speed, its arc at held joint speeds.
 MOTION = {f"{name}_{axis}": unit for name, unit in (("amplitude", "mm"), ("rate", "Hz")) for axis in AXES}
 MOTION |= {"speed_squared": "m²/s²", "arc": "m"}
 AHEAD_S = 1e-2  # how far ahead, and back, joints are taken to go on at the speeds that they have

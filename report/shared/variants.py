@@ -52,8 +52,7 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
     unseen = results.value("floor_share", "noise of the slip, of the baseline's slip", PERCENT * floor / base.slip_mm)
     seen = resolved(unseen, 5.0, why="no change to speak of")
     numbers: dict[str, Quantity | str] = {"largest": largest, "share": of_slip, "most": case_html(farthest)}
-    numbers |= {"baseline": base.slip_mm, "unseen": unseen_in(largest, floor)}
-    return Variants(base, rows, slips, seen, numbers)
+    return Variants(base, rows, slips, seen, numbers | {"baseline": base.slip_mm, "unseen": unseen_in(largest, floor)})
 
 
 def unseen_in(change: Quantity, floor: Quantity) -> str:
