@@ -89,7 +89,7 @@ def points_between(first: Release, last: Release) -> list[str]:
 
 def bisect(search: Bisection, first: Release, last: Release) -> str:
     """Say which edition is the first that answers otherwise, and which package did it; UsageError where none does."""
-    a, b = search.answer(first), search.answer(last)
+    b, a = search.answer(last), search.answer(first)  # the newer one is often measured, and names what there is not
     if a is None or b is None or a == b:
         hint = "; PROFILE=full looks closer" if search.project.profile == "quick" else ""
         raise UsageError(f"{search.query.text} is {answer_text(a)} at A and {answer_text(b)} at B{hint}")

@@ -2,13 +2,14 @@
 
 import ast
 import math
+import re
 import sys
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from importlib.util import find_spec
-from itertools import pairwise
+from itertools import chain, pairwise
 from pathlib import Path
 from statistics import fmean, median
 from typing import Any
@@ -199,12 +200,12 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
     _refuse_unknown_cases(edition)
     if edition.project.named.is_installed_with(package_versions()):
         _refuse_absent_imports(edition.project.root)
+    _refuse("changes.package_groups", chain(*rules.package_groups), "package", config().packages)
     if not edition.left_out:
-        rows = (chapter.results.record.rows for each in editions.values() for chapter in each.chapters.values())
-        columns = {column for each in rows for column in columns_of(each)} | {*parameters()}
-        for each in config().columns:
-            others = (each.rate_of, each.known_within, each.grows_with, each.trials)
-            _refuse("columns", (*each.names, *others), "column", columns)
+        columns = {*parameters()}.union(*(columns_of(_rows(edition)) for edition in editions.values()))
+        for table in config().columns:
+            others = (table.rate_of, table.known_within, table.grows_with, table.trials, table.unless)
+            _refuse("columns", (*table.names, *others), "column", columns)
         _refuse("repeating", config().repeating, "column", columns)
         _refuse("cost_terms", config().cost_terms, "column", columns)
 
@@ -255,6 +256,8 @@ def gaps(edition: Edition) -> list[str]:
             lost = [f"{column.removesuffix(REASON)}: {text}" for column, text in texts if text.startswith(UNBELIEVED)]
             lines += [f"{name}: {row['case']} has no {text}" for text in lost]
         unread = ((claim.name, number) for claim in chapter.section.claims for number in claim.unread)
+        bare = (key for key, figure in chapter.section.figures.items() if not figure.sources)
+        lines += [f"{name}: the figure {figure} has no sources" for figure in bare]
         lines += [f"{name}.{claim} prints {number}, which its test has not read" for claim, number in unread]
         outcomes = {claim.name: claim.outcome for claim in chapter.section.claims if claim.outcome.name == "unknown"}
         lacking = {claim: outcome for claim, outcome in outcomes.items() if not outcome.is_inconclusive}
@@ -274,10 +277,26 @@ def blind_spots(edition: Edition) -> list[str]:
     late = []
     for name, threshold in config().changes.thresholds.items():
         number = Query(name).quantity(edition.chapters)
-        if isinstance(number, Quantity) and number.value is None:
+        if isinstance(number, Quantity) and number.value is None and Query(name).section in edition.chapters:
             late.append(f"{name} can raise no alarm: {number.reason}")
         elif isinstance(number, Quantity) and number.value:
             least = CHOSEN_SHARE if number.noise is None else math.sqrt(2) * number.noise / abs(number.value)
             text = f"{name}: threshold {format_share(threshold)}, but noise hides changes below {format_share(least)}"
             late += [text] if least > threshold else []
     return ([f"no noise is known of {few(list(unknown), 8)}"] if unknown else []) + late
+
+
+def _rows(edition: Edition) -> list[Mapping[str, Any]]:
+    return [row for chapter in edition.chapters.values() for row in chapter.results.record.rows]
+
+
+def idle_settings(edition: Edition) -> list[str]:
+    """Say which settings are of columns or cells that no row has, as a pattern that is mistyped."""
+    rows, settings = _rows(edition), config()
+    columns = {*columns_of(rows), *parameters(), ""}
+    patterns = [*(table.pattern for table in settings.columns), settings.changes.endings]
+    idle = [pattern for pattern in patterns if not any(re.fullmatch(pattern, column) for column in columns)]
+    for name, cells in settings.repeating.items():
+        present = {str(row.get(name, parameters().get(name))) for row in rows}
+        idle += [f"{name} = {cell}" for cell in map(str, cells) if cell not in present]
+    return [f"{FILE}: no row has {name}" for name in idle] if not edition.left_out else []

@@ -39,7 +39,8 @@ def measure_what_can(
     except UsageError:
         raise
     except ReportError as error:
-        print(error, file=sys.stderr)
+        if str(error):  # what measured may have said it
+            print(error, file=sys.stderr)
         return project, False
 
 

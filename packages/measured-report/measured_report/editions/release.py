@@ -155,8 +155,8 @@ def _own_version(project: str, spec: str, option: str) -> str:
 def _read_pins(text: str) -> Sequence[tuple[str, str]]:
     pins = [pin.partition("==")[::2] for pin in text.split()]
     if not all(package in config().packages[1:] and VERSION.fullmatch(version) for package, version in pins):
-        example = " ".join(f"{package}==1.2.3" for package in config().packages[1:3])
-        raise UsageError(f'WITH={text} is no list of versions; WITH="{example}" is one')
+        names = ", ".join(config().packages[1:]) or "none"
+        raise UsageError(f"WITH={text} is no list of PACKAGE==1.2.3; packages of report.toml has: {names}")
     return [(package, full_version(version)) for package, version in pins]
 
 

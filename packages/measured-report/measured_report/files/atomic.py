@@ -22,7 +22,7 @@ class RecordError(ReportError):
 
 def short_path(path: Path) -> str:
     """Write the path of a record or a trace as messages have it: its edition's folder and its name."""
-    return UNPRINTABLE.sub("?", f"{path.parent.name}/{path.name}")
+    return UNPRINTABLE.sub("?", "/".join(path.parts[-2:]))
 
 
 def read_own_file(path: Path, byte_limit: int) -> bytes:

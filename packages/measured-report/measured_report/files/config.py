@@ -1,14 +1,17 @@
 """Config: all settings of ``report.toml``."""
 
+import re
 import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cache, cached_property
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
-from typing import Any, Literal, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
 import msgspec
+from msgspec import Meta
 
 from measured_report.files import root
 from measured_report.files.errors import ReportError, suggestion
@@ -20,6 +23,9 @@ else:
 FILE = "report.toml"
 ROOMS = ("experiments", "report")  # packages that every report has of its own, by the same names
 T = TypeVar("T")
+Address = Annotated[str, Meta(pattern="^$|^https?://")]
+ClassName = Annotated[str, Meta(pattern="^$|:")]
+Share = Annotated[float, Meta(gt=0.0)]
 
 
 @dataclass(frozen=True)
@@ -53,9 +59,9 @@ class Changes:
 
     upgrade_sections: Sequence[str] = ()  # sections that make upgrade measures, the longest first; none: all
     headlines: Mapping[str, str] = field(default_factory=dict)  # values that the history shows, by what they are called
-    thresholds: Mapping[str, float] = field(default_factory=dict)
+    thresholds: Mapping[str, Share] = field(default_factory=dict)
     """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
-    setting_threshold: float = 0.05  # the same for any setting
+    setting_threshold: Share = 0.05  # the same for any setting
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
     explanation: str = ""  # the claim that, where it holds, explains why editions differ
@@ -94,7 +100,7 @@ class Config:
     trials: Mapping[str, str] = field(default_factory=dict)  # what people call labels with other packages
     host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
     accelerator: str = "measured_report.measuring.accelerator"  # the module of what accelerates it; this one of nothing
-    case: str = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
+    case: ClassName = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
@@ -105,7 +111,7 @@ class Config:
     changes: Changes = field(default_factory=Changes)  # the table of that name
     title: str = "A report"  # what its data are of, where nothing else of it is at hand
     name: str = "report"  # its name in citations
-    repository: str = ""  # the page of its sources on the web; where nothing is said, pages lead to none
+    repository: Address = ""  # the page of its sources on the web; where nothing is said, pages lead to none
     pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))  # in order, the front page first
     text_modules: str = ""  # the package with a module for each text of a page: `front` derives what `front.md.j2` says
     plugins: str = "measured_report.pages.plugins"  # the module of what else it shows; this says what it may
@@ -182,6 +188,14 @@ class Report:
                     if name not in names:
                         raise ValueError(f"there is no setting {table_name}{name}{suggestion(name, names)}")
             config = msgspec.convert(settings, Config)
+            for pattern in (*(table.pattern for table in config.columns), *config.formulas):
+                re.compile(pattern)
+            if not all(table.names or table.pattern for table in config.columns):
+                raise ValueError("a table of columns has neither names nor a pattern")
+            if not 0 < len(config.pages) == len({page.name for page in config.pages}):
+                raise ValueError("pages has none, or two of one name")
+        except re.error as error:
+            raise ReportError(f"{FILE}: {error.pattern!r} is no regular expression: {error}") from None
         except (OSError, ValueError, TypeError) as error:  # which msgspec's are
             hint = "; REFERENCE.md says what it takes" if isinstance(error, msgspec.ValidationError) else ""
             raise ReportError(f"{FILE}: {' '.join(str(error).split())}{hint}") from None
@@ -230,6 +244,15 @@ def report() -> Report:
 def config() -> Config:
     """Return what the current report says of itself."""
     return report().config
+
+
+def module_of(setting: str) -> ModuleType:
+    """Import the module that a setting names; ReportError, one line, where there is none."""
+    name = getattr(config(), setting)
+    try:
+        return import_module(name.partition(":")[0])
+    except ImportError as error:
+        raise ReportError(f"{FILE}: {setting} = {name!r}: {error}") from error
 
 
 def cached_in_report(function: Callable[..., T]) -> Callable[..., T]:

@@ -7,7 +7,7 @@ from typing import TypeVar
 from measured_report.editions.project import MANIFEST, Project, read_manifest
 from measured_report.editions.status import NOT_SHOWN, State, states_of
 from measured_report.files.atomic import RecordError, short_path
-from measured_report.files.config import config
+from measured_report.files.config import config, module_of
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.findings.cache import Derivation, DerivedCache
 from measured_report.findings.chapters import Chapter, Chapters, Releases, before, digests_of, results_digest
@@ -77,8 +77,8 @@ class Edition:
 
     def story(self, name: str, releases: Releases) -> Section:
         """Return what ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
-        module = f"{config().text_modules}.{name}"
-        file = file_of(config().text_modules, name) if config().text_modules else None
+        package = module_of("text_modules").__name__ if config().text_modules else ""
+        module, file = f"{package}.{name}", file_of(package, name) if package else None
         arguments = files().source(file, name).top.get("derive", 0) if file else 0
         if not (file and arguments):
             return Section()

@@ -53,9 +53,11 @@ def outline_of(section: str) -> Outline:
     if page not in pages:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
     first, labels, reads = says.get("first", False), says.get("labels", {}), says.get("reads", ())
+    if not (isinstance(labels, Mapping) and isinstance(reads, tuple | list)):
+        raise ReportError(f'{name}: labels is a dict, as {{"case": "words"}}, and reads a tuple, as ("noise",)')
     if unknown := [read for read in reads if not file_of("report.sections", read)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
-    return Outline(file, root, says["order"], pages[page], says["derive"] > 1, first, label, labels, reads)
+    return Outline(file, root, says["order"], pages[page], says["derive"] > 1, first, label, labels, tuple(reads))
 
 
 @dataclass(frozen=True)

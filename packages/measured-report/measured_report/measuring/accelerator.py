@@ -1,11 +1,10 @@
 """Accelerators: what a report that measures on the CPU has none of; ``report.toml`` names a module with these names."""
 
 from collections.abc import Mapping
-from importlib import import_module
 from types import ModuleType
 from typing import NamedTuple
 
-from measured_report.files.config import config
+from measured_report.files.config import module_of
 
 KIND, NOUN = "", ""  # what DEVICE calls one beside `cpu`, and people do
 NONE: Mapping[str, str] = {}  # environment of a process that may use none
@@ -34,7 +33,7 @@ def driver() -> str | None:
 
 
 def accelerator() -> ModuleType:
-    return import_module(config().accelerator)
+    return module_of("accelerator")
 
 
 def kinds() -> list[str]:

@@ -4,10 +4,9 @@ It may have ``note_work(note)`` too, after which ``note`` is called with each pi
 words: what is timed is the same where these are, which ``make carry`` asks.
 """
 
-from importlib import import_module
 from types import ModuleType
 
-from measured_report.files.config import config
+from measured_report.files.config import module_of
 from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions
 
@@ -35,4 +34,4 @@ def explained(error: Exception) -> str:
 
 
 def host() -> ModuleType:
-    return import_module(config().host)
+    return module_of("host")

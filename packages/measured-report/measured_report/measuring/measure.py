@@ -23,7 +23,7 @@ from measured_report.measuring.machine import machine_name, machine_of, needs_de
 from measured_report.records.identity import sections as all_sections
 
 MODULE = "measured_report.measuring.run"
-UNFIT = 2  # exit status of a measurement that could not begin, because of what was asked for
+FAILED, UNFIT = 1, 2  # exit statuses of a measurement that failed, or could not begin, which has said why
 
 
 def measure(
@@ -77,9 +77,10 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
     env |= accelerator().NONE if device == "cpu" else {}
     process = subprocess.run(command, cwd=project.root, env=env, preexec_fn=end_with_parent, start_new_session=True)
     if process.returncode == UNFIT:
-        raise UsageError("")  # it has said why
+        raise UsageError("")
     if process.returncode:
-        raise ReportError(f"measuring ended with exit status {process.returncode}; what was there is kept")
+        status = f"measuring ended with exit status {process.returncode}; what was there is kept"
+        raise ReportError("" if process.returncode == FAILED else status)
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:

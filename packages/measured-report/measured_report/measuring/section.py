@@ -2,6 +2,7 @@
 
 import inspect
 import pickle
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
@@ -20,7 +21,7 @@ from measured_report.measuring.machine import KIND, commit, needs_device
 from measured_report.measuring.measurement import Measurement
 from measured_report.records.columns import REASON, UNBELIEVED, column_of, is_number, number_problem, plain, units_of
 from measured_report.records.identity import Identity, identity_of
-from measured_report.records.record import Record, write_record
+from measured_report.records.record import NAME, Record, write_record
 from measured_report.records.traces import packed
 
 WHOLE = "whole"  # name of the one batch of a section that has declared none
@@ -164,6 +165,8 @@ def _as_one(batch: Batch) -> Plan:
 def believable(row: Mapping[str, object]) -> dict[str, object]:
     """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
     row = {str(name): plain(value) for name, value in row.items()}
+    if wrong := [name for name in row if not re.fullmatch(NAME, name)]:
+        raise ReportError(f"the column {wrong[0]!r} is not called in small letters, digits and _, as rebound_mm")
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
     lost += [name for name in row if row[name] is None and name + REASON not in row and column_of(name).unit != "1"]
     return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}

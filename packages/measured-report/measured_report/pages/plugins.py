@@ -1,12 +1,11 @@
 """Plugins: what a report shows besides sections and pages, where ``report.toml`` names a module with the same names."""
 
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from measured_report.files.config import config
+from measured_report.files.config import module_of
 
 
 class Plugins:
@@ -48,4 +47,4 @@ def scripts() -> Sequence[str]:
 
 
 def plugins() -> ModuleType:
-    return import_module(config().plugins)
+    return module_of("plugins")

@@ -30,6 +30,7 @@ TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")  # stands alone in its p
 LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')  # in Markdown, a link that leads to an id
 PARAGRAPH = re.compile(rf"<p(?: [^>]*)?>(?!{NUMBER.pattern}</p>)(?P<words>.+?)</p>", re.DOTALL)
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
+TOLD = re.compile("(there is no )?templates/")  # an error that says already where it is
 OF_CLASS = re.compile(r"'measured_report[\w.]*\.(\w+) object'")
 BLOCK = ("<figure", "<p", "<div", "</div")
 TITLE, HEADING = re.compile(r"\A<h[12].*?</h[12]>\n?"), re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
@@ -149,14 +150,16 @@ def _named(template: str, code: jinja2.Template | None = None) -> Iterator[None]
     except UnicodeDecodeError as error:
         raise ReportError(f"templates/{template}: {error}") from None
     except jinja2.TemplateSyntaxError as error:
-        raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
-    except jinja2.TemplateError as error:
+        name = template if error.name in (None, "<introspection>") else error.name  # what looks for names in a tree
+        raise ReportError(f"templates/{name}:{error.lineno}: {error.message}") from None
+    except (jinja2.TemplateError, ReportError) as error:
+        if TOLD.match(text := str(error)):
+            raise
         # What is asked of a text or of nothing, as if it were a number, a record has otherwise than was thought.
-        kind = ResultsError if PLAIN.match(error.message or "") else ReportError
+        kind = ResultsError if isinstance(error, ResultsError) or PLAIN.match(text) else ReportError
         lines = [frame.lineno or 1 for frame in extract_tb(error.__traceback__) if frame.filename.endswith(template)]
         line = f":{code.get_corresponding_lineno(lines[-1]) if code else lines[-1]}" if lines else ""
-        text = OF_CLASS.sub(r"a \1", error.message or "")
-        raise kind(f"templates/{template}{line}: {text}") from None
+        raise kind(f"templates/{template}{line}: " + OF_CLASS.sub(r"a \1", text)) from None
 
 
 @jinja2.pass_context

@@ -153,6 +153,8 @@ def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
 
 def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "") -> Outcome:
     """Test whether ``a`` is greater than ``b``; less is the opposite, and within the noise it can't tell."""
+    if a is b:
+        raise ReportError(f"a test compares {a} with itself")
     if noise is None:
         quantities = [number for number in (a, b) if isinstance(number, Quantity)]
         measured = [number for number in quantities if number.value is not None]

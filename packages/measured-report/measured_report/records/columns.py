@@ -2,14 +2,13 @@
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from functools import cache, cached_property
-from importlib import import_module
 from itertools import chain
 from typing import Any, TypeGuard
 
-from measured_report.files.config import ColumnTraits, cached_in_report, config
-from measured_report.files.errors import UNPRINTABLE
+from measured_report.files.config import FILE, ColumnTraits, cached_in_report, config, module_of
+from measured_report.files.errors import UNPRINTABLE, ReportError
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
@@ -56,7 +55,10 @@ class Column(ColumnTraits):
 @cached_in_report
 def units() -> Mapping[str, str]:
     """Return the unit by the end of a column's name; the longest end that fits counts."""
-    return _LENGTHS | _TIMES | _OTHERS | dict(config().units)
+    known = _LENGTHS | _TIMES | _OTHERS
+    if other := [end for end, unit in config().units.items() if known.get(end, unit) != unit]:
+        raise ReportError(f"{FILE}: units has {other[0]}, which is {known[other[0]]}: give the column another end")
+    return known | dict(config().units)
 
 
 @cached_in_report
@@ -78,7 +80,10 @@ def column_of(name: str) -> Column:
 def parameters() -> Mapping[str, Any]:
     """Return the parameters of a case and their defaults, ``MISSING`` for one that has none."""
     module, _, name = config().case.partition(":")
-    return {field.name: field.default for field in fields(getattr(import_module(module), name))} if module else {}
+    case = getattr(module_of("case"), name, None) if module else None
+    if module and not is_dataclass(case):
+        raise ReportError(f"{FILE}: case = {config().case!r}: there is no such dataclass")
+    return {field.name: field.default for field in fields(case)} if case else {}
 
 
 def is_unit(text: str) -> bool:

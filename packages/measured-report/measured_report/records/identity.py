@@ -74,7 +74,10 @@ def sections(root: Path | None = None) -> list[str]:
     """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
     folder = (root or report().root) / "report" / "sections"
     names = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
-    return sorted(name for name in names if not name.startswith(("_", ".")))
+    shown = sorted(name for name in names if not name.startswith(("_", ".")))
+    if wrong := [name for name in shown if not name.isidentifier()]:
+        raise UsageError(f"report/sections/{wrong[0]}.py: a section has a name of Python, as my_ball")
+    return shown
 
 
 SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"

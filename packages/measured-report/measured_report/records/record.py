@@ -25,7 +25,8 @@ CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 DIGITS = ".9g"  # as many digits as tell any two numbers of single precision apart
 Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
 Key = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_.+-]{1,200}\Z")]
-Name = Annotated[str, Meta(pattern=r"\A[a-z][a-z0-9_]{0,79}\Z")]
+NAME = r"\A[a-z][a-z0-9_]{0,79}\Z"  # of a column
+Name = Annotated[str, Meta(pattern=NAME)]
 Line = Annotated[str, Meta(pattern=r"\A[^\n\t]+\Z", max_length=400)]
 if TYPE_CHECKING:
     from typing import Any as Cell

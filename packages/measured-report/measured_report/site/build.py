@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from measured_report.changes.query import blind_spots, gaps, refuse_unknown_names
+from measured_report.changes.query import blind_spots, gaps, idle_settings, refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import digests_below, replace, staging_folder, sums
@@ -55,7 +55,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         built = {}
         for release, edition in editions.items():
             stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
-            notes = (gaps(edition), blind_spots(edition)) if edition.project.is_own else ()
+            notes = (gaps(edition), blind_spots(edition) + idle_settings(edition)) if edition.project.is_own else ()
             built[release] = Built(stale, [*edition.left_out, *edition.plugins.left_out], *notes)
         cache.put(BUILT, (digest, digests_below(project.site)), built)
     return built

@@ -15,6 +15,7 @@ from statistics import fmean, median
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from measured_report.files.config import cached_in_report, config
+from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of, is_number
 from measured_report.records.record import Record
 from measured_report.values.noise import (
@@ -158,6 +159,8 @@ class Evidence:
             return None
         if trials := row.get(about.trials):
             scale = trials if column.endswith("_count") else 1
+            if not 0 <= value <= scale:
+                raise ReportError(f"{row['case']} has {column} {value:g}, with {about.trials} {trials:g}")
             return Estimate(value, (scale * binomial_noise(value / scale, trials) / Z) ** 2, samples=(value,))
         if about.is_exact:
             return Estimate(value)

@@ -100,3 +100,11 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
 def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the_site_is_built(own):
     own.write("report/sections/toy.py", MODULE.replace("at_least(gain, bound)", "at_least(bound, bound)"))
     assert build(own.project)["1.4.0"].gaps == ["toy.helps prints gain, which its test has not read"]
+
+
+def test_what_a_figure_and_a_setting_are_of_is_missed_when_the_site_is_built(toy):
+    toy.write("report/sections/toy.py", MODULE.replace("draw(trace), [trace]", "draw(trace), []"))
+    built = build(toy.project)["1.4.0"]
+    assert built.gaps == ["toy: the figure way has no sources"]
+    idle = [f"report.toml: no row has {name}" for name in ("growth_per_s", "classes", "case = c")]
+    assert {*idle} < {*built.notes} and "report.toml: no row has slip_mm" not in built.notes

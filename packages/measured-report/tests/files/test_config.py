@@ -8,6 +8,10 @@ import pytest
 from measured_report.commands.new import SKELETON
 from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
+from measured_report.measuring.accelerator import accelerator
+from measured_report.measuring.host import host
+from measured_report.pages.plugins import plugins
+from measured_report.records.columns import parameters, units
 
 TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
 
@@ -22,6 +26,11 @@ TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
         ('edition = "', 'edition = 3 # "', r"Expected `str`, got `int` - at `\$.edition`"),
         ("pages = [", 'pages = ["x",', r"Expected `object`, got `str` - at `\$.pages\[0\]`"),
         ("title =", "title", "Expected '=' after a key"),
+        ('formulas = ["RK4"]', 'formulas = ["RK4("]', r"'RK4\(' is no regular expression"),
+        ('names = ["duration_s"]', "", "a table of columns has neither names nor a pattern"),
+        ('name = "results"', 'name = "index"', "pages has none, or two of one name"),
+        ('mj" = 0.05', 'mj" = -0.05', "Expected `float` > 0.0"),
+        ("title =", 'repository = "nowhere"\ntitle =', "Expected `str` matching regex"),
     ],
 )
 def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
@@ -29,6 +38,22 @@ def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
     with pytest.raises(ReportError, match=f"^report.toml: {said}") as error:
         _ = Report(tmp_path).config
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("line", "ask", "said"),
+    [
+        ('host = "nosuch"', host, "host = 'nosuch': No module named 'nosuch'"),
+        ('accelerator = "nosuch"', accelerator, "accelerator = 'nosuch': No module named 'nosuch'"),
+        ('plugins = "nosuch"', plugins, "plugins = 'nosuch': No module named 'nosuch'"),
+        ('case = "shutil:Nope"', parameters, "case = 'shutil:Nope': there is no such dataclass"),
+        ('units = { mm = "m" }', units, "units has mm, which is mm: give the column another end"),
+    ],
+)
+def test_what_a_setting_names_and_is_not_there_is_one_line_when_it_is_asked_for(tmp_path, line, ask, said):
+    (tmp_path / "report.toml").write_text(line)
+    with Report(tmp_path), pytest.raises(ReportError, match=f"^report.toml: {said}"):
+        ask()
 
 
 def test_a_command_says_it_in_that_line_and_no_traceback(tmp_path):

@@ -9,7 +9,7 @@ import pytest
 from batches import all_of, section_of
 
 from measured_report.editions.project import Project
-from measured_report.files.errors import UsageError
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, Result
 from measured_report.measuring.machine import measuring_device
@@ -84,6 +84,8 @@ def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
     lost = ("way_mm", "pause_s", "far_mm", "pull_n")
     reasons = {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
     assert believable(row) == {**row, **dict.fromkeys(lost), **reasons}
+    with pytest.raises(ReportError, match=r"the column 'Way \[mm\]' is not called in small letters"):
+        believable({"Way [mm]": 1.0})
 
 
 def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):

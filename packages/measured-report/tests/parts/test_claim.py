@@ -69,8 +69,10 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
 
 def test_an_outcome_without_numbers_is_unknown_and_says_why():
     gone = quantity(None, "non-finite in frame 12")
-    for outcome in (at_least(gone, NOISE), at_most(NOISE, gone), greater(NOISE, NOISE, noise=gone)):
+    for outcome in (at_least(gone, NOISE), at_most(NOISE, gone), greater(NOISE, quantity(1.0), noise=gone)):
         assert outcome == Outcome("unknown", "non-finite in frame 12")
+    with pytest.raises(ReportError, match="with itself"):
+        greater(NOISE, NOISE)
 
 
 def make_claim(outcome) -> Claim:

@@ -11,6 +11,7 @@ from scipy import stats
 from toys import BY_HAND, lay_out
 
 from measured_report.files.config import report_in
+from measured_report.files.errors import ReportError
 from measured_report.records.record import Record
 from measured_report.values.evidence import MEAN, Evidence, evidence_of, key_of, repeats_of
 
@@ -23,6 +24,7 @@ repeating = { backend = ["c"] }
 pages = [{ name = "index", texts = [] }]
 columns = [
     { kind = "cost", pattern = "frame_(ms|ratio)(_p[0-9]+)?|ratio_resolution|frames_per_s|build_s" },
+    { trials = "try_count", names = ["hit_count"] },
     { rate_of = "frame_ms", pattern = "frames_per_s" },
     { known_within = "ratio_resolution", pattern = "frame_ratio" },
     { grows_with = "shake_duration_s", resolution = 1e-3, pattern = "slip_mm" },
@@ -157,6 +159,8 @@ def test_a_row_itself_says_how_well_a_time_a_ratio_and_a_count_are_known():
     known = {name: Evidence().estimate(name, in_c) for name in in_c if name not in ("case", "backend")}
     noises = {name: each and each.noise for name, each in known.items()}
     assert noises == {"slip_mm": pytest.approx(0.006), "build_s": None, "row_count": 0.0, "pad_ke": 0.0, "load": None}
+    with pytest.raises(ReportError, match="x has hit_count 9, with try_count 8"):
+        Evidence().estimate("hit_count", {"case": "x", "hit_count": 9, "try_count": 8})
     share = {"case": "x", "lifted_count": 3, "trial_count": 8}
     assert Evidence().estimate("lifted_count", share).noise == 0.0
 
