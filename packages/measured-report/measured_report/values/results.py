@@ -70,8 +70,9 @@ class Row:
         if column not in self.plain:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
-            if not self._lack and not any(column in row for row in self._record.rows):
-                raise ResultsError(f"{self._record.section}: {case} has no column {column}{suggestion(column, units)}")
+            if not any(column in row for row in self._record.rows):  # what nobody has is neither yes nor no
+                lack = self._lack or f"{case} has no column {column}{suggestion(column, units)}"
+                raise ResultsError(f"{self._record.section}: {lack}")
             return ""
         value = number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):

@@ -5,7 +5,7 @@ from argparse import Namespace
 from dataclasses import replace
 
 import pytest
-from toys import ROWS, Toy, git
+from toys import ROWS, SCENE, Toy, git
 
 from measured_report.changes import bisect as module
 from measured_report.changes.bisect import Bisection, first_change, points_between
@@ -90,6 +90,17 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
         searched(replace(search, query=Query("toy.halps", True)))
     with pytest.raises(UsageError, match="holds at A and holds at B"):
         searched(search, "1.5.9")
+
+
+def test_what_a_search_measured_by_code_of_before_is_measured_again(toy, search, monkeypatch):
+    side = replace(search.project.of("1.5.9"), aside=module.ASIDE)
+    side.results.parent.mkdir(parents=True)
+    search.project.of("1.5.9").results.rename(side.results)
+    assert searched(search)[0].startswith("toy.helps changes between 1.5.9")
+    toy.write("experiments/scene.py", SCENE.replace("1.0 if", "2.0 if"))
+    monkeypatch.setattr(module, "measure", lambda side, release, *_: 1 / (str(release) != "1.5.9"))
+    with pytest.raises(ZeroDivisionError):
+        searched(search)
 
 
 def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout):

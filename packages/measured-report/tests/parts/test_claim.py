@@ -131,6 +131,8 @@ def test_what_has_no_value_says_why(results):
     assert trace.value is None and "toy.soft.csv.gz" in trace.reason
     with pytest.raises(ResultsError, match="derived twice"):
         results.value("half", "two", lambda: 2.0)
+    with pytest.raises(ResultsError, match="toy: there is no single row of case nobody"):
+        _ = results.row["nobody"].has_old  # as false as a no, if it were a text
     with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
         _ = results.row["soft"].drift_mm_s
 
