@@ -178,4 +178,4 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
         return f"make bisect {queries[0]} {ends} finds which change did it; {lists}"
     if comparison.moves:
         return f"see whether what changed was meant to: {lists}"
-    return "nothing; make report measures the rest"
+    return "nothing; make report measures the rest" if config().changes.upgrade_sections else "nothing"

@@ -133,7 +133,7 @@ def _make(folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str]
 
 
 def _run(arguments: Sequence[str], name: str) -> None:
-    """Run uv, which may take a while; UsageError, one line, with the last that it said where it fails."""
+    """Run uv, which may take a while; UsageError, one line, with the cause where it fails."""
     tools = report().root / ".venv.tools" / "bin"  # where the Makefile has put it, on a host that has none
     uv = shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{tools}")
     if not uv:
@@ -143,4 +143,5 @@ def _run(arguments: Sequence[str], name: str) -> None:
     process = subprocess.run([uv, *arguments], stdout=-1, stderr=-2, text=True, errors="replace", check=False)
     if process.returncode:
         lines = [*filter(None, (line.strip(" ×╰─▶\t") for line in process.stdout.splitlines()))]
-        raise UsageError(f"{name} cannot be installed: {lines[-1] if lines else 'no reason was given'}")
+        cause = "".join(" ".join(lines).partition("Because ")[1:]) or "".join(lines[-1:]) or "no reason was given"
+        raise UsageError(f"{name} cannot be installed: {cause}")

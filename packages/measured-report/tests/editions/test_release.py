@@ -126,6 +126,15 @@ def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_o
     assert sum(path.stat().st_size for path in folder.rglob("*") if not path.is_symlink()) < 1 << 20
 
 
+def test_why_nothing_could_be_installed_is_said_with_its_cause(tmp_path, monkeypatch):
+    said = "error: none\n  cause: Because Python 3.11 is no\n     Python>=3.12, it\n         And because a is b, no."
+    (tmp_path / "uv").write_text(f"#!/bin/sh\necho '{said}'\nexit 1\n")
+    (tmp_path / "uv").chmod(0o700)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    with pytest.raises(UsageError, match=r": Because Python 3.11 is no Python>=3.12, it And because"):
+        environment._run(["sync"], "numpy")
+
+
 def test_a_release_of_two_numbers_is_the_one_with_a_zero_behind_them(toy):
     for path in toy.project.root.glob("newton-*.dist-info/METADATA"):
         path.write_text("Name: newton\nVersion: 2.0\n")
