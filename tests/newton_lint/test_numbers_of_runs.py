@@ -160,11 +160,14 @@ def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
     assert not found or after == pytest.approx(min(1.0, 0.4 * depth_mm), rel=0.04)
 
 
-@pytest.mark.parametrize(("y", "said"), [(0.0, True), (1.5, False)])
-def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(y, said):
+@pytest.mark.parametrize(
+    ("y", "joint", "said"), [(0, "", True), (1.5, "", False), (0, '<joint damping="1e9"/>', False)]
+)
+def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(y, joint, said):
     """20 m/s take it through 20 mm in half a step; 80 mm are more than 20 · 19 / e ms, as a damped spring yields."""
-    wall = '<geom name="wall" type="box" size="0.01 1 1" pos="-1 0 1"/>'
-    key = f'<keyframe><key qpos="-2 {y} 1 1 0 0 0" qvel="20 0 0 0 0 0"/></keyframe>'
+    wall = f'<body pos="-1 0 1">{joint}<geom name="wall" type="box" size="0.01 1 1"/></body>'
+    more = " 0" if joint else ""
+    key = f'<keyframe><key qpos="-2 {y} 1 1 0 0 0{more}" qvel="20 0 0 0 0 0{more}"/></keyframe>'
     target = of(more=wall, rest=key)
     runs = runs_of(target.model, target)
     found = [each for each in stepped(scene_of(target), target, runs) if each.rule == "tunnel"]

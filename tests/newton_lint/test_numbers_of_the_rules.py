@@ -50,9 +50,9 @@ FOUND = [
     ("timeconst", alone("0.003 1"), 0.003, 0.004, "warning", "1.3 times the steps"),
     ("timeconst", alone("0.001 1"), 0.001, 0.004, "warning", 'or timestep="0.0005": '),  # 4 times
     ("timeconst", alone("0.0009 2", integrator=DISCRETE), 0.0009, 0.001, "warning", "0.001 2"),  # one step over 2
-    ("stiff", alone("0 -181", dt=0.01), -181.0, None, "error", 'solref="0 -95"'),  # 1.81 / 0.95 = 1.905; b h = 1
-    ("stiff", alone("-34400 0", dt=0.01), 0.0, None, "error", 'solref="-2256 0"'),  # 3.44 / 0.95² / 2 = 1.906; 95² / 4
-    ("stiff", alone("-17100 -91", dt=0.01), -91.0, None, "error", 'solref="-2256 -91"'),  # 0.958 + 0.947
+    ("stiff", alone("0 -191", dt=0.01), -191.0, None, "error", 'solref="0 -95"'),  # dmax b h = 1.91; b h = 1
+    ("stiff", alone("-38200 0", dt=0.01), 0.0, None, "error", 'solref="-2256 0"'),  # 3.82 / 2 = 1.91; 95² / 4
+    ("stiff", alone("-19100 -95", dt=0.01), -95.0, None, "error", 'solref="-2256 -95"'),  # 0.955 + 0.95
     ("dampratio", alone("0.02 4.1"), 4.1, 1.0, "warning", 'solref="0.02 1"'),
     ("dampratio", alone("-100 -81"), 4.05, 1.0, "warning", 'solref="-100 -20"'),  # damping / (2 √stiffness)
     ("one-sided", {"part": 'solref="0.004 1"'}, 0.004, 0.012, "warning", 'priority="1" on part'),
@@ -91,10 +91,11 @@ QUIET = [
     ("timeconst", alone("0.00399999 1")),
     ("timeconst", alone("0.003 1", flag='<flag refsafe="disable"/>')),
     ("timeconst", alone("0.0011 2", integrator=DISCRETE)),
-    ("stiff", alone("0 -180", dt=0.01)),
-    ("stiff", alone("-34200 0", dt=0.01)),
-    ("stiff", alone("-17000 -91", dt=0.01)),
-    ("stiff", alone("-17100 -91", dt=0.01, integrator=DISCRETE)),
+    ("stiff", alone("0 -189", dt=0.01)),
+    ("stiff", alone("-37800 0", dt=0.01)),
+    ("stiff", alone("-18900 -95", dt=0.01)),
+    ("stiff", alone('-37800 0" solimp="0 0.01 0.001', dt=0.01)),  # as in MuJoCo's Newton's cradle
+    ("stiff", alone("-19100 -95", dt=0.01, integrator=DISCRETE)),
     *(("dampratio", alone(each)) for each in ("0.02 3.9", "0.02 0.1", "-100 -79", "-100 1")),
     ("one-sided", {"part": 'solref="0.0051 1"'}),
     ("one-sided", {"part": 'solref="0.001 1"', "floor": 'solref="0.006 1"'}),  # 3.5 ms, below four steps

@@ -194,6 +194,27 @@ def test_the_thickness_that_is_named_stops_a_fall(tmp_path, capsys):
         thick_mm = capsys.readouterr().out.partition("a thickness of ")[2].split(" ")[0]
 
 
+LINK = '<body><joint name="j" axis="0 1 0" {}/><geom type="capsule" size="0.1" fromto="0 0 0 0.5 0 0" mass="3"/></body>'
+FOOT = '<geom type="plane" size="1 1 1"/><body pos="0 0 0.02"><freejoint/><geom type="box" size="0.1 0.1 0.1"/></body>'
+KEY = '</worldbody><keyframe><key qpos="0 0 0.1 1 0 0 0"/></keyframe><worldbody>'
+MOTOR = '</worldbody><actuator><motor joint="j"/></actuator><worldbody>'
+NOTES = {
+    "a piece by itself": (TORSO, "note overlap", "on a base that moves MuJoCo leaves this contact out"),
+    "a start beside a keyframe": (FOOT + KEY, "note overlap", "1 note"),
+    "a start that is out of range": (LINK.format('range="60 90" damping="1e5"'), "note limit", "1 note"),
+    "a joint that a motor moves": (LINK.format('frictionloss="20"') + MOTOR, "nothing found", ""),
+}
+
+
+@pytest.mark.parametrize("question", NOTES)
+def test_what_only_a_file_by_itself_shows_is_no_warning(question, tmp_path, capsys):
+    bodies, *said = NOTES[question]
+    (tmp_path / "scene.xml").write_text(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
+    assert main([str(tmp_path / "scene.xml")]) == 0
+    out = capsys.readouterr().out
+    assert all(text in out for text in said), out
+
+
 PUSHED = """
 <mujoco>
   <worldbody>

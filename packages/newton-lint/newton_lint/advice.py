@@ -8,10 +8,8 @@ from newton_lint.findings import Advice, Change, distinct
 from newton_lint.law import clamped
 from newton_lint.scene import Scene
 
-FAR = 4.0
-"""A damping ratio, or a timeconst, that is more than this many times another one is far from it."""
-FEW = 10
-"""Iterations of the solver with which an elliptic cone is solved."""
+FAR, FEW = 4.0, 10
+"""Times another damping ratio or timeconst from which one is far, and iterations that solve an elliptic cone."""
 
 
 def for_geom(scene: Scene, geom: int, attributes: Mapping[str, str], gain: str) -> Advice:

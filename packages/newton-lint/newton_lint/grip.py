@@ -17,10 +17,8 @@ from newton_lint.stepped import Run, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
 """Creep under its own weight from which a body is said to slip."""
-AGREES = 0.3
-"""Least share of the predicted creep that a body moves by, and of a weight that friction bears in a grip."""
-LEAST = 0.015
-"""The same on a slope."""
+AGREES, LEAST = 0.3, 0.015
+"""Least share of predicted creep that a body moves by, and of its weight that friction bears: in a grip, on a slope."""
 OPPOSE = -0.5
 """Cosine between two normals up to which a body is held from two sides."""
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)

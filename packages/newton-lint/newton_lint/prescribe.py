@@ -19,10 +19,8 @@ from newton_lint.settle import Hold, Work, pair_indices, predicted_hold, settled
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
-SAFETY = 0.8
-"""Share of the bound that a prediction has to be below to be tried first."""
-MOST_TRIES = 5
-"""Settings that are simulated."""
+SAFETY, MOST_TRIES = 0.8, 5
+"""Share of the bound that a prediction has to be below to be tried first, and settings that are simulated."""
 MEASURED_S = 1.0
 """Time over which creep is measured, after the settling."""
 TIMECONSTS_S = (0.01, 0.005, 0.002)

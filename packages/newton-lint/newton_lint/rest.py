@@ -22,7 +22,7 @@ from newton_lint.target import Target
 
 REST, WINDOW_S, LONGEST_S = 2e-3, 0.1, 2.0
 """Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited."""
-WILD = 1.0
+WILD = 0.3
 """Speed after 2 s from which it is a note what it then came to [m/s or rad/s]."""
 BUDGET_S = 0.4
 """Time of the processor after which it is not waited for any longer."""
@@ -31,10 +31,8 @@ LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
 SCALE = {"mm": M, "°": math.degrees(1.0)}
 FAR, MUCH = 5.0, 3.0
 """Times this from which it is a warning, and of a limit."""
-MENDS = 0.5
-"""Share of it that a change leaves at most, which is then named."""
-SUNK = 0.2
-"""Share of half its thickness by which what lies is sunk."""
+MENDS, SUNK = 0.5, 0.2
+"""Share of it that a named change leaves at most, and of half its thickness by which what lies is sunk."""
 HARD, HARDEST = (0.999, 0.999, 0.001), 'solref="{}" solimp="{}"'
 THICKER = (2, 4, 8, 16, 32)
 LEAVES, LEAVES_S = 3.0, 0.2
@@ -191,7 +189,7 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         solrefs[contact] = new
         changes = for_contact(scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), "").changes
         ways = [(", ".join(map(str, changes)), stiffer), (HARDEST.format(_text(shortest), _text(HARD)), harder)]
-        is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
+        is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < WILD
         far = sizes[thin] / least if is_certain else math.inf
         message = "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,"
         yield Give(
@@ -236,6 +234,13 @@ def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
         name = model.tendon(tendon).name or f"tendon_{tendon}"
         unit = "°" if _turns(model, tendon) else "mm"
         yield give(name, "length", model.tendon_range[tendon], unit, "ten_length", tendon)
+
+
+def is_unposed(model: mujoco.MjModel, start: str) -> bool:
+    """Tell whether nobody starts from a start: the model's own, beside keyframes or out of a joint's range."""
+    data = mujoco.MjData(model)
+    beyond = (give.unit for give in _limits(model, data) if give.read(model, data) > LEAST[give.unit])
+    return start == "the start" and (model.nkey > 0 or any(beyond))
 
 
 def _turns(model: mujoco.MjModel, tendon: int) -> bool:
@@ -286,7 +291,7 @@ def _servos(model: mujoco.MjModel, rest: Rest) -> Iterator[Give]:
     def light(model, data) -> None:
         model.opt.gravity[:] = 0.0
 
-    for servo in np.flatnonzero(is_servo(model)).tolist() if model.nkey == 0 or rest.start != "the start" else ():
+    for servo in np.flatnonzero(is_servo(model)).tolist():
         joint = int(model.actuator_trnid[servo, 0])
         if model.jnt_type[joint] not in (HINGE, SLIDE) or rest.data.qfrc_constraint[model.jnt_dofadr[joint]]:
             continue
@@ -310,8 +315,8 @@ def _passed(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[Fi
     mujoco.mj_kinematics(model, data)
     pairs = np.stack([contacts.first, contacts.second], axis=1)
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
-    # What moves freely is passed by on all sides within a tenth of a second.
-    walls = np.isin(model.geom_type, PLATES) & ~scene.free[model.geom_bodyid]
+    # What moves is passed by on all sides within a tenth of a second.
+    walls = np.isin(model.geom_type, PLATES) & (model.body_weldid[model.geom_bodyid] == 0)
     pairs = pairs[walls[pairs[:, 1]]]
     for geom, wall in pairs[_crossing(model, pairs, [places_of(data), *rest.places])][:MOST_CROSSINGS].tolist():
         axis, pair = int(model.geom_aabb[wall, 3:].argmin()), np.array([[geom, wall]])

@@ -10,15 +10,13 @@ from newton_lint import advice
 from newton_lint.advice import FAR
 from newton_lint.findings import Advice, Finding
 from newton_lint.grouping import Hits, Wording, findings_of
-from newton_lint.law import DEFAULT_SOLREF
+from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, engine, fixed, lost, pyramid, unread, visual
 from newton_lint.source import Element
 
-SAME = 1e-5
-"""Relative difference up to which two parameters are the same."""
-STIFF = 1.9
-"""b h + k h²/2 of a contact from which MuJoCo's step throws bodies off."""
+SAME, STIFF = 1e-5, 1.9
+"""Difference up to which parameters are the same, and b h + k h²/2 from which MuJoCo's step throws bodies off."""
 Values = tuple[np.ndarray, np.ndarray | float]
 Advise = Callable[[int], Advice | None]
 DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
@@ -82,14 +80,13 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
 def too_stiff(scene: Scene) -> Iterator[Hits]:
     """Yield direct solrefs that are too stiff for the time step; refsafe leaves them alone."""
     contacts, step = scene.contacts, scene.option.timestep_s
-    dmax = np.clip(contacts.solimp[:, 1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
     first, second = contacts.solref.T
-    gain = -second / dmax * step - 0.5 * first / dmax**2 * step**2
+    gain = -second * step - 0.5 * first * step**2  # a contact accelerates by dmax · b and dmax² · k
     taken = (first <= 0.0) & (second <= 0.0)
     if not scene.option.refsafe:
         is_short = (first > 0.0) & (second > 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
-            own = 2.0 * step / (dmax * first) + 0.5 * (step / (dmax * first * second)) ** 2
+            own = 2.0 * step / first + 0.5 * (step / (first * second)) ** 2
         taken, gain = taken | is_short, np.where(is_short, own, gain)
     # The integrator discrete takes both terms implicitly, and bears any.
     stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
@@ -100,7 +97,7 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     def softer(pair: int) -> Advice:
         if first[pair] > 0.0:
             return advice.longer_solref(scene, pair, 2.0 * step, "as stiff as the time step bears")
-        return advice.softer_solref(scene, pair, float(dmax[pair]))
+        return advice.softer_solref(scene, pair, float(clamped(contacts.solimp[pair, 1])))
 
     yield _pair_hits(scene, wording, stiff, (np.where(first > 0.0, first, second)[stiff], np.nan), softer)
 

@@ -14,10 +14,8 @@ from newton_lint.law import M, Response, response_of, settled_impedance, shared_
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 
-SETTLE_S = 0.5
-"""Time that a scene gets to come to rest."""
-READ_SHARE = 0.2
-"""Last part of it over which forces are averaged."""
+SETTLE_S, READ_SHARE = 0.5, 0.2
+"""Time that a scene gets to come to rest, and the last part of it over which forces are averaged."""
 EARLIER = (1.0, 0.1, 0.01)
 """Shares of the settling after which a body is looked for in its grip."""
 AT_THE_EDGE = 0.999

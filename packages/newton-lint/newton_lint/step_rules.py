@@ -12,30 +12,30 @@ import numpy as np
 from newton_lint.advice import either, for_option
 from newton_lint.findings import Advice, Change, Finding
 from newton_lint.law import EULER, IMPLICITFAST, M
-from newton_lint.rest import at_rest, is_servo, rest_of
+from newton_lint.rest import at_rest, is_servo, is_unposed, rest_of
 from newton_lint.scene import Scene, changed
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of, starts
 from newton_lint.target import Target
 
-THROWN_M_S = 0.5
-"""Speed that contacts can't give a body that lies or falls."""
-CALMER = 0.5
-"""Share of it that is left where a change mends it."""
+THROWN_M_S, CALMER = 0.5, 0.5
+"""Speed that contacts can't give a body that lies or falls, and share of it that is left where a change mends it."""
 OVERLAP_M, OVERLAP_SHARE = 1e-3, 0.05
 """Overlap at the start from which it is looked at, also as a share of the smaller geom."""
 FORCE = 100.0
 """Times the weight of all that moves from which a force between links of one robot is out of proportion."""
 LIMITED = 0.5
 """Share of steps in which the solver uses up its iterations."""
-DIFFERS_M = 1e-3
-"""What more iterations have to change for their number to be a finding: depth, or 100 times that in m/s."""
+DIFFERS_M, DIFFERS = 1e-3, 0.1
+"""What more iterations have to change for their number to be a finding: depth and share, or 100 times that in m/s."""
 SAG, HELD, AGREES = 5e-3, 0.99, 0.7
 """Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed."""
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+HINGE, ON_JOINT = int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtTrn.mjTRN_JOINT)
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 Way = tuple[mujoco.MjModel, dict[str, str], str]
 """A changed model, what of the change are options, and the rest of it in words."""
-ITERATED, GIVES = ("solver", "thrown", "unstable"), ("depth", "equality", "limit", "servo")
+ITERATED, EFFECTS = ("solver", "thrown", "unstable"), ("depth", "equality", "limit", "servo", "tunnel")
+BASE = "on a base that moves MuJoCo leaves this contact out"
+"""Said of links of a piece, as a gripper or the base of a URDF, that is fixed to the world by itself alone."""
 HELD_S = 2.0
 """Time for which a change has to hold, from each start, before it is said to mend what blows up."""
 
@@ -49,16 +49,19 @@ def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
     for index, run in enumerate(runs):
         rest = None if run.bad else rest_of(scene.model, run.data, run.start)
         early = (rule(scene, target, run, index) for rule in (_unstable, _overlapping, _sagging))
-        late = at_rest(scene, target, run, rest, index) if rest else ()
-        for finding in itertools.chain(*early, late):
-            key = finding.rule, finding.shape, finding.against
-            if key not in findings or finding.value > findings[key].value:
-                findings[key] = finding
-    # What the solver leaves overlapping is no fault of the places, nor what an overlap jams one of what gives.
-    unsolved = any("iterations=" in str(item.advice) for item in findings.values() if item.rule in ITERATED)
-    jammed = any(item.rule == "overlap" and item.severity == "warning" for item in findings.values())
-    effects = ("overlap",) * unsolved + GIVES * jammed
-    return [replace(item, severity="note") if item.rule in effects else item for item in findings.values()]
+        items = list(itertools.chain(*early, at_rest(scene, target, run, rest, index) if rest else ()))
+        # What the solver leaves overlapping is no fault of the places, nor what an overlap jams one of what gives.
+        unsolved = any("iterations=" in str(item.advice) for item in items if item.rule in ITERATED)
+        overlaps = (item for item in items if item.rule == "overlap")
+        jammed = any(item.severity == "warning" or BASE in item.message for item in overlaps)
+        effects, is_idle = ("overlap",) * unsolved + EFFECTS * jammed, is_unposed(scene.model, run.start)
+        for item in items:
+            is_note = item.rule in effects or BASE in item.message or (is_idle and item.rule not in ITERATED)
+            finding, key = replace(item, severity="note") if is_note else item, (item.rule, item.shape, item.against)
+            findings[key] = max(
+                findings.get(key, finding), finding, key=lambda item: (item.severity != "note", item.value)
+            )
+    return list(findings.values())
 
 
 def _again(target: Target, model: mujoco.MjModel, index: int, time_s: float) -> Run:
@@ -158,7 +161,7 @@ def _unstable(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Fi
         more = str(max(3, 10 * opt.iterations))
         after = _again(target, changed(model, iterations=int(more)), index, run.time_s)
         calmer = float(np.max(run.speeds_m_s - after.speeds_m_s, initial=0.0))
-        if run.deepest_m - after.deepest_m > DIFFERS_M or calmer > 100.0 * DIFFERS_M:
+        if run.deepest_m - after.deepest_m > max(DIFFERS_M, DIFFERS * run.deepest_m) or calmer > 100.0 * DIFFERS_M:
             message = f"are used up in {run.at_limit:.0%} of the steps from {run.start}, and contacts are not solved"
             gain = f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
             advice = for_option(scene, {"iterations": more}, gain)
@@ -173,6 +176,8 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
     forces = contact_forces(model, run.data, range(len(touching)))[:, 0] * (0.0 if run.bad else 1.0)
     fast = dict(zip(model.jnt_bodyid[free_joints(model)].tolist(), run.thrown_m_s.tolist(), strict=True))
     weight = float(model.body_mass.sum() * np.linalg.norm(model.opt.gravity))
+    root = scene.source.root
+    is_piece = (root is not None and root.tag == "robot") or len({*model.body_rootid[body_of].tolist()}) == 1
     worst: dict[tuple[int, int], tuple[float, tuple[int, int]]] = {}
     for pair, depth in run.first.items():
         sizes = [model.geom_rbound[geom] for geom in pair if model.geom_rbound[geom] > 0.0]
@@ -192,13 +197,14 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
             message += f": {force:.3g} N press them apart, {force / weight:.3g} times the weight of all that moves"
         elif thrown > THROWN_M_S:
             message += f": it throws them apart at {thrown:.2g} m/s"
+        first, second = model.body_weldid[list(bodies)].tolist()
+        if is_piece and first == 0 == model.body_weldid[model.body_parentid[second]]:  # filterBodyPair
+            message += f"; {BASE}"
         gain = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
         exclude = Advice((Change("exclude", (("body1", names[0]), ("body2", names[1]))),), gain)
         apart = Advice((), f"{margin and 'lower the margin, or '}move one by {M * depth:.3g} mm")
-        # Robots come with a keyframe to start from: qpos0 of their links may overlap.
-        severity = "note" if not hard or (model.nkey and run.start == "the start") else "warning"
         shape, partner = (scene.names[geom] for geom in pair)
-        advice = exclude if one_tree else apart
+        severity, advice = "warning" if hard else "note", exclude if one_tree else apart
         element, against = scene.source.geom(pair[1]) or scene.source.geom(pair[0]), (partner,)
         yield Finding("overlap", shape, "overlap", M * depth, message, against, None, "mm", severity, element, advice)
 
@@ -206,7 +212,9 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
 def _sagging(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Finding]:
     """Yield joints that dry friction holds, and that creep as contacts do."""
     model = scene.model
-    for dof, rate in _sags(model, run).items():
+    sags = _sags(model, run)
+    later = _sags(model, _again(target, model, index, HELD_S)) if sags else {}  # what a weld draws to its place rests
+    for dof, rate in ((dof, rate) for dof, rate in sags.items() if later.get(dof, 0.0) > AGREES * rate):
         joint = model.joint(model.dof_jntid[dof])
         unit, scale = ("°/s", math.degrees(1.0)) if joint.type[0] == HINGE else ("mm/s", M)
         advice = Advice((), gain := 'solimpfriction="0.999 0.999 0.001" on the joint slows it 100 times')
@@ -223,11 +231,12 @@ def _sagging(scene: Scene, target: Target, run: Run, index: int) -> Iterator[Fin
 def _sags(model: mujoco.MjModel, run: Run) -> dict[int, float]:
     """Return speeds of joints that move as fast as their friction gives way to less than it can bear [m/s or rad/s]."""
     data, speeds = run.data, {}
+    driven = model.jnt_dofadr[model.actuator_trnid[model.actuator_trntype == ON_JOINT, 0]]
     for row in () if run.bad else np.flatnonzero(data.efc_type == DRY_FRICTION).tolist():
         dof, force = int(data.efc_id[row]), max(abs(float(data.efc_force[row])), mujoco.mjMINVAL)
         rate, gives = abs(float(data.qvel[dof])), float(data.efc_R[row]) * force / float(data.efc_KBIP[row, 1])
         ratios = rate / gives, *(abs(float(load[dof])) / force for load in (data.qfrc_bias, data.qfrc_constraint))
-        is_held = rate > SAG and force < HELD * model.dof_frictionloss[dof] and not data.qfrc_actuator[dof]
+        is_held = rate > SAG and force < HELD * model.dof_frictionloss[dof] and dof not in driven
         if is_held and min(ratios) > AGREES and max(ratios) < 1.0 / AGREES:
             speeds[dof] = rate
     return speeds

@@ -11,12 +11,9 @@ from newton_lint.scene import FREE
 from newton_lint.settle import started
 from newton_lint.target import Target
 
-STEPPED_S = 0.2
-"""Time that a scene is stepped by each call."""
-BUDGET_S = 5.0
-"""Time of the processor after which a run stops where it is."""
-MOST_STARTS = 4
-MOST_DOFS = 3000
+STEPPED_S, BUDGET_S = 0.2, 5.0
+"""Time that a scene is stepped by each call, and time of the processor after which a run stops where it is."""
+MOST_STARTS, MOST_DOFS = 4, 3000
 """What moves in more ways is not stepped: a step takes seconds."""
 # After one of them mj_checkPos and mj_checkAcc reset the state, which then looks sound: only the count stays.
 BAD = {int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")): f"BAD{name}" for name in ("QPOS", "QVEL", "QACC")}
