@@ -198,10 +198,16 @@ LINK = '<body><joint name="j" axis="0 1 0" {}/><geom type="capsule" size="0.1" f
 FOOT = '<geom type="plane" size="1 1 1"/><body pos="0 0 0.02"><freejoint/><geom type="box" size="0.1 0.1 0.1"/></body>'
 KEY = '</worldbody><keyframe><key qpos="0 0 0.1 1 0 0 0"/></keyframe><worldbody>'
 MOTOR = '</worldbody><actuator><motor joint="j"/></actuator><worldbody>'
+HOME = MOTOR.replace("motor", "position kp='999'").replace("<w", "<keyframe><key qpos='-1' ctrl='0'/></keyframe><w")
 NOTES = {
     "a piece by itself": (TORSO, "note overlap", "on a base that moves MuJoCo leaves this contact out"),
     "a start beside a keyframe": (FOOT + KEY, "note overlap", "1 note"),
-    "a start that is out of range": (LINK.format('range="60 90" damping="1e5"'), "note limit", "1 note"),
+    "a start that is out of range": (
+        LINK.format('range="60 90" damping="1e5"'),
+        "note limit",
+        "60 ° is how far it is beyond its range at the start,",
+    ),
+    "a keyframe that says its ctrl": (LINK.format("") + HOME, "nothing found", ""),
     "a joint that a motor moves": (LINK.format('frictionloss="20"') + MOTOR, "nothing found", ""),
 }
 

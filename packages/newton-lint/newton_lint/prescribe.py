@@ -23,8 +23,7 @@ SAFETY, MOST_TRIES = 0.8, 5
 """Share of the bound that a prediction has to be below to be tried first, and settings that are simulated."""
 MEASURED_S = 1.0
 """Time over which creep is measured, after the settling."""
-TIMECONSTS_S = (0.01, 0.005, 0.002)
-IMPRATIOS = (10.0, 100.0, 1000.0)
+TIMECONSTS_S, IMPRATIOS = (0.01, 0.005, 0.002), (10.0, 100.0, 1000.0)
 NOSLIP = 10
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 

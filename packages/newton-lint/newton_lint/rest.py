@@ -22,10 +22,8 @@ from newton_lint.target import Target
 
 REST, WINDOW_S, LONGEST_S = 2e-3, 0.1, 2.0
 """Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited."""
-WILD = 0.3
-"""Speed after 2 s from which it is a note what it then came to [m/s or rad/s]."""
-BUDGET_S = 0.4
-"""Time of the processor after which it is not waited for any longer."""
+WILD, BUDGET_S = 0.3, 0.4
+"""Speed after 2 s from which what it came to is a note [m/s or rad/s], and time of the processor to wait for it."""
 LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
 """What a contact, a limit, an equality or a servo gives that is said, of what slides and of what turns [m or rad]."""
 SCALE = {"mm": M, "°": math.degrees(1.0)}
@@ -236,11 +234,12 @@ def _limits(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Give]:
         yield give(name, "length", model.tendon_range[tendon], unit, "ten_length", tendon)
 
 
-def is_unposed(model: mujoco.MjModel, start: str) -> bool:
-    """Tell whether nobody starts from a start: the model's own, beside keyframes or out of a joint's range."""
-    data = mujoco.MjData(model)
-    beyond = (give.unit for give in _limits(model, data) if give.read(model, data) > LEAST[give.unit])
-    return start == "the start" and (model.nkey > 0 or any(beyond))
+def unposed(model: mujoco.MjModel, data: mujoco.MjData, start: str) -> Iterator[Finding]:
+    """Yield joints that a start puts beyond their range: nobody starts there."""
+    for give in _limits(model, data):
+        if give.parameter == "position" and (value := give.read(model, data)) > LEAST[give.unit]:
+            message, value = f"{give.message} at {start}, before the first step", SCALE[give.unit] * value
+            yield Finding(give.rule, give.name, give.parameter, value, message, unit=give.unit, severity="note")
 
 
 def _turns(model: mujoco.MjModel, tendon: int) -> bool:
@@ -366,7 +365,8 @@ def _released(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[
     model = scene.model
     servos = np.flatnonzero(is_servo(model))
     begins = [list(starts(model, target))[index][1] for _ in range(2)]
-    if target.data is not None or not index or begins[0].ctrl[servos].any():
+    key = scene.source.key(index - 1) if index else None
+    if target.data is not None or not index or begins[0].ctrl[servos].any() or (key and "ctrl" in key.attributes):
         return
     mujoco.mj_forward(model, begins[1])
     lengths = begins[1].actuator_length
@@ -375,7 +375,7 @@ def _released(scene: Scene, target: Target, rest: Rest, index: int) -> Iterator[
     if before > LEAVES and after < MENDS * before:
         advice = Advice((), f'ctrl="{_text(begins[1].ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s')
         message = "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0"
-        yield Finding("keyframe", rest.start, "speed", before, message, advice=advice)
+        yield Finding("keyframe", rest.start, "speed", before, message, element=key, advice=advice)
 
 
 def _fastest(model: mujoco.MjModel, data: mujoco.MjData) -> float:

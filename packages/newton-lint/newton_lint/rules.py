@@ -19,7 +19,6 @@ SAME, STIFF = 1e-5, 1.9
 """Difference up to which parameters are the same, and b h + k h²/2 from which MuJoCo's step throws bodies off."""
 Values = tuple[np.ndarray, np.ndarray | float]
 Advise = Callable[[int], Advice | None]
-DEFAULT_FRICTION = (1.0, 0.005, 0.0001)
 
 
 def lint(scene: Scene) -> list[Finding]:
@@ -143,7 +142,7 @@ def friction(scene: Scene) -> Iterator[Hits]:
     plain = (contacts.named < 0) & (contacts.condim > 1)
     least = -_largest(scene, plain, -contacts.friction[:, 0])
     # The compiled model does not tell a default from the same number that somebody wrote.
-    low = np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != DEFAULT_FRICTION[0]))
+    low = np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != 1.0))
     message = "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority"
     gain = "its friction alone counts, with its solref, solimp and condim"
     wording, values = Wording("friction", "friction", message), (authored[low], least[low])

@@ -12,10 +12,8 @@ from newton_lint.pairs import MOST_PAIRS, OFF, read
 from newton_lint.scene import Scene
 from newton_lint.warp_engine import refusal
 
-STEEP = 3.0
-"""Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
-NEAR_M = 1e-3
-"""What is farther from all else hangs in the air."""
+STEEP, NEAR_M = 3.0, 1e-3
+"""Friction from which a body sinks into a pyramid's contacts, 2 mm at 3, 100 at 8; what is farther hangs in the air."""
 HEAVIER, TWICE, HOLLOW = 1.7, 0.1, 2.0
 """Times as heavy as without geoms that are only seen, how near to 2 is twice; times as large as its mesh a hull is."""
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)

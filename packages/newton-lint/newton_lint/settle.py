@@ -16,10 +16,8 @@ from newton_lint.target import Target, TargetError
 
 SETTLE_S, READ_SHARE = 0.5, 0.2
 """Time that a scene gets to come to rest, and the last part of it over which forces are averaged."""
-EARLIER = (1.0, 0.1, 0.01)
-"""Shares of the settling after which a body is looked for in its grip."""
-AT_THE_EDGE = 0.999
-"""Share of the cone from which friction no longer holds."""
+EARLIER, AT_THE_EDGE = (1.0, 0.1, 0.01), 0.999
+"""Shares of the settling after which a body is looked for in its grip, and of the cone that no longer holds it."""
 UNSETTLED, UNSETTLED_MM_S = 2.0, 0.5
 """What moves faster than so many times its creep, and this [mm/s], has not settled."""
 STIFFER = 1e4

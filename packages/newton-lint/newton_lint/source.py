@@ -145,6 +145,11 @@ class Source:
         authoring = [element for element in options if attribute in element.attributes] or options
         return authoring[-1] if authoring else None  # of several MuJoCo's reader lets the last count
 
+    def key(self, index: int) -> Element | None:
+        """Return a ``<key>``."""
+        frames = self.root.sections("keyframe") if self.root else ()
+        return dict(enumerate(key for frame in frames for key in frame.sections("key"))).get(index)
+
     def pair(self, *names: str) -> Element | None:
         """Return the ``<pair>`` of two geoms, by their names."""
         for contact in self.root.sections("contact") if self.root else ():

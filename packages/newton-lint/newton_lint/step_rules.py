@@ -12,7 +12,7 @@ import numpy as np
 from newton_lint.advice import either, for_option
 from newton_lint.findings import Advice, Change, Finding
 from newton_lint.law import EULER, IMPLICITFAST, M
-from newton_lint.rest import at_rest, is_servo, is_unposed, rest_of
+from newton_lint.rest import at_rest, is_servo, rest_of, unposed
 from newton_lint.scene import Scene, changed
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of, starts
 from newton_lint.target import Target
@@ -21,10 +21,8 @@ THROWN_M_S, CALMER = 0.5, 0.5
 """Speed that contacts can't give a body that lies or falls, and share of it that is left where a change mends it."""
 OVERLAP_M, OVERLAP_SHARE = 1e-3, 0.05
 """Overlap at the start from which it is looked at, also as a share of the smaller geom."""
-FORCE = 100.0
-"""Times the weight of all that moves from which a force between links of one robot is out of proportion."""
-LIMITED = 0.5
-"""Share of steps in which the solver uses up its iterations."""
+FORCE, LIMITED = 100.0, 0.5
+"""Times the weight of all from which a force in a robot is out of proportion, and steps that use up all iterations."""
 DIFFERS_M, DIFFERS = 1e-3, 0.1
 """What more iterations have to change for their number to be a finding: depth and share, or 100 times that in m/s."""
 SAG, HELD, AGREES = 5e-3, 0.99, 0.7
@@ -49,12 +47,15 @@ def stepped(scene: Scene, target: Target, runs: Sequence[Run]) -> list[Finding]:
     for index, run in enumerate(runs):
         rest = None if run.bad else rest_of(scene.model, run.data, run.start)
         early = (rule(scene, target, run, index) for rule in (_unstable, _overlapping, _sagging))
-        items = list(itertools.chain(*early, at_rest(scene, target, run, rest, index) if rest else ()))
+        ill_posed = list(unposed(scene.model, list(starts(scene.model, target))[index][1], run.start))
+        is_idle = run.start == "the start" and bool(scene.model.nkey or ill_posed)
+        late = at_rest(scene, target, run, rest, index) if rest else ()
+        items = list(itertools.chain(ill_posed, *early, late))
         # What the solver leaves overlapping is no fault of the places, nor what an overlap jams one of what gives.
         unsolved = any("iterations=" in str(item.advice) for item in items if item.rule in ITERATED)
         overlaps = (item for item in items if item.rule == "overlap")
         jammed = any(item.severity == "warning" or BASE in item.message for item in overlaps)
-        effects, is_idle = ("overlap",) * unsolved + EFFECTS * jammed, is_unposed(scene.model, run.start)
+        effects = ("overlap",) * unsolved + EFFECTS * jammed
         for item in items:
             is_note = item.rule in effects or BASE in item.message or (is_idle and item.rule not in ITERATED)
             finding, key = replace(item, severity="note") if is_note else item, (item.rule, item.shape, item.against)
