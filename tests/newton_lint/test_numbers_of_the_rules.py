@@ -72,6 +72,7 @@ FOUND = [
     ("pyramid", {"floor": 'friction="4"'}, 4.0, None, "warning", "goes down by 17 where"),  # 1 + μ²
     ("pyramid", {"floor": 'friction="4"'}, 4.0, None, "warning", "goes down by 170 where"),
     ("pyramid", {"floor": 'friction="4"', "option": 'impratio="0.5"'}, 4.0, None, "warning", "goes down by 340 where"),
+    ("pyramid", {"floor": 'friction="4"', "option": 'impratio="0"'}, 4.0, None, "warning", "where μ is 4"),
     ("pyramid", {"floor": 'friction="3.1"', "option": 'iterations="9"'}, 3.1, None, "warning", 'iterations="10"'),
     ("lost", {"floor": 'conaffinity="4" contype="4"'}, 1.0, None, "warning", 'contype="4" conaffinity="4" on part'),
 ]

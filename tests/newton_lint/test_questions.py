@@ -167,6 +167,11 @@ STARTS = {
         "as stiff as its lighter body",
         'solimp="0.999 0.999 0.001"',
     ),
+    "a heap of loose bodies": (
+        "".join(PART.replace("part", name).format(z=1, geom="") for name in "abc"),
+        "(the fastest of 3 pairs): it throws them apart",
+        "move one by 200 mm",
+    ),
     "a servo stiffer than the step": (SERVO, "error unstable", 'integrator="implicitfast"'),
     "a weld that is soft": (WELDED, "warning equality: equality_0: gap", 'solref="0.01 1"'),
 }

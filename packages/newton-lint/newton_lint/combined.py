@@ -57,7 +57,7 @@ def option_of(model: mujoco.MjModel) -> Option:
         timestep_s=float(opt.timestep),
         integrator=int(opt.integrator),
         cone=CONES[int(opt.cone)],
-        impratio=float(opt.impratio),
+        impratio=max(float(opt.impratio), mujoco.mjMINVAL),
         refsafe=not opt.disableflags & REFSAFE_OFF,
         noslip=opt.noslip_iterations > 0,
     )

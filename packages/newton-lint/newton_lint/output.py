@@ -7,10 +7,8 @@ from newton_lint.findings import SEVERITIES, Finding, grouped
 from newton_lint.prediction import Load, Prediction
 from newton_lint.report import Report, as_json
 
-SHOWN = 3
-"""Names that a line of text has before it counts the rest."""
-WORST = 5
-"""Creeps that are shown."""
+SHOWN, WORST = 3, 5
+"""Names that a line of text has before it counts the rest, and creeps that are shown."""
 LEAST_MM_S = 1e-3
 """Slower creep is told as being below it."""
 USED = {"dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}

@@ -16,8 +16,7 @@ STEEP, NEAR_M = 3.0, 1e-3
 """Friction from which a body sinks into a pyramid's contacts, 2 mm at 3, 100 at 8; what is farther hangs in the air."""
 HEAVIER, TWICE, HOLLOW = 1.7, 0.1, 2.0
 """Times as heavy as without geoms that are only seen, how near to 2 is twice; times as large as its mesh a hull is."""
-MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
-WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+MESH, WEIGHTLESS = int(mujoco.mjtGeom.mjGEOM_MESH), int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 def lost(scene: Scene) -> Iterator[Finding]:

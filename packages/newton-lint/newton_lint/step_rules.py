@@ -185,7 +185,10 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
         if depth > max(OVERLAP_M, OVERLAP_SHARE * min(sizes, default=0.0)):
             bodies = min(body_of[list(pair)]), max(body_of[list(pair)])
             worst[bodies] = max(worst.get(bodies, (0.0, pair)), (depth, pair))
-    for bodies, (depth, pair) in worst.items():
+    loose = (bodies for bodies in worst if scene.free[list(bodies)].all())
+    # A heap of loose bodies is for code to scatter: one pair stands for all.
+    heap = sorted(loose, key=lambda bodies: (max(fast.get(int(body), 0.0) for body in bodies), worst[bodies]))
+    for bodies, (depth, pair) in ((bodies, worst[bodies]) for bodies in worst if bodies not in heap[:-1]):
         force = float(forces[(touching == bodies).all(axis=1)].sum())
         jammed = weight > 0.0 and force > FORCE * weight
         thrown = max(fast.get(int(model.body_weldid[body]), 0.0) for body in bodies)
@@ -193,7 +196,8 @@ def _overlapping(scene: Scene, target: Target, run: Run, index: int) -> Iterator
         one_tree = model.body_rootid[bodies[0]] == model.body_rootid[bodies[1]] or not any(scene.free[list(bodies)])
         names = [scene.bodies[body] for body in bodies]
         margin = " with their margin" if model.geom_margin[list(pair)].any() or model.pair_margin.any() else ""
-        message = f"is how deep they overlap{margin} at {run.start}"
+        more = f" (the fastest of {len(heap)} pairs)" if bodies in heap[1:] else ""
+        message = f"is how deep they overlap{margin} at {run.start}{more}"
         if jammed:
             message += f": {force:.3g} N press them apart, {force / weight:.3g} times the weight of all that moves"
         elif thrown > THROWN_M_S:
