@@ -19,7 +19,7 @@ SLIP_MM_S = 1.0
 """Creep under its own weight from which a body is said to slip."""
 AGREES, LEAST = 0.3, 0.015
 """Least share of predicted creep that a body moves by, and of its weight that friction bears: in a grip, on a slope."""
-OPPOSE, MOST_BODIES = -0.5, 20
+OPPOSE, MOST_BODIES = -0.5, 6
 """Cosine of normals up to which a body is held from two sides, and bodies looked at, those with most friction first."""
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 
