@@ -22,7 +22,7 @@ from newton_lint.target import Target
 
 REST, WINDOW_S, LONGEST_S = 2e-3, 0.1, 2.0
 """Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited."""
-WILD, BUDGET_S = 0.3, 0.4
+WILD, BUDGET_S = 1.0, 0.4
 """Speed after 2 s from which what it came to is a note [m/s or rad/s], and time of the processor to wait for it."""
 LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
 """What a contact, a limit, an equality or a servo gives that is said, of what slides and of what turns [m or rad]."""
@@ -187,7 +187,7 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         solrefs[contact] = new
         changes = for_contact(scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), "").changes
         ways = [(", ".join(map(str, changes)), stiffer), (HARDEST.format(_text(shortest), _text(HARD)), harder)]
-        is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < WILD
+        is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
         far = sizes[thin] / least if is_certain else math.inf
         message = "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,"
         yield Give(
