@@ -40,6 +40,8 @@ def derive(releases: Releases, shown: str) -> Section:
         for release, chapters in released(releases, shown).items()
     }
     sections = every[shown]
+    if "reproduction" not in sections.results:
+        return Section()
     bound = sections.value("reproduction", "slip_bound")
     needed = {way: [_advice(_slips(sections, way), bound) for sections in every.values()] for way in WAYS}
     named = map(config().short_name, every)

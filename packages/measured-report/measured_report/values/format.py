@@ -43,19 +43,15 @@ def format_number(value: float | int | None, *, noise: float | None = None, roun
 
 
 def format_most(value: float | int | None, *, noise: float | None = None) -> str:
-    """Write ``value`` as what something is at most, or what it is within: with its noise, rounded up."""
-    text = format_number(_moved(value, noise or 0.0), noise=noise, rounding=ROUND_CEILING)
-    return text.removeprefix(f"{BELOW}{THIN_SPACE}")
+    """Write ``value`` as what something is at most, or what it is within: rounded up, and never below the noise."""
+    least_said = noise if noise and value == 0.0 else undusted(value)
+    return format_number(least_said, noise=noise, rounding=ROUND_CEILING).removeprefix(f"{BELOW}{THIN_SPACE}")
 
 
 def format_least(value: float | int | None, *, noise: float | None = None) -> str:
-    """Write ``value`` as what something is at least, or more than: less its noise, rounded down, or nothing."""
-    text = format_number(_moved(value, -(noise or 0.0)), noise=noise, rounding=ROUND_FLOOR)
+    """Write ``value`` as what something is at least, or more than: rounded down; nothing below the noise."""
+    text = format_number(undusted(value), noise=noise, rounding=ROUND_FLOOR)
     return "0" if text.startswith(BELOW) else text
-
-
-def _moved(value: float | int | None, by: float) -> float | int | None:
-    return undusted(value + by if value is not None and by else value)
 
 
 def undusted(value: float | int | None) -> float | int | None:

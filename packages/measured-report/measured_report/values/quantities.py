@@ -109,12 +109,12 @@ class Quantity:
 
     @property
     def most(self) -> Markup:
-        """Write the number with its unit, rounded up from its noise: for *at most*, *within* and *less than*."""
+        """Write the number with its unit, rounded up: where the words say *at most*, *within* or *less than*."""
         return self._with_unit(self._written(format_most(self.value, noise=self.noise), MOST))
 
     @property
     def least(self) -> Markup:
-        """Write the number with its unit, rounded down from its noise: for *at least* and *more than*."""
+        """Write the number with its unit, rounded down: where the words say *at least* or *more than*."""
         return self._with_unit(self._written(format_least(self.value, noise=self.noise), LEAST))
 
     def _written(self, text: str, written_as: str = "") -> Markup:

