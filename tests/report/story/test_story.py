@@ -45,7 +45,7 @@ def test_every_release_answers_in_order_and_tells_the_story_of_its_data(editions
         answers = ["what", "why", "fix", "releases", *(["cost"] if "speed" in editions[release].chapters else [])]
         assert ANSWER.findall(found["front"]) == answers, release
         assert "written for other data" not in found["front"] + found["story"], release
-        assert found["title"].startswith("The cube creeps" if release == "1.4.0" else "Newton’s own contacts hold")
+        assert ("The cube creeps" if release == "1.4.0" else "contacts hold the cube") in found["title"]
         assert ("Turning joints accelerate what" in found["story"]) == (release == "1.4.0")
 
 
