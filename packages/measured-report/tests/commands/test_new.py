@@ -44,9 +44,10 @@ def test_a_package_is_imported_however_its_name_is_spelt(tmp_path, package):
     new(folder := tmp_path / "mine", f"{package}==1.0")
     module, codes = {}, []
     exec((folder / "experiments/importing.py").read_text(), module)
-    module["start"] = lambda code: codes.append(code) or 1.0
+    module["start"] = lambda code: codes.append(code) or (1.0 if code == "pass" else 3.0)
     if "no" in package:
         with pytest.raises(ImportError, match="no-such-thing has no module that can be imported"):
             module["measure"](None)
     else:
-        assert len(module["measure"](None).rows) == 9 and codes[0] == "import jinja2"
+        rows = module["measure"](None).rows
+        assert [row["import_ratio"] for row in rows] == [3.0] * 5 and codes[:3] == ["import jinja2"] * 2 + ["pass"]

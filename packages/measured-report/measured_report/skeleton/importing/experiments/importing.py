@@ -8,7 +8,7 @@ from importlib.metadata import packages_distributions
 
 from measured_report.measuring.measurement import Conditions, Measurement
 
-PACKAGE, REPEAT_COUNT, TRY_COUNT = "@PACKAGE@", 7, 3
+PACKAGE, REPEAT_COUNT, START_COUNT = "@PACKAGE@", 4, 9
 
 
 def start(code: str) -> float:
@@ -19,9 +19,11 @@ def start(code: str) -> float:
     return 1e3 * (after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
 
 
-def least(code: str) -> float:
-    """Return the least time of some starts: what disturbs one only adds to it."""
-    return min(start(code) for _ in range(TRY_COUNT))
+def times(code: str) -> dict[str, float]:
+    """Start Pythons with the code and with none in turn; return mean times, and a ratio that a busy machine leaves."""
+    pairs = [(start(code), start("pass")) for _ in range(START_COUNT)]
+    whole, nothing = (sum(column) / START_COUNT for column in zip(*pairs, strict=True))
+    return {"import_ms": whole, "empty_ms": nothing, "import_ratio": whole / nothing}
 
 
 def plain(name: str) -> str:
@@ -30,12 +32,11 @@ def plain(name: str) -> str:
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return a row for each, and repeats of the first, whose spread is the noise."""
+    """Return a row, and repeats of it, whose spread is the noise."""
     modules = [module for module, names in packages_distributions().items() if plain(PACKAGE) in map(plain, names)]
     if not modules:
         raise ImportError(f"{PACKAGE} has no module that can be imported")
     code = f"import {min(modules, key=lambda module: (module.startswith('_'), len(module)))}"
     start(code)  # files are read, and compiled, for the first time
-    rows = [{"case": "whole", "import_ms": least(code)}, {"case": "nothing", "import_ms": least("pass")}]
-    rows += [{"case": f"repeat-{n}", "of": "whole", "import_ms": least(code)} for n in range(REPEAT_COUNT)]
-    return Measurement(rows)
+    rows = [{"case": "whole"}, *({"case": f"repeat-{n}", "of": "whole"} for n in range(REPEAT_COUNT))]
+    return Measurement([row | times(code) for row in rows])
