@@ -171,10 +171,10 @@ def _draw(marks: Sequence[Mark], lines: Sequence[tuple[Quantity, float]]) -> Dra
     tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
     tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
     pair = next((mark for mark in sorted(marks, key=lambda mark: -mark.creep) if len(mark.times) > 1), None)
-    names = {worlds_name(ALONE): (4, "right"), f"{worlds_name(MANY)}, each": (-4, "left")}  # above, towards each other
+    names = {worlds_name(ALONE): (4, "right"), worlds_name(MANY): (-4, "left")}  # above, towards each other
     for (name, (shift, side)), time in zip(names.items(), pair.times if pair else (), strict=False):
         axes.annotate(name, (time, pair.creep), (shift, 8), textcoords="offset points", fontsize=8.5, ha=side)
-    axes.text(0.01, 0.02, "↙ better", transform=axes.transAxes, fontsize=8.5)
+    axes.text(0.98, 0.97, "↙ better", transform=axes.transAxes, fontsize=8.5, ha="right", va="top")
     return drawing
 
 
