@@ -47,7 +47,7 @@ def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> 
     formula = "largest position residual of a loaded contact's normal row as shipped, over all looks"
     cells = [row.normal_residual_mm for row in frames if row.case == "as-shipped"]
     normal = results.value("normal_residual", formula, combined(max, *cells))
-    bound = results.chosen("friction_residual_bound", "none that is seen", 1e-3, "mm")
+    bound = results.chosen("friction_residual_bound", "none at all", 0.0, "mm")
     carries = greater(normal, largest, noise=noise_floor(results, "slip_floor"))
     yield Claim("no_friction_residual", all_of(at_most(largest, bound), carries), {"normal": normal})
     yield Claim("own_friction_timeconst", decided(bool(timeconst.value), timeconst))

@@ -134,7 +134,7 @@ class Column:
             return Estimate(middle, least=max(largest - middle, middle - least), samples=samples, is_edge=True)
         if least < largest:
             value = fmean(present)
-        elif isinstance(value, int):  # a count, of which all say the same
+        elif isinstance(value, int) or not value:  # a count, or nothing at all, of which all say the same
             variance = 0.0
         return Estimate(value, variance, freedom, count, 0.0, samples, self.is_of_cards, is_again=True)
 

@@ -174,6 +174,12 @@ def test_measurements_that_agree_are_what_they_say_and_a_mean_says_of_what():
     assert (mean.value, mean.note) == (1.5, f"{MEAN} 2 measurements from 1 to 2") and mean.samples == [1.0, 2.0, None]
 
 
+def test_nothing_at_all_has_no_noise_where_all_measurements_say_so():
+    one, two = (record([{"case": "zero", "drift_mm_s": 0.0}, {"case": "a", "drift_mm_s": drift}]) for drift in (1, 1.1))
+    zero, *_ = one.rows
+    assert evidence_of([one, two], {}).estimate("drift_mm_s", zero).noise == 0.0
+
+
 def test_an_engine_that_repeats_has_nothing_of_the_noise_of_one_that_does_not():
     quiet, loud = measurements(3, 1, run=0.001)[1], measurements(3, 2, run=1.0)[1]
     both = [
