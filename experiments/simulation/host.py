@@ -1,19 +1,19 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
-import os
 import re
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from importlib.metadata import version
+from typing import Any
 
 import warp as wp
 from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only, paired_timing  # noqa: F401
-from experiments.simulation.kernels import Launch, compile_share, is_bare
+from experiments.simulation.kernels import Launch, is_bare, launched_modules
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
@@ -22,6 +22,7 @@ from measured_report.measuring.pool import gather, processes, start
 from measured_report.records.identity import package_versions
 
 PROCESS_COUNT = 16  # chosen: more wait for the largest module
+SHARE_COUNT = 64  # more than a frame takes modules: whoever is done takes the next
 DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 OLDEST = (1, 4, 0)  # the oldest release that can run the scene
@@ -78,17 +79,21 @@ def compile_first(device: wp.Device) -> str:
 
 
 def _compile_beside(device: wp.Device) -> None:
-    """Compile in processes beside one another what building a simulation launches, and then what its frame does."""
-    count = min(PROCESS_COUNT, os.cpu_count() or 1)
-    with processes(count) as pool:
-        for is_built in (False, True):
-            gather(start(pool, _compile, [(device.alias, is_built, index, count) for index in range(count)]), "kernels")
+    """Compile in processes beside one another what building a simulation and its frame launch."""
+    with processes(PROCESS_COUNT) as pool:
+        gather(start(pool, _compile, [(device.alias, index) for index in range(SHARE_COUNT)]), "kernels")
 
 
-def _compile(alias: str, is_built: bool, index: int, count: int) -> None:
+def _compile(alias: str, index: int) -> None:
+    """Compile a share; most of that is Python that writes what is compiled, so that shares take processes."""
+    for module, block_dim in _modules(alias)[index::SHARE_COUNT]:
+        module.load(wp.get_device(alias), block_dim=block_dim)
+
+
+@cache
+def _modules(alias: str) -> list[tuple[Any, int]]:
     device = wp.get_device(alias)
-    build = partial(Simulation, [replace(AS_SHIPPED, frame_count=1)], device)
-    compile_share(device, build().frame if is_built else build, index, count)
+    return launched_modules(device, lambda: Simulation([replace(AS_SHIPPED, frame_count=1)], device).frame())
 
 
 def be_quiet() -> None:

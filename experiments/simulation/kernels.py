@@ -38,11 +38,8 @@ def is_bare() -> bool:
     return len(list(Path(wp.config.kernel_cache_dir).glob("wp_*"))) < KEPT_COUNT
 
 
-def compile_share(device: wp.Device, run: Callable[[], object], index: int, count: int) -> None:
-    """Compile one of ``count`` shares of what ``run`` launches, which is run without launching anything.
-
-    Most of compiling is Python that writes what is compiled, so that shares take processes and no threads.
-    """
+def launched_modules(device: wp.Device, run: Callable[[], object]) -> list[tuple[Any, int]]:
+    """Return what is to be compiled for what ``run`` launches, with its block size; nothing is launched for that."""
     modules: dict[tuple[Any, int], None] = {}
 
     def note(kernel: wp.Kernel, dim: object, *_: object, block_dim: int = 256, **__: object) -> None:
@@ -50,5 +47,4 @@ def compile_share(device: wp.Device, run: Callable[[], object], index: int, coun
 
     with launching(note), suppress(Exception):  # it may read what no kernel has written
         run()
-    for module, block_dim in list(modules)[index::count]:
-        module.load(device, block_dim=block_dim)
+    return list(modules)

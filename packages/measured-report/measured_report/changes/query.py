@@ -20,7 +20,7 @@ from measured_report.files.config import FILE, config, report
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.chapters import Chapters, Releases
 from measured_report.findings.editions import Edition
-from measured_report.findings.sections import file_of
+from measured_report.findings.sections import file_of, outline_of
 from measured_report.parts.claim import WITHIN, Claim
 from measured_report.records.code import CARRIED, files, roots_of
 from measured_report.records.columns import REASON, UNBELIEVED, column_of, columns_of, parameters
@@ -186,6 +186,9 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
     if edition is None or edition.project.profile != "full" or edition.project.root != report().root:
         return
     rules, section_names = config().changes, sections(edition.project.root)
+    _refuse_empty_pages(edition)
+    if not _is_there(config().host):
+        raise ReportError(f"{FILE}: host = {config().host!r}: there is no such module")
     _refuse("noise_section", [config().noise_section], "section", section_names)
     _refuse("changes.upgrade_sections", rules.upgrade_sections, "section", section_names)
     _refuse("changes.equivalent_sections", rules.equivalent_sections, "section", section_names)
@@ -214,6 +217,23 @@ def _refuse(setting: str, names: Iterable[str], kind: str, existing: Collection[
     for name in names:
         if name and name not in existing:
             raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, existing)}")
+
+
+def _is_there(module: str) -> bool:
+    """Tell whether a module can be found, which is not imported: it may take long."""
+    try:
+        return bool(find_spec(module))
+    except ModuleNotFoundError:  # of a package that it is in
+        return False
+
+
+def _refuse_empty_pages(edition: Edition) -> None:
+    """Raise ReportError for a page that has neither a template nor a section."""
+    pages = {outline_of(section).page for section in sections(edition.project.root)}
+    for page in config().pages:
+        paths = [edition.project.templates / text for text in page.texts]
+        if page not in pages and not any(path.is_file() for path in paths):
+            raise ReportError(f"{FILE}: the page {page.name} has no section, nor templates/{page.texts[0]}")
 
 
 def _refuse_unknown_cases(edition: Edition) -> None:

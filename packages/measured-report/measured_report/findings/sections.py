@@ -11,7 +11,10 @@ from measured_report.files.config import Page, config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
+from measured_report.records.syntax import WORKED_OUT
 from measured_report.values.results import Results, ResultsError
+
+SAYINGS = ("order", "page", "first", "label", "labels", "reads")  # what a module may say of its section
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,8 @@ def outline_of(section: str) -> Outline:
     root = file.parents[3 if file.name == "__init__.py" else 2]
     name = file.relative_to(root).as_posix()
     says = files().source(file, name).top
+    if worked_out := [name for name in SAYINGS if says.get(name) == WORKED_OUT]:
+        raise ReportError(f"{name}: {worked_out[0]} is read without running it: write it out, and work nothing out")
     if not isinstance(says.get("order"), int):
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:

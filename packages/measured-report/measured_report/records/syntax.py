@@ -11,6 +11,7 @@ from typing import Any, TypeGuard
 
 ASSETS = ("assets/", "experiments/")  # where files lie that a program reads or starts by their path
 GAP = "·"
+WORKED_OUT = ...  # stands for what a module gives a name at its top level, and is no constant
 EFFECTS = ""  # the name under which is kept what a module does besides defining names
 
 
@@ -32,7 +33,7 @@ class Source:
     digest: str
     modules: tuple[str, ...]  # names that it imports, anywhere in it, of which some are modules of this project
     assets: tuple[str, ...]
-    top: Mapping[str, Any]  # by name, at its top level: the plain constants, and how many parameters a function has
+    top: Mapping[str, Any]  # by name, at its top level: constants, and how many parameters a function has
     imports: Mapping[str, str]
 
 
@@ -91,10 +92,11 @@ class Reader:
 
     def _top(self) -> Iterator[tuple[str, Any]]:
         for node in self._tree.body:
-            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant | ast.Dict | ast.Tuple):
-                with suppress(ValueError):  # one that is worked out is no constant
+            if isinstance(node, ast.Assign):
+                value: Any = WORKED_OUT
+                with suppress(ValueError):
                     value = ast.literal_eval(node.value)
-                    yield from ((target.id, value) for target in node.targets if isinstance(target, ast.Name))
+                yield from ((target.id, value) for target in node.targets if isinstance(target, ast.Name))
             elif isinstance(node, ast.FunctionDef):
                 yield node.name, len(node.args.args)
 

@@ -8,15 +8,15 @@ from pathlib import Path
 from measured_report.changes.query import blind_spots, gaps, idle_settings, refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
-from measured_report.files.atomic import digests_below, replace, staging_folder, sums
+from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, report
 from measured_report.files.errors import ReportError
 from measured_report.findings.cache import DerivedCache, installed
-from measured_report.pages.editions import worded_editions
+from measured_report.pages.editions import WordedEdition, worded_editions
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import unchanged_files
-from measured_report.records.identity import files_digest, package_versions, sources
+from measured_report.records.identity import files_digest, package_versions, sections, sources
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site, citation
@@ -55,10 +55,18 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         built = {}
         for release, edition in editions.items():
             stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
-            notes = (gaps(edition), blind_spots(edition) + idle_settings(edition)) if edition.project.is_own else ()
+            idle = _records_of_nothing(edition) + idle_settings(edition)
+            notes = (gaps(edition), blind_spots(edition) + idle) if edition.project.is_own else ()
             built[release] = Built(stale, [*edition.left_out, *edition.plugins.left_out], *notes)
         cache.put(BUILT, (digest, digests_below(project.site)), built)
     return built
+
+
+def _records_of_nothing(edition: WordedEdition) -> list[str]:
+    """Say which records are of no section, as those of one that was renamed."""
+    results, known = edition.project.results, sections(edition.project.root)
+    paths = (path for path in sorted(results.glob("*.json")) if path not in edition.plugins.data)
+    return [f"{short_path(path)} is of no section" for path in paths if path.stem not in known]
 
 
 def inputs_digest(project: Project, address: str = "") -> str:

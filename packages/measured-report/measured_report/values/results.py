@@ -1,6 +1,7 @@
 """Results: one section's record as its section module sees it."""
 
 import operator
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -23,6 +24,7 @@ if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs
     import pandas as pd
 
 
+UNNAMEABLE = re.compile(r"[\s/~#]")
 MEANS = "rows"  # begins the names of values that are means of several measurements of a row
 
 
@@ -215,6 +217,8 @@ class Results:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
         if isinstance(function, Quantity):
             unit, sources, function = function.unit, (function,), operator.pos
+        if UNNAMEABLE.search(name):
+            raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
         if not is_unit(unit):
             raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
         term = combined(function, *sources, unit=unit, across=across)

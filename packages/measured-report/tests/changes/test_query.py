@@ -1,5 +1,6 @@
 """Names in report.toml: one of nothing is refused in one line, before anything is built."""
 
+import shutil
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -7,12 +8,13 @@ import pytest
 from toys import EXPERIMENT, MODULE, ROWS, SCENE
 
 from measured_report.changes import query
-from measured_report.files.config import Changes, Columns, Config
+from measured_report.files.config import Changes, Columns, Config, Page
 from measured_report.files.errors import ReportError
 from measured_report.measuring.section import believable
 from measured_report.site.build import build
 
 RULES = Config(
+    pages=[Page("index", texts=("front.md.j2",)), Page("cause")],
     noise_section="toy",
     columns=[Columns(names=["slip_mm"], grows_with="dropped")],
     changes=Changes(
@@ -35,6 +37,8 @@ RULES = Config(
             {"thresholds": {"toy.saft.slip_mm": 1.0}},
             "toy.saft.slip_mm, which is no value here; similar: toy.soft.slip_mm",
         ),
+        ({"host": "nosuch.host"}, "host = 'nosuch.host': there is no such module"),
+        ({"pages": [Page("more")]}, "the page more has no section, nor templates/pages/more.md.j2"),
         ({"explanation": "toy.help"}, "changes.explanation names toy.help, which is no value here; similar: toy.helps"),
     ],
 )
@@ -104,7 +108,9 @@ def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the
 
 def test_what_a_figure_and_a_setting_are_of_is_missed_when_the_site_is_built(toy):
     toy.write("report/sections/toy.py", MODULE.replace("draw(trace), [trace]", "draw(trace), []"))
+    shutil.copy(toy.project.record_path("toy"), toy.project.record_path("tay"))
     built = build(toy.project)["1.4.0"]
+    assert "newton-1.4.0/tay.json is of no section" in built.notes
     assert built.gaps == ["toy: the figure way has no sources"]
     idle = [f"report.toml: no row has {name}" for name in ("growth_per_s", "classes", "case = c")]
     assert {*idle} < {*built.notes} and "report.toml: no row has slip_mm" not in built.notes

@@ -102,6 +102,8 @@ END = "{% endtable %}\n"
         ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: cause"),
         ("order = 1", "order = 1\nreads = ('no',)", "toy.py reads 'no', and there is no such section"),
         ("order = 1", "order = 1\nreads = 'toy'", "toy.py: labels is a dict, .* and reads a tuple"),
+        ("order = 1", "order = 1\nlabels = ['soft']", "toy.py: labels is a dict"),
+        ("order = 1", "order = 1\nlabels = dict(soft='x')", "toy.py: labels is read without running it"),
         ("order = 1", "order = (", "cannot read report/sections/toy.py: "),
         ("order = 1", "order = 1\nimport nothing", r"report/sections/toy.py:8: .*No module named 'nothing'"),
         ("def derive", "def other", r"toy.py has no function derive\(results\)"),
