@@ -33,7 +33,7 @@ def run_apart(engine: Engine, asked: Sequence[dict]) -> list[dict]:
     with tempfile.TemporaryDirectory() as folder:
         question, answer = Path(folder) / "asked.json", Path(folder) / "answer.json"
         question.write_text(json.dumps(asked), encoding="utf-8")
-        call: list[str | Path] = [python, "-E", ROOT / APART, ROOT / engine.script, question, answer]
+        call = [python, ROOT / APART, ROOT / engine.script, question, answer]
         process = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
         if process.returncode:
             last = process.stderr.strip().splitlines()[-1:] or [f"it ended with status {process.returncode}"]

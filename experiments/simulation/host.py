@@ -13,7 +13,7 @@ from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only, paired_timing  # noqa: F401
-from experiments.simulation.kernels import Launch, is_bare, launched_modules
+from experiments.simulation.kernels import Launch, is_bare, launched_kernels
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
@@ -86,14 +86,14 @@ def _compile_beside(device: wp.Device) -> None:
 
 def _compile(alias: str, index: int) -> None:
     """Compile a share; most of that is Python that writes what is compiled, so that shares take processes."""
-    for module, block_dim in _modules(alias)[index::SHARE_COUNT]:
+    for module, block_dim in list(_kernels(alias))[index::SHARE_COUNT]:
         module.load(wp.get_device(alias), block_dim=block_dim)
 
 
 @cache
-def _modules(alias: str) -> list[tuple[Any, int]]:
+def _kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
     device = wp.get_device(alias)
-    return launched_modules(device, lambda: Simulation([replace(AS_SHIPPED, frame_count=1)], device).frame())
+    return launched_kernels(device, lambda: Simulation([replace(AS_SHIPPED, frame_count=1)], device).frame())
 
 
 def be_quiet() -> None:

@@ -13,8 +13,8 @@ KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
 
 @contextmanager
 def launching(instead: Launch) -> Iterator[None]:
-    """Call ``instead`` with each kernel, its size and its options, in place of launching it."""
-    names = ("launch", "launch_tiled", "capture_while", "capture_if")
+    """Call ``instead`` with each kernel, its size and its options, in place of launching it; arrays are zero then."""
+    names = ("launch", "launch_tiled", "capture_while", "capture_if", "empty", "empty_like")
     functions = {name: getattr(wp, name) for name in names}
 
     def looped(_: wp.array, while_body: Callable[..., object], graph: object = None, **args: object) -> None:
@@ -24,7 +24,7 @@ def launching(instead: Launch) -> Iterator[None]:
         for branch in filter(callable, (on_true, on_false)):
             branch(**args)
 
-    for name, stand_in in zip(names, (instead, instead, looped, chosen), strict=True):
+    for name, stand_in in zip(names, (instead, instead, looped, chosen, wp.zeros, wp.zeros_like), strict=True):
         setattr(wp, name, stand_in)
     try:
         yield
@@ -38,13 +38,19 @@ def is_bare() -> bool:
     return len(list(Path(wp.config.kernel_cache_dir).glob("wp_*"))) < KEPT_COUNT
 
 
-def launched_modules(device: wp.Device, run: Callable[[], object]) -> list[tuple[Any, int]]:
-    """Return what is to be compiled for what ``run`` launches, with its block size; nothing is launched for that."""
-    modules: dict[tuple[Any, int], None] = {}
+def launched_kernels(device: wp.Device, run: Callable[[], object]) -> dict[tuple[Any, int], list[wp.Kernel]]:
+    """Return what ``run`` launches, by module and block size; nothing is launched for that.
 
-    def note(kernel: wp.Kernel, dim: object, *_: object, block_dim: int = 256, **__: object) -> None:
-        modules[kernel.module, block_dim if device.is_cuda else 1] = None
+    Warp drops a kernel from its module once nobody holds it, so that who compiles the module is to hold its kernels.
+    """
+    kernels: dict[tuple[Any, int], list[wp.Kernel]] = {}
+
+    def note(kernel: wp.Kernel, dim: Any, inputs: Any = (), outputs: Any = (), *_: Any, **options: Any) -> None:
+        if kernel.is_generic:  # a launch makes of it what its arguments take, and only that is compiled
+            kernel.add_overload(kernel.infer_argument_types([*inputs, *outputs]))
+        block_dim = options.get("block_dim", 256) if device.is_cuda else 1
+        kernels.setdefault((kernel.module, block_dim), []).append(kernel)
 
     with launching(note), suppress(Exception):  # it may read what no kernel has written
         run()
-    return list(modules)
+    return kernels

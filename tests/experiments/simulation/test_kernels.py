@@ -5,7 +5,7 @@ from dataclasses import replace
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED
-from experiments.simulation.kernels import launched_modules, launching
+from experiments.simulation.kernels import launched_kernels
 from experiments.simulation.simulation import Simulation
 
 
@@ -23,15 +23,17 @@ def test_what_would_be_launched_is_known_and_not_launched():
         wp.launch(doubled, 1, [values], device="cpu")
         raise IndexError
 
-    assert launched_modules(wp.get_device("cpu"), run) == [(doubled.module, 1)]
+    assert launched_kernels(wp.get_device("cpu"), run) == {(doubled.module, 1): [doubled]}
     assert not doubled.module.execs and values.numpy()[0] == 1.0
     wp.launch(doubled, 1, [values], device="cpu")
     assert values.numpy()[0] == 2.0
 
 
-def test_a_simulation_and_its_frame_can_be_gone_through_without_a_launch():
-    """So all that they launch is known at once, and nothing waits for what comes before it."""
-    keys: list[str] = []
-    with launching(lambda kernel, *_, **__: keys.append(kernel.key)):
-        Simulation([replace(AS_SHIPPED, frame_count=1)], wp.get_device("cpu")).frame()
-    assert keys[-1] == "end_frame"
+def test_all_that_a_frame_launches_is_known_without_a_launch_and_each_module_has_what_is_launched_of_it():
+    """So nothing that is compiled waits for what comes before it, and nothing is compiled once more."""
+    device = wp.get_device("cpu")
+    case = replace(AS_SHIPPED, frame_count=1)
+    kernels = launched_kernels(device, lambda: Simulation([case], device).frame())
+    assert "end_frame" in {kernel.key for launched in kernels.values() for kernel in launched}
+    hashes = [module.get_module_hash(block_dim) for module, block_dim in kernels]
+    assert len({*hashes}) == len(hashes), "those of none are the same"
