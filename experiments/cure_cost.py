@@ -4,8 +4,7 @@ from dataclasses import replace
 
 import warp as wp
 
-from experiments.facts.case import AS_SHIPPED
-from experiments.facts.variants import BEST, FIRM, TERMS
+from experiments.facts.case import AS_SHIPPED, BEST, FIRM, TERMS
 from experiments.simulation.frame_benchmark import time_cases
 from experiments.simulation.measurement import Conditions, Measurement
 from measured_report.measuring.batch import Batch, Plan

@@ -32,8 +32,7 @@ def own_case() -> Case:
 
 
 def default_rows() -> list[dict[str, object]]:
-    """Return a row for each option of a solver that was given none, and for each number of a joint that was given
-    none."""
+    """Return a row for each option of a solver, and for each number of a joint, that was given none."""
     builder = newton.ModelBuilder()
     builder.add_shape_box(builder.add_body(), hx=0.1, hy=0.1, hz=0.1)
     engine = SolverMuJoCo(builder.finalize(device="cpu")).mjw_model

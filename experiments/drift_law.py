@@ -11,8 +11,7 @@ import numpy as np
 
 from experiments import stiffness
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, Case
-from experiments.facts.variants import POSITIONS
+from experiments.facts.case import AS_SHIPPED, POSITIONS, Case
 from experiments.simulation.budget import Watched, friction_timeconst_s, softness
 from experiments.simulation.limits import step_s
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
@@ -34,8 +33,7 @@ class Slopes:
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return a row for each case of section stiffness: its parts, their sum, and how far it drifts once rounding takes
-    nothing from its positions."""
+    """Return a row for each case of section stiffness: its parts, their sum, and its drift with no position rounded."""
     shaken = replace(AS_SHIPPED, frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
     cases = [replace(case, **POSITIONS["kept"]) for case in stiffness.cases(conditions.profile)]
     with processes(1) as pool:
@@ -62,8 +60,7 @@ def measure_slopes(case: Case) -> Slopes:
 
 
 def predicted_columns(case: Case, slopes: Slopes) -> dict[str, object]:
-    """Return what a case of section stiffness is predicted to drift, and what time its friction rows take to
-    respond."""
+    """Return what a case of section stiffness is predicted to drift, and in what time its friction rows respond."""
     columns: dict[str, object] = {"pad_ke": case.pad_ke, "pad_kd": case.pad_kd}
     if slopes.failure:
         return columns | absent(("response_s", *PREDICTED), slopes.failure)

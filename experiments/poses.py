@@ -56,8 +56,7 @@ class KeptSimulation(Simulation):
         self.frame_count += 1
 
     def kept(self) -> list[np.ndarray]:
-        """Return the joint positions and the cube's pose of each world, shape [frames, len(JOINTS) +
-        len(CUBE_POSE)]."""
+        """Return the joint positions and the cube's pose of each world, shape [frames, len(COORDINATES)]."""
         worlds = self.coordinates.numpy().reshape(self.case.frame_count, self.world_count, -1)
         return list(worlds.swapaxes(0, 1))
 
@@ -73,8 +72,7 @@ def left_grasp(trace: Trace) -> dict[str, object]:
 
 
 def drawing_columns(case: Case, frame_step: int) -> dict[str, float]:
-    """Return what a picture needs beside the poses: where the robot stands, the cube's size, and which frames are
-    kept."""
+    """Return what a picture needs beside the poses: the robot's place, the cube's size, and which frames are kept."""
     base = dict(zip(("base_x_m", "base_y_m", "base_z_m"), ROBOT_POSITION, strict=True))
     return base | {"cube_edge_m": case.cube_edge_m, "frame_rate_hz": FRAME_RATE, "kept_frame_step": frame_step}
 

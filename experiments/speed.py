@@ -17,8 +17,6 @@ CASES = (  # compared with the first of them
     replace(AS_SHIPPED, name="all-gaps-zero", cube_gap_m=0.0, robot_gap_m=0.0, ground_gap_m=0.0),
     FIXED,
 )
-
-
 MANY = 16384  # worlds in which only the pads are compared
 
 

@@ -9,8 +9,7 @@ from itertools import chain
 
 from experiments.cure import bodies, combinations, controls, limits, tumbles, turntable
 from experiments.envelope import MAP_SIZE, measure_map
-from experiments.facts.case import AS_SHIPPED, HOLD
-from experiments.facts.variants import BEST, POSITIONS
+from experiments.facts.case import AS_SHIPPED, BEST, HOLD, POSITIONS
 from experiments.hold import LONG_FRAME_COUNT, creep
 from experiments.simulation.measurement import Conditions, Measurement, summarize
 from measured_report.measuring.batch import Batch, Plan

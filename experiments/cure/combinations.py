@@ -7,9 +7,8 @@ from itertools import product
 import numpy as np
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.facts.case import AS_SHIPPED, IMPRATIO, POSITIONS, STIFF_PADS, TERMS, Case
 from experiments.facts.trace import Trace
-from experiments.facts.variants import IMPRATIO, POSITIONS, TERMS
 from experiments.simulation.budget import Motion, measure_motion, predicted_mm
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, absent, summarize
 from measured_report.measuring.pool import gather, processes, start
@@ -29,8 +28,7 @@ SETTINGS = {
 
 
 def cases(kind: str, quick: bool) -> list[Case]:
-    """List every combination with a kind of contacts; when ``quick`` Newton's, pads and impratio as shipped, no 10 cm
-    and no RK4."""
+    """List every combination with a kind of contacts; quick: Newton's, pads, impratio as shipped, no 10 cm, no RK4."""
     combinations = []
     for (integrator, impratio), pads, amplitude, term, positions in product(
         SETTINGS[kind], PADS, AMPLITUDES_M, TERMS, POSITIONS

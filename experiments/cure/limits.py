@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 
-from experiments.facts.case import Case
+from experiments.facts.case import BEST, FIRM, TERMS, Case
 from experiments.facts.classes import STABLE, classify
 from experiments.facts.trace import Trace
-from experiments.facts.variants import BEST, FIRM, TERMS
 from experiments.simulation.measurement import Conditions
 from experiments.stability import families
 from experiments.stability.families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, SHAKE_FRAME_COUNT, Probe

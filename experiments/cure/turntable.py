@@ -139,9 +139,8 @@ def run(
     if term and engine == "warp":
         term(SimpleNamespace(mjw_model=world.engine, mjw_data=world.data))
     count = round(SAMPLE_S / (STEPS * world.model.opt.timestep))
-    mujoco.set_mjcb_control(
-        term if engine == "c" else None
-    )  # for all models, so only for as long as this one is stepped
+    # One for all models, so only for as long as this one is stepped.
+    mujoco.set_mjcb_control(term if engine == "c" else None)
     try:
         path = [world.body()[0][0]]
         for _ in range(round(seconds / SAMPLE_S)):

@@ -1,8 +1,7 @@
 """The box on the turning table, the pinched capsule and the shake itself in other engines.
 
 Each other engine is in an environment of its own. The capsule is one that ends between the pads, which is held by the
-balls at its ends. NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, passed below 3 cm of slip) is done with the
-shake of this report.
+balls at its ends. NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, slip below 3 cm) is done with our own shake.
 """
 
 from collections.abc import Iterator, Mapping, Sequence

@@ -55,8 +55,7 @@ def rows(conditions: Conditions, models: Sequence[tuple[str, Engine, dict, str]]
 
 
 def reference(case: Case) -> tuple[Trace, np.ndarray]:
-    """Run a case in MuJoCo C; return its trace, and the joint coordinates at the start and as commanded in each frame,
-    shape [1 + frames, dofs]."""
+    """Run a case in MuJoCo C; return its trace and joints, at the start and as commanded, shape [1 + frames, dofs]."""
     simulation = Simulation([case], wp.get_device("cpu"))
     simulation.solver.mj_data.eq_active[:] = 0  # the fingers' coupling
     simulation.solver.mj_model.dof_frictionloss[:] = 0.0

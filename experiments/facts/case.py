@@ -132,16 +132,14 @@ WORLD_FIELDS = (  # parameters that may differ between the worlds of one batch
     " shake_amplitude_m shake_frequency_hz pad_direct cube_edge_m cube_offset_m cube_in_hand start_overlap_m"
     " finger_closed_m gravity_m_s2 contact_bias bias_centred bias_normal compensated"
 ).split()
+RUN_TIME_FIELDS = "ik_iterations ik_beside state_sync sensors limits".split()
+"""Parameters that a simulation can change without being built again."""
 
 
 def batch_key(case: Case) -> Case:
     """Return what must be equal for two cases to be worlds of the same simulation."""
     baseline = Case(name="")
     return replace(case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS})
-
-
-RUN_TIME_FIELDS = "ik_iterations ik_beside state_sync sensors limits".split()
-"""Parameters that a simulation can change without being built again."""
 
 
 def build_key(case: Case) -> Case:
@@ -179,9 +177,24 @@ LEAN = replace(
     contact_max=32,
     constraint_max=64,
 )
-"""The scene as shipped without anything that it does not need. With the small gap the measured peaks are 21 contacts
-and 50 constraint rows."""
+"""The scene as shipped without what it does not need. With the small gap 21 contacts and 50 rows are the peaks."""
 STIFF_PADS = replace(AS_SHIPPED, name="stiff-pads", pad_ke=2.5e5, pad_kd=1e3)  # the one change that holds the cube
 HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)  # the same grasp with the arm held still
 FIXED = replace(LEAN, name="fixed", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd)
 """The scene to use: stiff pads, and nothing that it does not need."""
+
+# Parts of the cure, alone and together, as fields of a case.
+TERMS = {
+    "plain": {},
+    "term": {"contact_bias": True},
+    "centred": {"contact_bias": True, "bias_centred": True},
+    "full": {"contact_bias": True, "bias_centred": True, "bias_normal": True},
+}  # type: dict[str, dict]
+"""Settings by what is done about the left-out term; ``full`` also gives it to the normal rows."""
+POSITIONS = {"rounded": {}, "kept": {"compensated": True}}  # type: dict[str, dict]
+IMPRATIO = 400.0
+BEST = {"integrator": "euler", "impratio": IMPRATIO, **TERMS["full"], **POSITIONS["kept"]}  # type: dict
+"""All parts together: Euler has no damping in its step, and centred the term takes the error of the step along."""
+FIRM = {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd, "impratio": IMPRATIO}  # type: dict
+FIRM |= TERMS["centred"] | POSITIONS["kept"]
+"""The cure on stiff pads, where the normal rows need none."""

@@ -12,8 +12,7 @@ STABLE = ("creeping", "holding")
 
 DRIVE_RATIO = 10.0  # a cube this many times as fast as the drive ever is has exploded
 DRIVE_SHAPE = np.array([1.0, 1.3, 0.525])
-"""Peak speed of each axis of the shake over A ω: x = sin ωt, y = 0.65 sin 2ωt and z = 0.35 sin 1.5ωt, all of them
-fastest at t = 0."""
+"""Peak speed of each axis of the shake over A ω: x = sin ωt, y = 0.65 sin 2ωt, z = 0.35 sin 1.5ωt, all at t = 0."""
 GROWTH_RATIO = 2.0
 """A cube whose energy against the hand grows by this factor from one cycle to the next has exploded …"""
 GROWTH_SPEED_RATIO = 0.1  # … unless it is slower than this part of the drive's peak
@@ -55,15 +54,13 @@ def is_exploded(case: Case, trace: Trace) -> bool:
 
 
 def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
-    """Return the speed of the cube in the world [m/s] less what falling from its first frame explains, shape [frames -
-    1]."""
+    """Return the cube's speed in the world [m/s] less what falling since frame 0 explains, shape [frames - 1]."""
     energy = excess_energy(trace.poses[:, metrics.CUBE, :3], case.gravity_m_s2, trace.frame_dt)
     return np.sqrt(2.0 * energy)
 
 
 def excess_energy(position_m: np.ndarray, gravity_m_s2: float, frame_dt: float) -> np.ndarray:
-    """Return the kinetic energy per mass [J/kg] less the work of gravity since the first frame, not below 0; shape
-    [frames - 1].
+    """Return the kinetic energy per mass [J/kg] less gravity's work since frame 0, not below 0; shape [frames - 1].
 
     What falls freely has none: 1/2 v² = g h. A body that gravity slows counts with its kinetic energy alone.
 
@@ -110,8 +107,7 @@ def creep_mm_s(case: Case, trace: Trace) -> float:
 
 
 def cycle_increments(time_s: np.ndarray, along: np.ndarray, frequency_hz: float) -> np.ndarray:
-    """Return the change along the shake's main axis over each full shake cycle, at the phase of the first frame, shape
-    [cycles].
+    """Return the change along the shake's main axis over each full cycle, from the first frame on, shape [cycles].
 
     Between frames the component is interpolated linearly, so a cycle need not be a whole number of frames.
 

@@ -2,7 +2,6 @@
 
 import hashlib
 import re
-from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
@@ -55,19 +54,15 @@ def clips_state(project: Project) -> State:
         message = " ".join(str(error).split())
         return State(CLIPS, "damaged", notes=(f"{short_path(path)} names no files of its own: {message}",))
     if wrong:
-        return State(
-            CLIPS, "damaged", notes=tuple(f"{short_path(path)}: {name} is not the file that was made" for name in wrong)
-        )
+        notes = tuple(f"{short_path(path)}: {name} is not the file that was made" for name in wrong)
+        return State(CLIPS, "damaged", notes=notes)
     changed = changes(record.identity, clips_identity(project))
     return State(CLIPS, "stale" if changed else "fresh", record, tuple(changed))
 
 
-def files_of(record: Record) -> Iterable[tuple[str, str]]:
+def files_of(record: Record) -> list[tuple[str, str]]:
     """Name and digest of each file that was made."""
-    for row in record.rows:
-        yield row["file"], row["file_sha256"]
-        if "poster" in row:
-            yield row["poster"], row["poster_sha256"]
+    return [(row[kind], row[f"{kind}_sha256"]) for row in record.rows for kind in ("file", "poster")]
 
 
 def _digest(record: Path, name: str) -> str:

@@ -2,13 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from experiments.facts.kinematics import link_poses, quaternion_matrices, read_joints, relative_poses
+from experiments.facts.kinematics import link_poses, quaternion_matrices, read_joints
 from measured_report.files.root import ROOT
 
 DESCRIPTION = ROOT / "assets/fr3.urdf"
@@ -47,8 +46,7 @@ class KeptRun:
 
     @property
     def begin_in_hand(self) -> np.ndarray:
-        """Return pose of the cube in the TCP frame when the shake began, which need not be a kept frame, shape [4,
-        4]."""
+        """Return the cube's pose in the TCP frame as the shake began, which need not be a kept frame, shape [4, 4]."""
         pose = self.cube_in_hand[self.shake_start].copy()
         pose[:3, 3] -= 1e-3 * self.moved_mm[self.shake_start]
         return pose
@@ -63,17 +61,17 @@ class KeptRun:
         return self.time_s < (np.inf if self.left_grasp_s is None else self.left_grasp_s)
 
 
-def kept_run(row: Mapping[str, Any], poses: pd.DataFrame, description: Path = DESCRIPTION) -> KeptRun:
+def kept_run(row: Mapping[str, Any], poses: pd.DataFrame) -> KeptRun:
     """Return the run of a row of section poses, with the trace that lies beside its record."""
     joints = poses[list(JOINTS)].to_numpy()
-    links = link_poses(read_joints(description), joints, np.array([row[f"base_{axis}_m"] for axis in "xyz"]))
+    links = link_poses(read_joints(DESCRIPTION), joints, np.array([row[f"base_{axis}_m"] for axis in "xyz"]))
     cube = quaternion_matrices(poses[list(CUBE_PLACE)].to_numpy(), poses[list(CUBE_TURN)].to_numpy())
     return KeptRun(
         time_s=poses["frame"].to_numpy() / row["frame_rate_hz"] - row["shake_start_s"],
         joints=joints,
         links=links,
         cube=cube,
-        cube_in_hand=relative_poses(cube, links[TCP]),
+        cube_in_hand=np.linalg.inv(links[TCP]) @ cube,
         moved_mm=poses[list(MOVED)].to_numpy(),
         contact={name: poses[name].to_numpy() for name in ("normal_force_n", "tangential_force_n", "penetration_mm")},
         cube_edge_m=row["cube_edge_m"],

@@ -40,8 +40,7 @@ def link_poses(joints: Sequence[Joint], positions: np.ndarray, base: np.ndarray)
         positions: Of the joints that move, in the order of the description [rad or m], shape [frames, joints].
         base: Position of the first link [m], shape [3].
     """
-    frames = len(positions)
-    matrices = {joints[0].parent: np.broadcast_to(pose_matrix(base, np.zeros(3)), (frames, 4, 4))}
+    matrices = {joints[0].parent: np.broadcast_to(pose_matrix(base, np.zeros(3)), (len(positions), 4, 4))}
     moving = iter(positions.T.astype(np.float64))
     for joint in joints:
         pose = matrices[joint.parent] @ joint.origin
@@ -56,11 +55,6 @@ def pose_matrix(position: np.ndarray, rpy: np.ndarray) -> np.ndarray:
         result[:3, :3] = _turns(axis, np.array([angle]))[0] @ result[:3, :3]
     result[:3, 3] = position
     return result
-
-
-def relative_poses(poses: np.ndarray, frame: np.ndarray) -> np.ndarray:
-    """Return the poses as seen from another frame, both in the world; shapes [frames, 4, 4]."""
-    return np.linalg.inv(frame) @ poses
 
 
 def quaternion_matrices(position: np.ndarray, quaternion: np.ndarray) -> np.ndarray:
@@ -89,9 +83,8 @@ def _turns(axis: np.ndarray, angle: np.ndarray) -> np.ndarray:
 
 
 def _cross_matrices(vectors: np.ndarray) -> np.ndarray:
-    x, y, z = vectors.T
-    zero = np.zeros_like(x)
-    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+    """Return the matrix of each vector v that makes v × w of w, shape [vectors, 3, 3]."""
+    return np.cross(np.eye(3), vectors[:, None])
 
 
 def _numbers(element: ElementTree.Element, name: str, attribute: str) -> np.ndarray:

@@ -42,8 +42,7 @@ class Displacement:
 
 
 def displacement(trace: Trace, body: int = CUBE, frame: int = TCP) -> Displacement:
-    """Return the displacement of ``body`` in the frame of another body over the shake; empty if the shake was never
-    reached."""
+    """Return the displacement of ``body`` in another body's frame over the shake; empty if that was never reached."""
     poses = trace.poses[trace.phase == SHAKE].astype(np.float64)
     if len(poses) == 0:
         return Displacement(np.zeros(0), np.zeros((0, 3)), np.zeros(0))
@@ -81,8 +80,7 @@ def wander_mm(moved: Displacement) -> float:
 
 
 def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
-    """Return the length of the mean change in position over a shake cycle, the first cycle and an odd last one left out
-    [mm].
+    """Return the length of the mean change in position over a shake cycle [mm], without the first and an odd last one.
 
     The whole motion repeats every two cycles of the main axis, so what one cycle moves the cube the next may take back:
     only pairs of cycles count. NaN when there is no pair after the first cycle.

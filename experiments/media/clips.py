@@ -93,8 +93,7 @@ def _smooth(share: float) -> float:
 
 
 def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
-    """Return the frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits: the panels, below names, numbers and a growing
-    plot."""
+    """Return the frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits: panels below names, numbers and a growing plot."""
     stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
     readout, sheet = clip.readout(), Sheet(WIDTH, HEIGHT, HEIGHT - PANEL_HEIGHT)
     axes = plot_axes(sheet, readout)
@@ -158,8 +157,7 @@ def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
 
 
 class Sheet:
-    """Two panels beside each other, what is written over each in a line above all, and what is drawn and written
-    elsewhere."""
+    """Two panels side by side, what is written over each in a line above, and what is drawn and written elsewhere."""
 
     def __init__(self, width: int, height: int, top: int):
         self.width, self.height, self.top = width, height, top
@@ -199,8 +197,7 @@ def reading(slip_mm: float) -> str:
 
 
 def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
-    """Return the hand as when the shake begins; the cube as then, and in every second cycle, counted from the last
-    kept frame.
+    """Return the hand as when the shake begins; the cube as then, and in every second cycle back from the last frame.
 
     Displacements are drawn MAGNIFIED times as large. Shape [STILL height, STILL width, 3], 8 bits.
     """

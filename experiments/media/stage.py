@@ -97,8 +97,7 @@ class Stage:
         return colour
 
     def _trace(self, camera: Camera, rays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the linear colour and shape that each ray meets in each world; ``rays`` has shape [rows, columns, 2,
-        3]."""
+        """Return linear colour and shape that each ray meets in each world; rays have shape [rows, columns, 2, 3]."""
         size = (self.world_count, 1, *rays.shape[:2])
         device = self.model.device
         colour, depth, shape = (wp.zeros(size, dtype=dtype, device=device) for dtype in (wp.vec3f, float, wp.uint32))
@@ -117,8 +116,7 @@ class Stage:
 
 
 def display(linear: np.ndarray) -> np.ndarray:
-    """Return the linear colours as displayed (sRGB), from 0 to 1; those that are nearly white, and brighter, keep some
-    shades."""
+    """Return linear colours as displayed (sRGB), from 0 to 1; nearly white and brighter ones keep some shades."""
     knee = 0.7
     over = np.maximum(linear - knee, 0.0)
     soft = np.where(linear > knee, knee + (1 - knee) * over / (over + 1 - knee), linear)
@@ -126,8 +124,7 @@ def display(linear: np.ndarray) -> np.ndarray:
 
 
 def display_mean(linear: np.ndarray) -> np.ndarray:
-    """Return the mean of a pixel's samples, shape [..., samples, 3], in which one that is too bright counts as
-    white."""
+    """Return the mean of a pixel's samples, shape [..., samples, 3]; one that is too bright counts as white."""
     return np.minimum(linear, 1.0).mean(axis=-2)
 
 
@@ -231,8 +228,7 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Return the normal of each corner: the mean, by area, of the faces about its vertex that meet at no edge, shape
-    [3 * triangles, 3]."""
+    """Return each corner's normal, the mean by area of the faces that meet there at no edge, shape [corners, 3]."""
     sides = vertices[faces[:, 1:]] - vertices[faces[:, :1]]
     area = np.cross(sides[:, 0], sides[:, 1])
     unit = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-20)

@@ -25,8 +25,7 @@ from experiments.simulation.timing import SHAKE_FRAME_COUNT, batch_invalid_reaso
 from measured_report.measuring.batch import Batch, Plan
 
 WEIGHTLESS = replace(AS_SHIPPED, gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu, fixed_joints=False)
-"""Without what some solvers lack: gravity compensation, a priority that says whose friction counts, and links that
-have no mass."""
+"""Without what some solvers lack: gravity compensation, a priority of one side's friction, and links without mass."""
 SHAKES = {
     "3cm": WEIGHTLESS,
     "10cm": replace(WEIGHTLESS, shake_amplitude_m=0.1),
@@ -103,8 +102,7 @@ def measure_shakes(conditions: Conditions, variant: box.Variant) -> list[dict[st
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:
-    """Make a row: slip, drift, means over the shake of what the grasp takes, and how far the hand goes to each side
-    along the longest axis of the shake."""
+    """Make a row: slip, drift, means of what the grasp takes, and how far the hand goes to each side of the shake."""
     case = replace(case, name=f"{variant}-{shake}")
     row = {**summarize(case, trace), "backend": variant.split("-")[0], "variant": variant, "shake": shake}
     if row["slip_mm"] is None:

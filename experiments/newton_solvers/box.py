@@ -33,8 +33,7 @@ OPTIONS: Mapping[str, Mapping[str, Any]] = {
     "SolverSemiImplicit": {"angular_damping": 0.0},
     "SolverSteel": {"articulation_constraint_max": 256, "free_body_constraint_max": 512},
 }
-"""Options by class; the rest, and all of a class that is not here, is as the solver comes. Steel drops constraint rows
-that do not fit."""
+"""Options by class; all others are as the solver comes. Steel drops constraint rows that do not fit."""
 EXCUSED = {  # solvers that are not measured, and why; a record names them as well
     "SolverImplicitMPM": "it moves grains, and no rigid body",
     "SolverStyle3D": "it moves cloth, and no rigid body",
@@ -117,8 +116,7 @@ def number_of(scene: str) -> str:
 
 
 def build(scene_name: str, device: str) -> newton.Model:
-    """Build the table, which turns about a hinge unless it stands still, and the box on four feet, both in their places
-    and turning; on a slope gravity leans."""
+    """Build the turning box on four feet on a table that turns on a hinge or stands still; on a slope gravity leans."""
     scene, builder = turntable(0.0), newton.ModelBuilder()
     box, [table] = scene["body"], scene["supports"]
     config = newton.ModelBuilder.ShapeConfig(density=0.0, mu=scene["friction"])

@@ -15,9 +15,8 @@ from measured_report.measuring.machine import machine
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(
-        prog="python -m experiments.simulation.headline", description=__doc__.split(":")[0]
-    )
+    program, purpose = "python -m experiments.simulation.headline", __doc__.split(":")[0]
+    parser = argparse.ArgumentParser(prog=program, description=purpose)
     parser.add_argument("--device", choices=("cuda", "cpu"), required=True)
     parser.add_argument("--json", type=Path, required=True, metavar="FILE")
     arguments = parser.parse_args()
@@ -28,9 +27,8 @@ def main() -> int:
         compiled = time.perf_counter()
         rows = Conditions(device.alias, quick=False).measure([AS_SHIPPED, STIFF_PADS], "headline").rows
         seconds = {"compile_s": compiled - start, "measure_s": time.perf_counter() - compiled}
-        arguments.json.write_text(
-            json.dumps({"machine": machine(arguments.device), "rows": rows, **seconds}), encoding="utf-8"
-        )
+        headline = {"machine": machine(arguments.device), "rows": rows, **seconds}
+        arguments.json.write_text(json.dumps(headline), encoding="utf-8")
     except Exception as error:
         print(f"measuring failed: {reason_of(error)}", file=sys.stderr)
         return 1

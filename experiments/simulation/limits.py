@@ -15,8 +15,7 @@ def step_s(case: Case) -> float:
 
 
 def solref(ke: float, kd: float) -> tuple[float, float]:
-    """Return timeconst [s] and dampratio that Newton makes of ke and kd: 2 / kd and kd / (2 √ke) (newton's MuJoCo
-    solver, ``convert_solref``)."""
+    """Return timeconst [s] and dampratio that Newton makes of ke and kd: 2 / kd, kd / (2 √ke) (``convert_solref``)."""
     return 2.0 / kd, 0.5 * kd / ke**0.5
 
 
@@ -38,8 +37,7 @@ def cube_mass_kg(case: Case) -> float:
 
 
 def target_demand_m_s2(case: Case) -> float:
-    """Return the largest acceleration [m/s²] that friction would have to give a cube that follows the target of the
-    shake.
+    """Return the largest acceleration [m/s²] that friction would have to give a cube that follows the shake's target.
 
     The pads press along y. Friction carries the two other axes: |(a_x, g + a_z)|.
     """

@@ -18,6 +18,8 @@ from measured_report.measuring.measurement import Measurement, absent
 QUICK_FRAME_COUNT = 420  # frames of a quick run: the set-up and about 3.5 s of shake
 CONTACT_FRAME_STEP = 15  # frames between the three looks at the live contacts: a quarter of a 1 Hz cycle
 SETUP_FRAME_COUNT = 212  # frames before the shake when no phase has to wait for the TCP
+SHAKE_COLUMNS = ("slip_mm", "drift_mm_s", "oscillation_mm", "wander_mm", "cube_height_m", "shake_duration_s")
+CYCLE_COLUMNS = ("increment_mean_mm", "increment_last_mm", "cycle_count")
 
 
 class Conditions(conditions.Conditions):
@@ -71,10 +73,6 @@ def summarize(case: Case, trace: Trace) -> dict[str, Any]:
     }
 
 
-SHAKE_COLUMNS = ("slip_mm", "drift_mm_s", "oscillation_mm", "wander_mm", "cube_height_m", "shake_duration_s")
-CYCLE_COLUMNS = ("increment_mean_mm", "increment_last_mm", "cycle_count")
-
-
 def _shake_numbers(moved: metrics.Displacement, trace: Trace) -> dict[str, float]:
     return {
         "slip_mm": metrics.slip_mm(moved),
@@ -95,8 +93,7 @@ def _cycle_numbers(increments_mm: np.ndarray) -> dict[str, float]:
 
 
 def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
-    """Return the displacement of the cube in the TCP frame [mm] over the shake, a column for each axis and one along
-    the shake."""
+    """Return the cube's displacement in the TCP frame [mm] over the shake, along each axis and along the shake."""
     moved = metrics.displacement(trace)
     vector = 1e3 * moved.vector_m
     return {

@@ -44,8 +44,7 @@ def time_in_turn(
 ) -> list[PairedTimes]:
     """Time the blocks against the first of them until each ratio is known to RESOLUTION, in LOOK_COUNT looks at most.
 
-    A case that is known takes no further part; the reference does to the end. Alone it is timed as often as the first
-    look takes.
+    A case that is known takes no further part; the reference does to the end. Alone it is timed for the first look.
 
     Args:
         blocks: Each times a frame of its case [ms] in the round of that number.

@@ -50,8 +50,7 @@ def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
 
 
 def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
-    """Return the state of each of the pilot's worlds, and the targets of the frames that follow: for these it is run
-    on.
+    """Return the state of each of the pilot's worlds, and the targets of the frames that follow, for which it runs on.
 
     In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
     """
@@ -96,8 +95,7 @@ class NativeShake:
         self.frame_index += 1
 
     def run(self) -> Trace:
-        """Return the next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each frame's last
-        substep."""
+        """Return the next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each last substep."""
         frame_count = self.case.frame_count
         poses, phase = np.zeros((frame_count, len(BODIES), 7)), np.zeros(frame_count, dtype=int)
         contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)

@@ -68,8 +68,7 @@ class Scene:
 
 
 def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
-    """Return the arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority; and its
-    links."""
+    """Return the arm as shipped: targets, limits, gravity compensation, finger solimp and priority; and its links."""
     builder = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     builder.rigid_gap = BASELINE.robot_gap_m

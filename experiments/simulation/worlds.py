@@ -22,8 +22,7 @@ class UnequalWorlds(ValueError):
 
 
 def model_of(world_count: int, build: Callable[[int], newton.Model]) -> newton.Model:
-    """Return the model that ``build(world_count)`` makes: built for a few worlds, worked out from two such models for
-    more.
+    """Return the model that ``build(world_count)`` makes: built for a few worlds, else worked out from two of those.
 
     What belongs to no world must have been added after the worlds. Rays cannot be cast in what is worked out.
 

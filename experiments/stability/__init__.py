@@ -146,8 +146,7 @@ def worst(run: Probe, observed: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
 
 
 def exit_speed_m_s(case: Case, trace: Trace) -> float:
-    """Return the largest speed [m/s] of the cube on its way out of what it starts in, √(v² + 2 g h) where it has risen
-    by h above contact."""
+    """Return the largest speed [m/s] at which the cube leaves what it starts in, √(v² + 2 g h) at h above contact."""
     start = np.array(cube_start(case))
     touching = start[2] + (0.0 if case.cube_in_hand else case.start_overlap_m)
     position = np.vstack([start, trace.poses[:EXIT_FRAMES, metrics.CUBE, :3].astype(np.float64)])
@@ -157,8 +156,7 @@ def exit_speed_m_s(case: Case, trace: Trace) -> float:
 
 
 def grip_force_n(trace: Trace) -> float:
-    """Return the sum of the normal forces of both pads [N] at the end of the hold, or in the first frame when the cube
-    is then sliding out already."""
+    """Return the sum of both pads' normal forces [N] at the hold's end, or in frame 0 where the cube slides out."""
     positions = metrics.relative_position(trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP)
     is_gone = np.linalg.norm(positions[-1] - positions[0]) > GONE_M
     force = trace.column("normal_force_n")

@@ -15,8 +15,7 @@ SHAKE_FRAME_COUNT = {"full": 241, "quick": 121}  # two periods of the shake as s
 LONG_FRAME_COUNT = {"full": HOLD_FRAME_COUNT + 36_001, "quick": HOLD_FRAME_COUNT + 361}
 
 BASE = replace(LEAN, cube_in_hand=True, contact_max=64, constraint_max=192)
-"""Room for more than a grasp needs, so that no overflow is made by the buffers: an arm that falls to the ground has
-more contacts."""
+"""Room for more than a grasp needs, so that no buffer overflows: an arm that falls to the ground has more contacts."""
 PADS = {"as-shipped": {}, "stiff": {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd}}
 REFERENCE_SUBSTEPS = AS_SHIPPED.substeps
 
@@ -166,8 +165,7 @@ def sizes(profile: str) -> list[Probe]:
 
 
 def overlaps(profile: str) -> list[Probe]:
-    """Start too deep in both pads, or in the ground with the cube as shipped and with one that makes the contact
-    springy."""
+    """Start too deep in both pads, or in the ground with the cube as shipped and with one of springy contacts."""
     starts = {f"pads-{pads}": changes for pads, changes in PADS.items()}
     if profile == "full":  # a quick run ends before a cube from the ground is shaken
         starts["ground"] = {"cube_in_hand": False}

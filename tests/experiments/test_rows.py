@@ -11,7 +11,6 @@ import pytest
 import warp as wp
 
 from experiments import contacts, error_runtime, hold, leave_out, newton_solvers, poses, stability, stiffness
-from experiments.contacts import missing_term
 from experiments.cure import bodies, combinations, controls, turntable
 from experiments.engines import published, robot, scenes
 from experiments.facts import metrics
@@ -152,12 +151,12 @@ def test_rows_of_the_strongest_contact_are_in_millimetres():
 
 def test_the_term_predicts_a_slide_of_its_sum_over_b(monkeypatch):
     """2 m/s² for 4 s after the set-up, over b = 2 / (0.95 · 20 ms)."""
-    count, end = missing_term.TWO_PERIODS_FRAME_COUNT, 241
+    count, end = contacts.TWO_PERIODS_FRAME_COUNT, 241
     trace = trace_of(np.zeros((count, 3)), count - end, slide_m_s=0.1)
-    monkeypatch.setattr(missing_term, "_in_c", lambda _: SimpleNamespace(step=lambda: None))
-    monkeypatch.setattr(missing_term, "_trace", lambda _: trace)
-    monkeypatch.setattr(missing_term, "mean_along_shake_m_s2", lambda _: 2.0)
-    row = missing_term.predicted_row(AS_SHIPPED)
+    monkeypatch.setattr(contacts, "_in_c", lambda _: SimpleNamespace(step=lambda: None))
+    monkeypatch.setattr(contacts, "_trace", lambda _: trace)
+    monkeypatch.setattr(contacts, "mean_along_shake_m_s2", lambda _: 2.0)
+    row = contacts.predicted_row(AS_SHIPPED)
     assert row["predicted_slide_mm"] == pytest.approx(2e3 * 0.0095 * end / FRAME_RATE)
     assert row["slide_mm"] == pytest.approx(1e2 * end / FRAME_RATE)
 
@@ -167,14 +166,12 @@ def test_what_rows_leave_out_along_the_shake_is_the_mean_of_what_is_loaded(monke
     rows, geoms = (0, 2, 4, -1, 6), ((5, 7), (7, 5), (5, 7), (5, 7), (5, 6))
     found = [SimpleNamespace(efc_address=row, geom=geom) for row, geom in zip(rows, geoms, strict=True)]
     values = dict(zip(map(id, found), (2.0, 4.0, 90.0, 90.0, 90.0), strict=True))
-    monkeypatch.setattr(
-        missing_term, "velocity_product", lambda _, __, each: (np.array([values[id(each)], 9, 9]), None)
-    )
-    monkeypatch.setattr(missing_term, "_at_end_of_step", lambda *_: None)
+    monkeypatch.setattr(contacts, "velocity_product", lambda _, __, each: (np.array([values[id(each)], 9, 9]), None))
+    monkeypatch.setattr(contacts, "_at_end_of_step", lambda *_: None)
     data = SimpleNamespace(contact=found, efc_force=np.array([1.0, 0, 1.0, 0, 0, 0, 1.0, 0, 0, 1.0]))
     simulation = SimpleNamespace(solver=SimpleNamespace(mj_model=None, mj_data=data))
     simulation.recorder = SimpleNamespace(cube_geom=7)
-    assert missing_term.mean_along_shake_m_s2(simulation) == pytest.approx((2.0 - 4.0) / 2.0)
+    assert contacts.mean_along_shake_m_s2(simulation) == pytest.approx((2.0 - 4.0) / 2.0)
 
 
 def test_swept_pads_are_critically_damped_or_have_the_default_damping():

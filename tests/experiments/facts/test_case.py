@@ -9,10 +9,10 @@ import newton
 import numpy as np
 import pytest
 
+from experiments.facts import case as cases
 from experiments.facts.case import AS_SHIPPED, FIXED, HOLD, LEAN, STIFF_PADS, UNTRIMMED, Case, CaseError, differences
 from experiments.facts.fix_files import FIXED_SCENE
 from experiments.facts.metrics import DROP_DISTANCE
-from experiments.facts.variants import BEST, FIRM, IMPRATIO
 from experiments.simulation import scene, stepper_c, task
 from measured_report.files.root import ROOT
 
@@ -68,10 +68,10 @@ def test_pads_as_shipped_are_what_newton_gives_a_shape_and_both_are_critically_d
     for case, timeconst_s in ((AS_SHIPPED, 0.02), (STIFF_PADS, 0.002), (FIXED, 0.002)):
         assert 2.0 / case.pad_kd == pytest.approx(timeconst_s)
         assert case.pad_kd**2 == pytest.approx(4.0 * case.pad_ke)
-    assert differences(STIFF_PADS).keys() == {"pad_ke", "pad_kd"} and FIRM["pad_ke"] == STIFF_PADS.pad_ke
+    assert differences(STIFF_PADS).keys() == {"pad_ke", "pad_kd"} and cases.FIRM["pad_ke"] == STIFF_PADS.pad_ke
     assert differences(HOLD) == {"shake_amplitude_m": 0.0}
     assert differences(FIXED).keys() == differences(LEAN).keys() | differences(STIFF_PADS).keys()
-    assert BEST["impratio"] == FIRM["impratio"] == IMPRATIO == 8.0 * AS_SHIPPED.impratio
+    assert cases.BEST["impratio"] == cases.FIRM["impratio"] == cases.IMPRATIO == 8.0 * AS_SHIPPED.impratio
     assert UNTRIMMED.ik_iterations == 3 * AS_SHIPPED.ik_iterations
 
 

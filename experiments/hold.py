@@ -1,4 +1,4 @@
-"""Does rounding move the cube? The grasp held still, with positions in double and in single precision."""
+"""The same grasp with the arm held still: what is left without the load cycle, and does rounding move the cube?"""
 
 import copy
 from collections.abc import Callable
@@ -9,20 +9,48 @@ import numpy as np
 import warp as wp
 
 from experiments.facts import metrics
-from experiments.facts.case import HOLD, Case
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions
+from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
+from experiments.facts.trace import Trace
+from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, displacement_table, summarize
 from experiments.simulation.reference import ENGINES_AGREE
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
+from measured_report.measuring.measurement import Measurement, absent
 
+LONG_FRAME_COUNT = SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1
+CASES = (
+    HOLD,
+    replace(HOLD, name="hold-60s", frame_count=LONG_FRAME_COUNT),
+    replace(STIFF_PADS, name="hold-60s-stiff", shake_amplitude_m=0.0, frame_count=LONG_FRAME_COUNT),
+    AS_SHIPPED,
+)
+CREEP_COLUMNS = ("creep_z_mm_s", "increment_final_mm")
 SETTLE_FRAME_COUNT = SETUP_FRAME_COUNT + 5 * FRAME_RATE
 """Frames before the motion is measured: the set-up and what the arm takes to come to rest."""
 SECONDS = {"full": 4, "quick": 1}
 
 
+def measure(conditions: Conditions) -> Measurement:
+    traces = conditions.simulate(CASES, title="hold")
+    rows = [summarize(case, trace) | creep(trace) for case, trace in zip(CASES, traces, strict=True)]
+    rows += measure_precision(conditions)
+    return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
+
+
+def creep(trace: Trace) -> dict[str, object]:
+    """Return the rate along the tool, and how far the cube goes in the last whole second, in the direction in which it
+    ends up; None without a whole second."""
+    moved = metrics.displacement(trace)
+    if trace.failure or len(moved.time_s) <= FRAME_RATE:
+        reason = str(trace.failure or "the time after the lift is shorter than a second")
+        return absent(CREEP_COLUMNS, reason)
+    slope = 1e3 * np.polyfit(moved.time_s, moved.vector_m, 1)[0]
+    way = moved.vector_m @ (moved.vector_m[-1] / np.linalg.norm(moved.vector_m[-1]))
+    return dict(zip(CREEP_COLUMNS, (float(slope[2]), 1e3 * float(np.diff(way[::FRAME_RATE])[-1])), strict=True))
+
+
 def measure_precision(conditions: Conditions) -> list[dict[str, object]]:
-    """Measure MuJoCo Warp, and MuJoCo's C engine on its own with positions kept in double and rounded to single
-    precision."""
+    """Measure MuJoCo Warp, and MuJoCo's C engine alone with positions in double and rounded to single precision."""
     seconds = SECONDS[conditions.profile]
     hold = replace(HOLD, frame_count=1, **ENGINES_AGREE)
     in_c = _settled(replace(hold, backend="mujoco"), "cpu")
