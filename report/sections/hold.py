@@ -57,9 +57,8 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
     slip, duration, last = long.slip_mm, long.shake_duration_s, long.increment_final_mm
     formula = "motion in the last second of the long hold, of its mean per second"
     final = results.value("creep_final_share", formula, PERCENT * last * duration / slip / constant(1, "s"))
-    moves = (
-        greater(way, 0.0, noise=noise_floor(results, "slip_floor"), why="no motion at all") for way in (last, slip)
-    )
+    floor = noise_floor(results, "slip_floor")
+    moves = (greater(way, 0.0, noise=floor, why="no motion at all") for way in (last, slip))
     outcome = all_of(at_least(final, 50.0, why="not dying out"), *moves)
     return Claim("creep_goes_on", outcome, {"slip": slip, "duration": duration, "last": last})
 

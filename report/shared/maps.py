@@ -33,8 +33,7 @@ def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value
 
 def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
     """Lay out a column of one side of the map: amplitudes [m] down, frequencies [Hz] across."""
-    mine = frame[frame["side"] == side]
-    return mine.pivot(index="shake_amplitude_m", columns="shake_frequency_hz", values=column)
+    return frame[frame["side"] == side].pivot(index="shake_amplitude_m", columns="shake_frequency_hz", values=column)
 
 
 def held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:

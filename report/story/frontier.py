@@ -109,18 +109,16 @@ C_WAYS = (  # on a core of the processor, and in as many worlds as it has cores:
 MARKED = ("as shipped", "stiff pads", "RK4, stiff pads", "the root cure", "MuJoCo C", "C, stiff pads")
 OTHERS = ("Steel", "Kamino")  # the first of these that was timed is marked too
 GAP = 0.17  # decades between two names that stand one above the other
-TIMES = ("error_runtime", {count: f"worlds-{count}" for count in (ALONE, MANY)}, "ms_per_s")  # of one simulated second
 
 
 def figure(sections: Sections) -> Figure:
     """Draw the creep of some ways against the time of a world's frame, alone and among many."""
-    section, cases, column = TIMES
-    seconds = {count: sections.cell(section, case, column) for count, case in cases.items()}
+    seconds = {count: sections.cell("error_runtime", f"worlds-{count}", "ms_per_s") for count in (ALONE, MANY)}
     frames_ms = {count: cell.number / FRAME_RATE / count for count, cell in seconds.items() if cell.value is not None}
     other = next((way for way in WAYS if way.name in OTHERS and way.ratios(sections)), None)
     marked = [way for way in (*WAYS, *C_WAYS) if way.name in MARKED or way is other]
     ways = {way: way.ratios(sections) for way in marked if way.creep_mm(sections) is not None}
-    core, ratio = sections.value(section, "one_core_rate"), C_WAYS[0].ratios(sections).get(ALONE)
+    core, ratio = sections.value("error_runtime", "one_core_rate"), C_WAYS[0].ratios(sections).get(ALONE)
     # As the error page compares them: by the times that C took in turn with each number of worlds.
     core_ms = {ALONE: MS_PER_S.number / FRAME_RATE / core.value / ratio.number} if core.value and ratio else frames_ms
     marks = [

@@ -49,9 +49,12 @@ def derive(releases: Releases, shown: str) -> Section:
     slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
     figures = {"mechanism": Figure(draw_mechanism, [slide]), "frontier": frontier.figure(sections)}
     claims = [*frontier.advice(sections, every), _fine_since(every, bound), _still_needed(every, bound)]
-    claims += [_with(sections, *way, bound) for way in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID))]
-    claims += [_coarser_moves(sections)]
-    return Section(tables=tables, figures=figures, claims=claims)
+    for name, way in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID)):
+        before, after = _slips(sections, way)
+        is_halved = None not in (before.value, after.value) and 2.0 * after.number <= before.number
+        outcome = all_of(at_least(before, bound), decided(is_halved, before, after))
+        claims.append(Claim(name, outcome, {"before": before, "after": after}))
+    return Section(tables=tables, figures=figures, claims=[*claims, _coarser_moves(sections)])
 
 
 def _slips(sections: Sections, way: str) -> list[Quantity]:
@@ -89,13 +92,6 @@ def _still_needed(every: Mapping[str, Sections], bound: Quantity) -> Claim:
     pyramids = [release for release, slip in zip(every, slips[PYRAMID], strict=True) if slip.source]
     *names, last = map(config().name_of, pyramids or [""])
     return Claim("still_needed", outcome, {"pyramids": " and ".join(filter(None, (", ".join(names), last)))})
-
-
-def _with(sections: Sections, name: str, way: str, bound: Quantity) -> Claim:
-    before, after = _slips(sections, way)
-    is_halved = None not in (before.value, after.value) and 2.0 * after.number <= before.number
-    outcome = all_of(at_least(before, bound), decided(is_halved, before, after))
-    return Claim(name, outcome, {"before": before, "after": after})
 
 
 def _coarser_moves(sections: Sections) -> Claim:
