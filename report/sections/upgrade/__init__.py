@@ -38,7 +38,7 @@ def derive(results: Results, releases: Releases) -> Section:
     seen, names = releases, list(releases)
     if shown in names[1:]:  # those before it and itself; the oldest is held against all
         seen = {release: releases[release] for release in names[: names.index(shown) + 1]}
-    flipped, ends = list(flips(seen, shown)), Ends(seen)
+    flipped, ends = list(flips(seen, shown)), Ends(seen, names[0], list(seen)[-1])
     same_slip = _slip_is_the_same(results, ends, noise)
     steps = _in_one_step(results, seen, noise, same_slip.outcome)
     shown_tables = {

@@ -21,14 +21,8 @@ class Ends:
     """The oldest and the newest release that has results, between which changes are told."""
 
     releases: Releases
-
-    @property
-    def old(self) -> str:
-        return next(iter(self.releases))
-
-    @property
-    def new(self) -> str:
-        return next(reversed(list(self.releases)))
+    old: str
+    new: str
 
     @property
     def names(self) -> dict[str, str]:
