@@ -45,8 +45,8 @@ def test_every_release_answers_in_order_and_tells_the_story_of_its_data(editions
         answers = ["what", "why", "fix", "releases", *(["cost"] if "speed" in editions[release].chapters else [])]
         assert ANSWER.findall(found["front"]) == answers, release
         assert "written for other data" not in found["front"] + found["story"], release
-        assert ("The cube creeps" if release == "1.4.0" else "contacts hold the cube") in found["title"]
-        assert ("Turning joints accelerate what" in found["story"]) == (release == "1.4.0")
+        assert ("The cube creeps" if release == "1.4.0" else "hold the cube") in found["title"]
+        assert ("Turning joints accelerate" in found["story"]) == (release == "1.4.0")
 
 
 @pytest.mark.parametrize("name", ["cure", "fix", "lab", "scenes"])
@@ -79,15 +79,15 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
 @pytest.mark.parametrize(
     ("section", "claim", "gone"),
     [
-        ("reproduction", "slips", "A shaken cube creeps"),
-        ("stiffness", "cause", "leave out what turning joints add"),
-        ("stiffness", "cause", "Turning joints accelerate what"),
+        ("reproduction", "slips", "A shaken cube"),
+        ("stiffness", "cause", "turning joints add"),
+        ("stiffness", "cause", "Turning joints accelerate"),
         ("reproduction", "stiff_pads_hold", "shape_material_ke"),
-        ("reproduction", "stiff_pads_hold", "Where these lines go"),
-        ("drift_law", "follows", "the law of the creep, how we know"),
+        ("reproduction", "stiff_pads_hold", "these lines go"),
+        ("drift_law", "follows", "law of the creep"),
         ("contacts", "term_restored", "[story-mechanism]"),
-        ("speed", "stiff_pads_only_same_time", "Hardly any run time"),
-        ("friction", "not_the_cause", "keep your solver’s budget"),
+        ("speed", "stiff_pads_only_same_time", "Hardly any"),
+        ("friction", "not_the_cause", "your solver’s budget"),
     ],
 )
 def test_a_paragraph_falls_with_a_claim_that_it_rests_on(editions, templates, before, section, claim, gone):
@@ -95,7 +95,7 @@ def test_a_paragraph_falls_with_a_claim_that_it_rests_on(editions, templates, be
     after = texts(flipped(editions, section, claim, outcome), templates, "1.4.0")
     assert gone in before["front"] + before["story"]
     assert gone not in after["front"] + after["story"]
-    assert "This release gives it" not in after["front"] and "Here it has" not in after["story"]
+    assert "This release gives" not in after["front"] and "Here it has" not in after["story"]
 
 
 def test_what_the_story_claims_can_be_said_with_every_outcome(editions, templates):
