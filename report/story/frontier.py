@@ -187,7 +187,6 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     holding = [way for way, test in tests.items() if test == HOLDS]
     effort = min((way.effort for way in holding), default=PATCH)
     times = {way: ratios[ALONE] for way in holding if ALONE in (ratios := way.ratios(sections))}
-    paces = {way: time.number for way, time in times.items()}
     least = [way for way in holding if way.effort == effort]
     near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
@@ -196,7 +195,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     numbers |= dict.fromkeys(("many", "off", "patch", "patch_slip", "patch_ratio", "patch_many", "elsewhere"), "")
     if near or not least or not times.keys() >= {*least}:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
-    way = min(least, key=paces.__getitem__)
+    way = min(least, key=lambda way: times[way].number)
     ratios = way.ratios(sections)
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
     off = sections.cell(SOLVERS, f"{way.timed.rpartition('/')[2]}-3cm", "wander_mm")  # from its place, on the way
@@ -207,7 +206,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     patches = [way for way in times if way.effort == PATCH]
     flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
-        patch = min(patches, key=paces.__getitem__)
+        patch = min(patches, key=lambda way: times[way].number)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
         numbers["patch_many"] = patch.ratios(sections).get(MANY, "")
     slips = {release: way.slip(other) for release, other in every.items() if way.is_other}

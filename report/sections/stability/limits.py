@@ -1,8 +1,8 @@
 """How far each extreme can be pushed: from what holds to what breaks, beside the scene as shipped."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import filterfalse
+from typing import NamedTuple
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import Claim
@@ -15,8 +15,7 @@ from report.sections.stability.passing import is_stable
 NONE = absent("1", "it was not seen")
 
 
-@dataclass(frozen=True)
-class Limit:
+class Limit(NamedTuple):
     """One extreme: what holds, what breaks beyond it, and what the scene has as shipped, all in one unit."""
 
     name: str
