@@ -11,7 +11,7 @@ from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.findings.editions import Edition
 from measured_report.pages.prose import Templates
-from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome
+from measured_report.parts.claim import FAILS, Claim, Outcome
 from measured_report.parts.section import Section
 from measured_report.site.check import check_site
 from measured_report.values.evidence import Evidence
@@ -98,14 +98,10 @@ def test_a_paragraph_falls_with_a_claim_that_it_rests_on(editions, templates, be
     assert "This release gives" not in after["front"] and "Here it has" not in after["story"]
 
 
-def test_what_the_story_claims_can_be_said_with_every_outcome(editions, templates):
-    words = templates.text("story.md.j2").words
+def test_what_the_story_claims_holds_where_it_was_measured(editions):
     chapters = {release: edition.chapters for release, edition in editions.items()}
     for release in editions:
         for claim in story_of(chapters, release).claims:
-            claim = replace(claim, wording=words["claim", claim.name])
-            said = [replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "a test"))]
-            assert len(set(said)) == 3 and all(text.endswith(".") for text in said), said
             needs = {"coarser_moves": "lab", "advice": "cure_cost", "with_pyramid": "cure"}
             is_told = needs.get(claim.name, "noise") in chapters[release]
             if claim.name != "ends_creep":
