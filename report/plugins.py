@@ -24,7 +24,6 @@ from report.media.replay import REPLAY, replay_page, script
 from report.shared.arithmetic import Sections
 from report.shared.wheel import wheel
 
-MEDIA = Path(__file__).with_name("media")
 LINT = ROOT / "packages/newton-lint"
 LAB = ROOT / "assets/lab"  # the engine that a page runs, and the scripts that do
 
@@ -66,8 +65,8 @@ class Plugins(plugins.Plugins):
                 return packed_runs(results)
             return None
 
-        name = f"{project.profile}.{project.release}.replay"
-        return self.edition.cache.value(name, MEDIA / "packed.py", [results_digest(results)], make)
+        name, code = f"{project.profile}.{project.release}.replay", Path(__file__).parent / "media/packed.py"
+        return self.edition.cache.value(name, code, [results_digest(results)], make)
 
     @property
     def picture(self) -> str:  # type: ignore[override]

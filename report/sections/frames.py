@@ -10,13 +10,10 @@ order = 60
 reads = ("noise",)
 label = "what moves"
 
-FINGERS = ("cube-in-left-finger", "cube-in-right-finger")
-ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")  # pairs in which both bodies belong to the robot
-
 
 def derive(results: Results) -> Section:
     whole = results.row["cube-in-TCP"].displacement_mm
-    left, right = (results.row[case].displacement_mm for case in FINGERS)
+    left, right = (results.row[f"cube-in-{side}-finger"].displacement_mm for side in ("left", "right"))
     formula = "{} of the cube's displacements against the two fingers, of that against the TCP"
     least = results.value("finger_share", formula.format("smaller"), PERCENT * combined(min, left, right) / whole)
     most = results.value("finger_share_most", formula.format("larger"), PERCENT * combined(max, left, right) / whole)
@@ -24,8 +21,8 @@ def derive(results: Results) -> Section:
     moves = greater(whole, 0.0, noise=noise_floor(results, "slip_floor"), why="no motion at all")
     in_fingers = all_of(at_least(least, 95.0, why="as good as all of it"), no_more, moves)
     claims = [Claim("cube_moves_in_fingers", in_fingers, {"whole": whole, "left": left, "right": right})]
-    # The larger of drift and displacement: what creeps and what only comes to rest elsewhere.
-    rows = [results.row[case] for case in ROBOT]
+    # Of pairs of the robot's bodies the larger of drift and displacement: what creeps, and what only rests elsewhere.
+    rows = [results.row[case] for case in ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")]
     formula = "largest drift or displacement between two bodies of the robot"
     cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))
     largest = results.value("robot_drift", formula, combined(max, *cells))

@@ -16,7 +16,6 @@ page = "scenes"
 reads = ("cure", "scenes", "solver")
 label = "other engines"
 
-LONG, SHORT = "2ms", "1ms"
 MODELS = {
     "mjx": "MJX",
     "drake-sap-point": "Drake, SAP, points",
@@ -32,7 +31,6 @@ MODELS = {
     "discrete-20ms": "MuJoCo C, integrator discrete",
 }
 OURS = {"c": "MuJoCo C", "warp": "MuJoCo Warp"}  # engines of which other sections have the numbers
-MUJOCO = ("mjx", "discrete-20ms")
 CONTINUOUS = "drake-continuous-point"
 
 
@@ -72,8 +70,8 @@ def _lines(results: Results) -> Iterator[Line]:
         sink = sections.cell("scenes", f"within-pads-{engine}", "steady_creep_mm_s")
         runs.append((engine, name, newton, *walks, sink))
     for model, name in MODELS.items():
-        step = "0ms" if model == CONTINUOUS else LONG
-        tests = f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}"
+        step = "0ms" if model == CONTINUOUS else "2ms"
+        tests = f"turntable-{step}", "turntable-1ms", f"pinch-{step}"
         long, short, pinch = (results.row[f"{model}-{test}"] for test in tests)
         halved = absent("1/s", "continuous time has no step") if model == CONTINUOUS else short.growth_per_s
         runs.append((model.replace("-", "_"), name, long.release, long.growth_per_s, halved, pinch.creep_mm_s))
@@ -91,7 +89,7 @@ def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
 
 def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     """Tell whether it walks nowhere else as fast, and half the step does not help; MJX ran where the others did."""
-    mujoco = {*OURS.values(), *(MODELS[name] for name in MUJOCO)}
+    mujoco = {*OURS.values(), MODELS["mjx"], MODELS["discrete-20ms"]}
     mine = next(line for line in lines if line.name == MODELS["mjx"])
     others = [line.walk for line in lines if line.name not in mujoco and line.walk.value is not None]
     worst = results.value("worst_other", "fastest walk in another engine", combined(max, *others))

@@ -105,9 +105,6 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
 
 
-SAME = 5.0  # chosen: a slip that is no farther from another, in percent of that, is the same
-
-
 def nothing_to_explain(same: Outcome) -> Outcome | None:
     if same == HOLDS:
         return Outcome("unknown", "the slip is the same in both", reads=same.reads)
@@ -148,7 +145,7 @@ def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
         ("mujoco_contacts", elsewhere, {"found": contacts[1], "c": engine[1], "elsewhere": elsewhere}),
         ("pyramid", moved, {"before": pyramid[0], "after": pyramid[1], "moved": moved}),
     ):
-        yield Claim(f"{name}_as_before", ends.one or at_most(slips, SAME, why="the same slip"), ends.names | numbers)
+        yield Claim(f"{name}_as_before", ends.one or at_most(slips, 5.0, why="the same slip"), ends.names | numbers)
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:

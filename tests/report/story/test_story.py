@@ -46,7 +46,7 @@ def test_every_release_answers_in_order_and_tells_the_story_of_its_data(editions
         assert ANSWER.findall(found["front"]) == answers, release
         assert "written for other data" not in found["front"] + found["story"], release
         assert ("The cube creeps" if release == "1.4.0" else "hold the cube") in found["title"]
-        assert ("Turning joints accelerate" in found["story"]) == (release == "1.4.0")
+        assert ("joints accelerate what" in found["story"]) == (release == "1.4.0")
 
 
 @pytest.mark.parametrize("name", ["cure", "fix", "lab", "scenes"])
@@ -81,7 +81,7 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
     [
         ("reproduction", "slips", "A shaken cube"),
         ("stiffness", "cause", "turning joints add"),
-        ("stiffness", "cause", "Turning joints accelerate"),
+        ("stiffness", "cause", "joints accelerate what"),
         ("reproduction", "stiff_pads_hold", "shape_material_ke"),
         ("reproduction", "stiff_pads_hold", "these lines go"),
         ("drift_law", "follows", "law of the creep"),
