@@ -46,8 +46,8 @@ def _drift_needs_cycle(results: Results, held: Quantity, shaken: Quantity) -> Cl
     """Tell whether a held cube hardly drifts; if the other way, that is no part of the drift but takes no shake."""
     formula = "drift with the arm held still, of the drift as shipped, in size"
     part = results.value("hold_share", formula, PERCENT * abs(held / shaken))
-    there = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)
-    is_opposed = there and held.value * shaken.value < 0
+    is_seen = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)
+    is_opposed = is_seen and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
     bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, "%")
     return Claim("drift_needs_cycle", at_most(part, bound), numbers)
