@@ -1,7 +1,1 @@
 """What is derived of the records: sections, the story that they make, and names for people."""
-
-import sys
-from pathlib import Path
-
-# The packages of this repository are found where they lie, installed or not: a host without network needs no more.
-sys.path[:0] = map(str, sorted((Path(__file__).resolve().parent.parent / "packages").glob("*")))

@@ -24,8 +24,6 @@ from report.media.replay import REPLAY, replay_page, script
 from report.shared.arithmetic import Sections
 from report.shared.wheel import wheel
 
-__all__ = ["Plugins", "scripts"]
-MEDIA = Path(__file__).with_name("media")
 LINT = ROOT / "packages/newton-lint"
 LAB = ROOT / "assets/lab"  # the engine that a page runs, and the scripts that do
 
@@ -67,8 +65,8 @@ class Plugins(plugins.Plugins):
                 return packed_runs(results)
             return None
 
-        name = f"{project.profile}.{project.release}.replay"
-        return self.edition.cache.value(name, MEDIA / "packed.py", [results_digest(results)], make)
+        name, code = f"{project.profile}.{project.release}.replay", Path(__file__).parent / "media/packed.py"
+        return self.edition.cache.value(name, code, [results_digest(results)], make)
 
     @property
     def picture(self) -> str:  # type: ignore[override]
@@ -77,9 +75,11 @@ class Plugins(plugins.Plugins):
     def names(self, section: Section) -> Mapping[str, Any]:
         read = Sections({section: chapter.results for section, chapter in self.edition.chapters.items()})
         record = next((chapter.results.record for chapter in self.edition.chapters.values()), None)
+        packages = record.identity.packages if record else {}
+        # These decide most of what is measured; the foot of the page has all.
+        engine = [f"{name} {packages[name]}" for name in (config().edition, "mujoco-warp") if name in packages]
         names = {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
-        names |= {"machine": record.machine_text.partition(" (")[0] if record else ""}
-        names |= {"packages": _engine(record.identity.packages) if record else ""}
+        names |= {"machine": record.machine_text.partition(" (")[0] if record else "", "packages": " and ".join(engine)}
         return {**names, "lint": wheel(LINT)[0], "root": self.edition.root}
 
     @property
@@ -98,11 +98,6 @@ class Plugins(plugins.Plugins):
         name, packed = wheel(LINT)
         files = (*LAB.glob("dist/*"), LAB / "lab.css") if "lab" in self.edition.chapters else ()
         return {f"download/{name}": packed, **{f"lab/{file.name}": file for file in files}}
-
-
-def _engine(packages: Mapping[str, str]) -> str:
-    """Name what decides most of what is measured; the foot of the page has all."""
-    return " and ".join(f"{name} {packages[name]}" for name in (config().edition, "mujoco-warp") if name in packages)
 
 
 def scripts() -> Sequence[str]:

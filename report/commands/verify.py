@@ -1,7 +1,7 @@
 """Measure the headline again here, and compare it with the tracked one; keep nothing."""
 
 import argparse
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from itertools import product
 from typing import Any
 
@@ -34,7 +34,14 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 def verify(edition: Edition, measured: Mapping[str, Any]) -> tuple[str, bool]:
     """Return what was found, in lines, and whether it agrees with what is tracked."""
     comparisons = list(repeats_of(edition, measured))
-    lines = _lines(edition, measured, [line for line, _ in comparisons])
+    machine, chapter = measured["machine"]["gpu"] or measured["machine"]["cpu"], edition.chapters[SECTION]
+    where, seconds = f"newton {edition.project.release} on {machine}", (measured["measure_s"], measured["compile_s"])
+    lines = ["{}: measured in {:.0f} s, after {:.0f} s for kernels\n".format(where, *seconds)]
+    lines += ["{:12}{:>12}{:>14}{:>14}   {:22}".format("slip", "here", "tracked", "difference", "bound").rstrip()]
+    lines += [line for line, _ in comparisons]
+    lines += ["\nnoise: of runs on the same processor; devices: chosen for others, whose noise is not known"]
+    if chapter.state.notes:
+        lines += [f"the tracked ones are stale: {chapter.state.words}"]
     return "\n".join(lines), all(agrees for _, agrees in comparisons)
 
 
@@ -50,30 +57,13 @@ def repeats_of(edition: Edition, measured: Mapping[str, Any]) -> Iterator[tuple[
             is_same = here == processor == noise.record.processor  # for which the noise is known
             bound = noise.derived["slip_floor"] if is_same else results.derived["engine_bound"]
             slip = Quantity(row["slip_mm"], "mm", "", row.get("slip_mm_reason", ""))
-            line, agrees = _compared(slip, tracked.slip_mm, bound, "noise" if is_same else "devices")
-            yield f"{row['case']:12}{line}; on {processor}", agrees
-
-
-def _compared(here: Quantity, tracked: Quantity, bound: Quantity, kind: str) -> tuple[str, bool]:
-    """Say both and whether they differ; a run that fails where the tracked one did not differs."""
-    difference = abs(here - tracked)
-    outcome = within(difference, bound)
-    words = f"differs ({difference.reason})" if difference.reason else WORDS[outcome.answer]
-    cells = (*map(_exact, (here, tracked, difference)), f"{bound} ({kind})")
-    return "{:>12}{:>14}{:>14}   {:22}".format(*cells) + words, outcome.name != "fails" and not difference.reason
-
-
-def _lines(edition: Edition, measured: Mapping[str, Any], repeats: Sequence[str]) -> Iterator[str]:
-    machine, chapter = measured["machine"]["gpu"] or measured["machine"]["cpu"], edition.chapters[SECTION]
-    where = f"newton {edition.project.release} on {machine}"
-    yield f"{where}: measured in {measured['measure_s']:.0f} s, after {measured['compile_s']:.0f} s for kernels\n"
-    yield "{:12}{:>12}{:>14}{:>14}   {:22}".format("slip", "here", "tracked", "difference", "bound").rstrip()
-    yield from repeats
-    yield "\nnoise: of runs on the same processor; devices: chosen for others, whose noise is not known"
-    if chapter.state.notes:
-        yield f"the tracked ones are stale: {chapter.state.words}"
-
-
-def _exact(quantity: Quantity) -> str:
-    """Write a number with more digits than a page prints: anyone sees whether two are the same to the last."""
-    return str(quantity) if quantity.value is None else f"{quantity.value:.6f} mm"
+            difference = abs(slip - tracked.slip_mm)
+            outcome = within(difference, bound)
+            # A run that fails where the tracked one did not differs.
+            words = f"differs ({difference.reason})" if difference.reason else WORDS[outcome.answer]
+            # More digits than a page prints: anyone sees whether two are the same to the last.
+            numbers = (slip, tracked.slip_mm, difference)
+            cells = [str(number) if number.value is None else f"{number.value:.6f} mm" for number in numbers]
+            cells += [f"{bound} ({'noise' if is_same else 'devices'})"]
+            line = f"{row['case']:12}" + "{:>12}{:>14}{:>14}   {:22}".format(*cells) + f"{words}; on {processor}"
+            yield line, outcome.name != "fails" and not difference.reason

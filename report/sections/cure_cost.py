@@ -33,9 +33,9 @@ def derive(results: Results) -> Section:
     worst = resolution(results, "resolution", results.rows)
     costs = []
     for case in TESTED:
-        more = [extra[case, count] for count in TIMED_WORLDS]
-        seen = [_seen(results, f"{case}_seen_{n}", rows[case, n], extra[case, n]) for n in TIMED_WORLDS]
-        costs.append(_costs_nothing(results, case, list(zip(more, seen, strict=True)), worst))
+        cells = {count: (rows[case, count], extra[case, count]) for count in TIMED_WORLDS}
+        pairs = [(more, _seen(results, f"{case}_seen_{n}", row, more)) for n, (row, more) in cells.items()]
+        costs.append(_costs_nothing(results, case, pairs, worst))
     columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES] for n in TIMED_WORLDS}
     return Section(tables={"ways": table_of("way", CASES.values(), columns, resolution=worst)}, claims=costs)
 

@@ -80,10 +80,9 @@ def _follows(results: Results, runs: Sequence[Row], laws: Mapping[str, Value], o
     width = results.value("response_range", formula, combined(max, *responses) / combined(min, *responses))
     formula = "different responses of these runs, to a thousandth of themselves"
     distinct = results.value("response_count", formula, lambda *s: len({f"{each:.3g}" for each in s}), *responses)
-    drifts, formula = [row.drift_mm_s for row in runs], "noise of the drift, of the fastest"
-    fastest = results.value("drift_most", "fastest of these drifts", largest_size(drifts))
+    fastest = results.value("drift_most", "fastest of these drifts", largest_size(row.drift_mm_s for row in runs))
     floor = PERCENT * noise_floor(results, "drift_floor")
-    noise = results.value("drift_noise", formula, floor / fastest)
+    noise = results.value("drift_noise", "noise of the drift, of the fastest", floor / fastest)
     formula = "drift that the law gives to nine in ten runs, at least"
     slow = results.value("law_least", formula, combined(partial(quantile, 1 - MOST), *map(abs, laws.values())))
     scatter = results.value("law_noise", "noise of the drift, of that", floor / slow)

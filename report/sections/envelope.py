@@ -1,6 +1,5 @@
 """How hard can one shake? Amplitude and frequency, as shipped and with stiff pads, as points and as a map."""
 
-from collections.abc import Mapping
 from statistics import median
 
 import numpy as np
@@ -8,7 +7,6 @@ import pandas as pd
 
 from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Figure, Section, Table
-from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import noise_floor, resolved
 from report.shared.maps import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
@@ -25,14 +23,15 @@ SIDES = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 def derive(results: Results) -> Section:
     trace = results.trace("map")
     held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, "m")
-    lost = {side: lost_count(results, trace, side, held) for side in SIDES}
-    shipped, stiff = _drops(results, trace, lost, held)
-    seconds = results.row["as-shipped-3cm-1hz"].shake_duration_s
-    about = {"shipped": lost["as-shipped"], "stiff": lost["stiff"], "seconds": seconds}
-    about |= {"keeps": stiff.outcome == HOLDS, "drops": shipped.outcome == HOLDS}
-    tables = {"shakes": _shakes(results)}
+    shipped, stiff = (lost_count(results, trace, side, held) for side in SIDES)
+    cells = results.value("cells", "cells of the map on each side", lambda frame: len(frame) // len(SIDES), trace)
+    drops, never = decided(bool(shipped.value), shipped), at_most(stiff, 0, why="no cell is dropped")
+    claims = [Claim("as_shipped_drops", drops, {"lost": shipped, "cells": cells})]
+    claims += [Claim("stiff_pads_never_drop", never, {"lost": stiff, "cells": cells, "held": held})]
+    about = {"shipped": shipped, "stiff": stiff, "seconds": results.row["as-shipped-3cm-1hz"].shake_duration_s}
+    about |= {"keeps": never == HOLDS, "drops": drops == HOLDS}
     figures = {"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)}
-    return Section(tables=tables, figures=figures, claims=[shipped, stiff, _map_gain(results, trace)])
+    return Section(tables={"shakes": _shakes(results)}, figures=figures, claims=[*claims, _map_gain(results, trace)])
 
 
 def _shakes(results: Results) -> Table:
@@ -57,27 +56,14 @@ def _is_held(row: Row) -> bool:
     return row.slip_mm.value is not None and row.plain["cube_height_m"] >= HELD_HEIGHT_M
 
 
-def _drops(results: Results, trace: Series, lost: Mapping[str, Value], held: Value) -> tuple[Claim, Claim]:
-    shipped, stiff = (lost[side] for side in SIDES)
-    cells = results.value("cells", "cells of the map on each side", lambda frame: len(frame) // len(SIDES), trace)
-    drops = decided(bool(shipped.value), shipped)
-    never = at_most(stiff, 0, why="no cell is dropped")
-    claim = Claim("as_shipped_drops", drops, {"lost": shipped, "cells": cells})
-    return claim, Claim("stiff_pads_never_drop", never, {"lost": stiff, "cells": cells, "held": held})
-
-
 def _map_gain(results: Results, trace: Series) -> Claim:
     formula = "median over the map of the ratio of the slips, where the cube is held before and after"
-    middle = results.value("map_gain_median", formula, lambda frame: median(_gains(frame)), trace)
-    least = results.value("map_gain_least", "least ratio on the map", lambda frame: _gains(frame).min(), trace)
+    middle = results.value("map_gain_median", formula, lambda map: median(np.divide(*_slips(map))), trace)
+    least = results.value("map_gain_least", "least ratio on the map", lambda map: np.divide(*_slips(map)).min(), trace)
     formula = "least of the differences of the slips, as shipped less stiff, in size"
     gap = results.value("map_gap_least", formula, lambda map: abs(np.subtract(*_slips(map))).min(), trace, unit="mm")
     outcome = all_of(at_least(least, 1.0, why="less slip"), resolved(noise_floor(results, "slip_floor"), gap))
     return Claim("map_gain", outcome, {"median": middle, "least": least})
-
-
-def _gains(frame: pd.DataFrame) -> np.ndarray:
-    return np.divide(*_slips(frame))
 
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:

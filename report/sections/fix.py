@@ -5,7 +5,7 @@ from experiments.facts.fix_files import fix_files
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import constant
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.shared.arithmetic import MS_PER_S, SETTLES, departure, other_value
 
 order = 140
@@ -17,15 +17,15 @@ label = "the fix as files"
 
 def derive(results: Results) -> Section:
     shipped, fixed = results.row["as-shipped"], results.row["fixed"]
-    claims = [_recommended(results, shipped, fixed), _patch_rounds_up(results), _test_tells(shipped, fixed)]
-    return Section(claims=claims, downloads=[Download(name, text) for name, text in fix_files().items()])
-
-
-def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
     bound, formula = results.chosen("gain_bound", *SETTLES), "slip of as-shipped over slip of fixed"
     gain = results.value("gain", formula, shipped.slip_mm / fixed.slip_mm)
-    outcome = all_of(at_least(gain, bound), decided(fixed.exit_status.value == 0, fixed.slip_mm))
-    return Claim("recommended", outcome, {"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain})
+    holds = all_of(at_least(gain, bound), decided(fixed.exit_status.value == 0, fixed.slip_mm))
+    claims = [Claim("recommended", holds, {"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain})]
+    before, after = ("passes" if row.exit_status.value == 0 else "fails" for row in (shipped, fixed))
+    # a script that breaks down has no slip, and fails the test for another reason.
+    tells = decided((before, after) == ("fails", "passes"), shipped.slip_mm, fixed.slip_mm)
+    claims += [_patch_rounds_up(results), Claim("test_tells", tells, {"before": before, "after": after})]
+    return Section(claims=claims, downloads=[Download(name, text) for name, text in fix_files().items()])
 
 
 def _patch_rounds_up(results: Results) -> Claim:
@@ -43,10 +43,3 @@ def _patch_rounds_up(results: Results) -> Claim:
         off = results.value(f"patch_{name}_off", formula, departure(numbers[name], least))
         outcomes += [at_least(numbers[name], least), at_most(off, bound)]
     return Claim("patch_rounds_up", all_of(*outcomes), numbers)
-
-
-def _test_tells(shipped: Row, fixed: Row) -> Claim:
-    before, after = ("passes" if row.exit_status.value == 0 else "fails" for row in (shipped, fixed))
-    # a script that breaks down has no slip, and fails the test for another reason.
-    outcome = decided((before, after) == ("fails", "passes"), shipped.slip_mm, fixed.slip_mm)
-    return Claim("test_tells", outcome, {"before": before, "after": after})

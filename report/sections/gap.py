@@ -3,7 +3,7 @@
 from measured_report.parts.claim import Claim, all_of, decreases, equal_within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.shared.arithmetic import noise_floor, spread
 from report.shared.variants import is_small, unseen_in
 
@@ -17,10 +17,6 @@ CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
 
 def derive(results: Results) -> Section:
     rows = [results.row[case] for case in CASES]
-    return Section(claims=[_not_the_cause(results, rows), _same_contacts_carry(rows)])
-
-
-def _not_the_cause(results: Results, rows: list[Row]) -> Claim:
     slips, floor = [row.slip_mm for row in rows], noise_floor(results, "slip_floor")
     difference = results.value("slip_difference", "largest minus smallest slip of the gaps", spread(slips))
     formula = "difference in slip between the gaps, of the slip with the default gap"
@@ -28,11 +24,8 @@ def _not_the_cause(results: Results, rows: list[Row]) -> Claim:
     bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, "%")
     outcome = is_small(results, "slip_difference", difference, bound, slips[0], floor)
     unseen = unseen_in(difference, floor)
-    return Claim("not_the_cause", outcome, {"share": of_default, "slip": slips[0], "unseen": unseen})
-
-
-def _same_contacts_carry(rows: list[Row]) -> Claim:
+    claims = [Claim("not_the_cause", outcome, {"share": of_default, "slip": slips[0], "unseen": unseen})]
     loaded, listed = ([row[name] for row in rows] for name in ("mean_loaded_row_count", "mean_row_count"))
     more = decreases(listed, noise=0.5, why="a number of contacts that differs")
     same = equal_within(loaded, noise=0.5, why="the same number of contacts")
-    return Claim("same_contacts_carry", all_of(more, same))
+    return Section(claims=[*claims, Claim("same_contacts_carry", all_of(more, same))])

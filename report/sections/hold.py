@@ -46,8 +46,8 @@ def _drift_needs_cycle(results: Results, held: Quantity, shaken: Quantity) -> Cl
     """Tell whether a held cube hardly drifts; if the other way, that is no part of the drift but takes no shake."""
     formula = "drift with the arm held still, of the drift as shipped, in size"
     part = results.value("hold_share", formula, PERCENT * abs(held / shaken))
-    there = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)
-    is_opposed = there and held.value * shaken.value < 0
+    is_seen = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)
+    is_opposed = is_seen and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
     bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, "%")
     return Claim("drift_needs_cycle", at_most(part, bound), numbers)
@@ -57,9 +57,8 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
     slip, duration, last = long.slip_mm, long.shake_duration_s, long.increment_final_mm
     formula = "motion in the last second of the long hold, of its mean per second"
     final = results.value("creep_final_share", formula, PERCENT * last * duration / slip / constant(1, "s"))
-    moves = (
-        greater(way, 0.0, noise=noise_floor(results, "slip_floor"), why="no motion at all") for way in (last, slip)
-    )
+    floor = noise_floor(results, "slip_floor")
+    moves = (greater(way, 0.0, noise=floor, why="no motion at all") for way in (last, slip))
     outcome = all_of(at_least(final, 50.0, why="not dying out"), *moves)
     return Claim("creep_goes_on", outcome, {"slip": slip, "duration": duration, "last": last})
 

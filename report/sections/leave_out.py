@@ -52,18 +52,19 @@ def derive(results: Results) -> Section:
     for case, row in ran.items():
         name, formula = f"cuda_{case}_difference".replace("-", "_"), f"slip of {case} less that of {REFERENCE}"
         differences[case] = results.value(name, f"{formula}, on the same device", row.slip_mm - base)
-    for device in DEVICES:
-        times = (row for (of, *_), row in timed.items() if of == device)
-        resolutions[device] = resolution(results, f"{device}_resolution", times)
+    for name in DEVICES:
+        times = (row for (device, *_), row in timed.items() if device == name)
+        resolutions[name] = resolution(results, f"{name}_resolution", times)
+    device = max((device for device, *_ in timed), default="cuda")  # the GPU where there is one
     claims = [_faster_on_gpu(results, timed, resolutions["cuda"]), _faster_on_cpu(results, timed, resolutions["cpu"])]
-    claims += [_less_memory(results, timed), _same_slip_on_gpu(results, differences)]
-    figures = {"cost": cost_figure(results, timed)}
+    claims += [_less_memory(results, timed, device)]
+    # Of means over the worlds that each case was run in.
+    floor = noise_floor(results, "slip_floor")
+    formula = "largest difference in slip from the reference of that device, either way"
+    largest = results.value("cuda_largest_difference", formula, largest_size(differences.values()))
+    claims += [Claim("same_slip_on_gpu", within(largest, floor), {"largest": largest, "floor": floor})]
+    figures = {"cost": cost_figure(results, timed, device)}
     return Section(tables={"audit": audit_table(results)}, figures=figures, claims=claims)
-
-
-def _device(timed: Timed) -> str:
-    """Return the GPU where there is one."""
-    return max((device for device, *_ in timed), default="cuda")
 
 
 def _saved(results: Results, timed: Timed, device: str, case: str, worlds: int) -> Value:
@@ -82,8 +83,7 @@ def _faster_on_gpu(results: Results, timed: Timed, resolved: Value) -> Claim:
     formula = "time of a frame exactly as shipped over that without all that is unneeded, timed in turn"
     gains, outcomes = [], []
     for worlds in (1, MANY_COUNT):
-        row = timed["cuda", ALL, worlds]
-        gains.append(results.value(f"cuda_gain_{worlds}", formula, 1 / row.frame_ratio))
+        gains.append(results.value(f"cuda_gain_{worlds}", formula, 1 / timed["cuda", ALL, worlds].frame_ratio))
         outcomes.append(_is_faster(results, timed, "cuda", worlds))
     numbers = {"one": gains[0], "many": gains[1], "worlds": timed["cuda", ALL, MANY_COUNT].worlds}
     return Claim("faster_on_gpu", all_of(*outcomes).having_read(resolved), numbers)
@@ -97,20 +97,12 @@ def _faster_on_cpu(results: Results, timed: Timed, resolved: Value) -> Claim:
     return Claim("faster_on_cpu", _is_faster(results, timed, "cpu", 1).having_read(gain, resolved), {"gain": gain})
 
 
-def _less_memory(results: Results, timed: Timed) -> Claim:
-    before, after = (timed[_device(timed), case, 1].buffer_bytes_per_world for case in (REFERENCE, ALL))
+def _less_memory(results: Results, timed: Timed, device: str) -> Claim:
+    before, after = (timed[device, case, 1].buffer_bytes_per_world for case in (REFERENCE, ALL))
     formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
     saving = results.value("memory_saving", formula, before / after)
     bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
     return Claim("less_memory", at_least(saving, bound), {"saving": saving, "before": before, "after": after})
-
-
-def _same_slip_on_gpu(results: Results, differences: Mapping[str, Value]) -> Claim:
-    """Compare means over the worlds that each case was run in."""
-    floor = noise_floor(results, "slip_floor")
-    formula = "largest difference in slip from the reference of that device, either way"
-    largest = results.value("cuda_largest_difference", formula, largest_size(differences.values()))
-    return Claim("same_slip_on_gpu", within(largest, floor), {"largest": largest, "floor": floor})
 
 
 def audit_table(results: Results) -> Table:
@@ -129,9 +121,8 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
-def cost_figure(results: Results, timed: Timed) -> Figure:
+def cost_figure(results: Results, timed: Timed, device: str) -> Figure:
     """Show what each thing costs by itself, with the number of worlds for which each was timed alone."""
-    device = _device(timed)
     counts = sorted({1, *(worlds for of, case, worlds in timed if (of, case) == (device, REFERENCE))})
     worlds = ALONE_COUNT if ALONE_COUNT in counts else counts[-1]
     cases = dict.fromkeys(case for _, case, _ in timed if case not in WHOLE)

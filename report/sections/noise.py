@@ -17,7 +17,6 @@ label = "the same again"
 labels = {"as-shipped": "shipped pads"}
 
 METRICS = {"slip": "slip_mm", "drift": "drift_mm_s"}
-SMALL = "far less than what is looked for"
 
 
 def derive(results: Results) -> Section:
@@ -29,7 +28,15 @@ def derive(results: Results) -> Section:
     results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, "%")
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, "%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
-    return Section(claims=[_noise_is_small(results, next(iter(repeats.values())), floors)])
+    first, shares = next(iter(repeats.values())), {}
+    for metric, floor in floors.items():
+        formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
+        mean = gathered(fmean, (row[METRICS[metric]] for row in first))
+        share = PERCENT * floor / abs(mean)
+        shares[metric] = results.value(f"{metric}_floor_share", formula, share, is_noise=True)
+    numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
+    outcome = all_of(*(at_most(share, 1.0, why="far less than what is looked for") for share in shares.values()))
+    return Section(claims=[Claim("noise_is_small", outcome, numbers)])
 
 
 def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) -> Value:
@@ -43,14 +50,3 @@ def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) 
     least = results.chosen(f"{metric}_resolution", "what rounding may do", column.resolution, column.unit)
     formula = "largest of the cases, and at least the resolution"
     return results.value(f"{metric}_floor", formula, combined(max, *bounds, least), is_noise=True)
-
-
-def _noise_is_small(results: Results, first: Sequence[Row], floors: Mapping[str, Value]) -> Claim:
-    shares = {}
-    for metric, floor in floors.items():
-        formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
-        mean = gathered(fmean, (row[METRICS[metric]] for row in first))
-        share = PERCENT * floor / abs(mean)
-        shares[metric] = results.value(f"{metric}_floor_share", formula, share, is_noise=True)
-    numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
-    return Claim("noise_is_small", all_of(*(at_most(share, 1.0, why=SMALL) for share in shares.values())), numbers)

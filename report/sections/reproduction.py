@@ -12,7 +12,7 @@ from experiments.facts.classes import cycle_increments
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, combined, constant
-from measured_report.values.results import Results, Row, Series
+from measured_report.values.results import Results, Series
 from report.shared.arithmetic import DEVICES, MM_PER_M, departure, spread
 
 order = 10
@@ -45,23 +45,19 @@ SCENE: tuple[tuple[str, float, str], ...] = (  # name, value and unit of what th
 
 def derive(results: Results) -> Section:
     shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
-    _scene(results, shipped)
-    slips, cells = _slips(results, shipped), (results.trace("as-shipped"), shipped.shake_frequency_hz)
-    claims = [slips, _steady(results, cells), _every_second(results, cells), _same_on_both_engines(results, slips)]
-    return Section(claims=[*claims, _stiff_pads_hold(results, shipped, stiff)])
-
-
-def _scene(results: Results, shipped: Row) -> None:
     for name, value, unit in SCENE:
         results.value(name, "set in the scene", constant(value, unit))
     results.value("amplitude", "in whole mm", combined(round, MM_PER_M * shipped.shake_amplitude_m))
     results.value("frequency", "as a whole number", combined(round, shipped.shake_frequency_hz))
-
-
-def _slips(results: Results, shipped: Row) -> Claim:
     bound = results.chosen("slip_bound", "a slip that can be seen", 1.0, "mm")
     numbers = {"slip": shipped.slip_mm, "duration": shipped.shake_duration_s, "bound": bound}
-    return Claim("slips", at_least(shipped.slip_mm, bound), numbers)
+    slips = Claim("slips", at_least(shipped.slip_mm, bound), numbers)
+    cells = results.trace("as-shipped"), shipped.shake_frequency_hz
+    claims = [slips, _steady(results, cells), _every_second(results, cells), _same_on_both_engines(results, slips)]
+    gain = results.value("stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm / stiff.slip_mm)
+    less = at_least(gain, results.chosen("stiff_least", "less than half", 2.0))
+    numbers = {"slip": stiff.slip_mm, "before": shipped.slip_mm, "gain": gain}
+    return Section(claims=[*claims, Claim("stiff_pads_hold", all_of(less, at_most(stiff.slip_mm, bound)), numbers)])
 
 
 def _increment(results: Results, name: str, part: Callable, cells: Sequence) -> Value:
@@ -120,13 +116,6 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     listed = Markup("{} and {}").format(Markup(", ").join(first), last) if first else escape(last)
     numbers = {"difference": difference, "places": listed, "bound": bound}
     return Claim("same_on_both_engines", at_most(difference, bound), numbers, effect=slips.outcome)
-
-
-def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
-    gain = results.value("stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm / stiff.slip_mm)
-    less = at_least(gain, results.chosen("stiff_least", "less than half", 2.0))
-    outcome = all_of(less, at_most(stiff.slip_mm, results.derived["slip_bound"]))
-    return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "before": shipped.slip_mm, "gain": gain})
 
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:

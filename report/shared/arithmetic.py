@@ -107,5 +107,4 @@ def joined(parts: Sequence[Section]) -> Section:
         tables={name: table for part in parts for name, table in part.tables.items()},
         figures={name: figure for part in parts for name, figure in part.figures.items()},
         claims=[claim for part in parts for claim in part.claims],
-        unmeasured=[name for part in parts for name in part.unmeasured],
     )

@@ -16,8 +16,6 @@ from measured_report.values.results import Results, Series
 SLIP_RANGE_MM = (0.01, 50.0)  # ends of the colour scale; what lies outside has the colour of the end
 FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)
 AMPLITUDE_TICKS_CM = (0.5, 1, 2, 5, 10)
-EMPTY = "#f2f2f2"
-"""Colour of the cells of a map that have no slip to show."""
 HELD_HEIGHT_M = 0.15  # a cube that ends lower has left the hand, which shakes it about 0.2 m above the ground
 
 
@@ -33,8 +31,7 @@ def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value
 
 def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
     """Lay out a column of one side of the map: amplitudes [m] down, frequencies [Hz] across."""
-    mine = frame[frame["side"] == side]
-    return mine.pivot(index="shake_amplitude_m", columns="shake_frequency_hz", values=column)
+    return frame[frame["side"] == side].pivot(index="shake_amplitude_m", columns="shake_frequency_hz", values=column)
 
 
 def held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:
@@ -67,7 +64,7 @@ def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd
     frequency, amplitude = slip.columns.to_numpy(), 100 * slip.index.to_numpy()
     failed, lost = failure.notna().to_numpy(), (dropped.astype(str) == "True").to_numpy()
     shown = np.ma.masked_where(lost | failed | slip.isna().to_numpy(), slip.to_numpy(dtype=float))
-    axes.set_facecolor(EMPTY)
+    axes.set_facecolor("#f2f2f2")  # of cells that have no slip to show
     axes.grid(visible=False)
     place, norm = (frequency, amplitude, shown), LogNorm(*SLIP_RANGE_MM)
     colours = axes.pcolormesh(*place, zorder=0.5, norm=norm, cmap="viridis", shading="nearest", rasterized=True)

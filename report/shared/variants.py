@@ -1,7 +1,7 @@
 """Cases that each change one thing, against the baseline that was measured with them."""
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from measured_report.parts.claim import Claim, Outcome, at_least, greater
 from measured_report.parts.section import Section
@@ -11,8 +11,7 @@ from report.shared.arithmetic import largest_size, noise_floor, other_value, res
 from report.shared.tables import case_html
 
 
-@dataclass(frozen=True)
-class Variants:
+class Variants(NamedTuple):
     """The rows of one section, whose slips are compared."""
 
     baseline: Row

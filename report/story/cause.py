@@ -8,7 +8,7 @@ from measured_report.findings.chapters import Chapters
 from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Row
 from report.sections.gap import CASES
 from report.sections.priority import CUBE
 from report.sections.stiffness import FIX, HARDEST
@@ -33,7 +33,10 @@ def derive(chapters: Chapters) -> Section:
     """Derive the table; of a section with no cases named it has those that are compared with a baseline."""
     sections, lines = Sections({name: chapter.results for name, chapter in chapters.items()}), []
     for name, (changed, section, cases, claim, why) in SUSPECTS.items():
-        rows = _rows(sections.results[section], cases) if section in chapters else []
+        results, rows = sections.results.get(section), list[Row]()
+        if results:
+            compared = {name.removesuffix("_difference") for name in results.derived}
+            rows = [row for row in results.rows if row.case in (cases or compared)]
         if any(row.slip_mm.value is not None for row in rows):
             held = {each.name: each.outcome == HOLDS for each in chapters[section].section.claims}
             is_out = held.get(claim) and held.get("not_the_cause", True)
@@ -42,11 +45,6 @@ def derive(chapters: Chapters) -> Section:
     names, *cells = zip(*lines, strict=True) if lines else ([] for _ in range(5))
     columns = dict(zip(("changed", *COLUMNS, "why not"), cells, strict=True))
     return Section(tables={"suspects": table_of("suspect", names, columns)})
-
-
-def _rows(results: Results, cases: Sequence[str]) -> list[Row]:
-    compared = {name.removesuffix("_difference") for name in results.derived}
-    return [row for row in results.rows if row.case in (cases or compared)]
 
 
 def _ends(rows: Sequence[Row], column: str) -> Quantity | Markup | str:

@@ -109,18 +109,16 @@ C_WAYS = (  # on a core of the processor, and in as many worlds as it has cores:
 MARKED = ("as shipped", "stiff pads", "RK4, stiff pads", "the root cure", "MuJoCo C", "C, stiff pads")
 OTHERS = ("Steel", "Kamino")  # the first of these that was timed is marked too
 GAP = 0.17  # decades between two names that stand one above the other
-TIMES = ("error_runtime", {count: f"worlds-{count}" for count in (ALONE, MANY)}, "ms_per_s")  # of one simulated second
 
 
 def figure(sections: Sections) -> Figure:
     """Draw the creep of some ways against the time of a world's frame, alone and among many."""
-    section, cases, column = TIMES
-    seconds = {count: sections.cell(section, case, column) for count, case in cases.items()}
+    seconds = {count: sections.cell("error_runtime", f"worlds-{count}", "ms_per_s") for count in (ALONE, MANY)}
     frames_ms = {count: cell.number / FRAME_RATE / count for count, cell in seconds.items() if cell.value is not None}
     other = next((way for way in WAYS if way.name in OTHERS and way.ratios(sections)), None)
     marked = [way for way in (*WAYS, *C_WAYS) if way.name in MARKED or way is other]
     ways = {way: way.ratios(sections) for way in marked if way.creep_mm(sections) is not None}
-    core, ratio = sections.value(section, "one_core_rate"), C_WAYS[0].ratios(sections).get(ALONE)
+    core, ratio = sections.value("error_runtime", "one_core_rate"), C_WAYS[0].ratios(sections).get(ALONE)
     # As the error page compares them: by the times that C took in turn with each number of worlds.
     core_ms = {ALONE: MS_PER_S.number / FRAME_RATE / core.value / ratio.number} if core.value and ratio else frames_ms
     marks = [
@@ -189,7 +187,6 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     holding = [way for way, test in tests.items() if test == HOLDS]
     effort = min((way.effort for way in holding), default=PATCH)
     times = {way: ratios[ALONE] for way in holding if ALONE in (ratios := way.ratios(sections))}
-    paces = {way: time.number for way, time in times.items()}
     least = [way for way in holding if way.effort == effort]
     near = [test for way, test in tests.items() if test.is_inconclusive and ARGUMENT <= way.effort < effort]
     untimed = "what holds the cube was not timed" if holding else "nothing that was tried is seen to"
@@ -198,7 +195,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     numbers |= dict.fromkeys(("many", "off", "patch", "patch_slip", "patch_ratio", "patch_many", "elsewhere"), "")
     if near or not least or not times.keys() >= {*least}:
         return Claim(name, next(iter(near), Outcome("unknown", none.reason)), numbers | dict.fromkeys(FLAGS, False))
-    way = min(least, key=paces.__getitem__)
+    way = min(least, key=lambda way: times[way].number)
     ratios = way.ratios(sections)
     seen = sections.value(*UNSEEN.get(way.name, ("", "")))
     off = sections.cell(SOLVERS, f"{way.timed.rpartition('/')[2]}-3cm", "wander_mm")  # from its place, on the way
@@ -209,7 +206,7 @@ def _chosen(sections: Sections, name: str, bound: Quantity, every: Mapping[str, 
     patches = [way for way in times if way.effort == PATCH]
     flags = way.effort != NOTHING, way.is_other, MANY in ratios, is_longer, bool(patches)
     if patches:
-        patch = min(patches, key=paces.__getitem__)
+        patch = min(patches, key=lambda way: times[way].number)
         numbers |= {"patch": patch.name, "patch_slip": patch.slip(sections), "patch_ratio": times[patch]}
         numbers["patch_many"] = patch.ratios(sections).get(MANY, "")
     slips = {release: way.slip(other) for release, other in every.items() if way.is_other}

@@ -21,8 +21,6 @@ labels = {
     "ke-kd-#-#-#-plain": "pads' ke {1}, kd {0}, {2} substeps",
 }
 
-PARTS = (turntable, controls, limits, bodies, tumbles, budget)  # its parts; the last reads what the limits are
-
 FILES = (  # said in full: what is kept of a section is made anew when a file changes that its code names
     "experiments/simulation/contact_bias.py",
     "experiments/simulation/contact_place.py",
@@ -37,4 +35,5 @@ FILES = (  # said in full: what is kept of a section is made anew when a file ch
 
 def derive(results: Results) -> Section:
     downloads = [Download(file.name, file.read_text(encoding="utf-8")) for file in map(ROOT.joinpath, FILES)]
-    return replace(joined([part.derive(results) for part in PARTS]), downloads=downloads)
+    parts = (turntable, controls, limits, bodies, tumbles, budget)  # the last reads what the limits are
+    return replace(joined([part.derive(results) for part in parts]), downloads=downloads)

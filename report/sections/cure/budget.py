@@ -53,14 +53,11 @@ def derive(results: Results) -> Section:
         slip = results.row[case].slip_mm
         others.append(Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip}))
     claims = [_what_to_use(results), _budget_closes(results), *others]
-    return Section(tables={"budget": _budget_table(results)}, figures={"use": _use_figure(results)}, claims=claims)
-
-
-def _use_figure(results: Results) -> Figure:
     cases = [case for case in NAMES if case != KF_OFF or results.row[case.format("3cm")]]
     rows = {shake: [results.row[case.format(shake)] for case in cases] for shake in SHAKES}
     cells = [row.slip_mm for column in rows.values() for row in column if row]
-    return Figure(lambda: _draw_use([NAMES[case] for case in cases], rows), cells)
+    use = Figure(lambda: _draw_use([NAMES[case] for case in cases], rows), cells)
+    return Section(tables={"budget": _budget_table(results)}, figures={"use": use}, claims=claims)
 
 
 def _draw_use(names: Sequence[str], rows: Mapping[str, Sequence[Row]]) -> Drawing:

@@ -3,7 +3,7 @@
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import combined
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.shared.arithmetic import extreme, gathered, rows_with
 
 # Counts of pairs that differ: with the term more, and less.
@@ -11,22 +11,8 @@ DIFFERENCES = {"gain": ("exact_alone_count", "plain_alone_count"), "rise": ("hig
 
 
 def derive(results: Results) -> Section:
-    return Section(claims=[_gains_nothing(results, rows_with(results, "pair_count"))])
-
-
-def _excess(*counts: float) -> float:
-    """Tell by how many standard deviations the counts of the first kind exceed those of the second, in turn."""
-    more, fewer = sum(counts[::2]), sum(counts[1::2])
-    return (more - fewer) / max(1.0, more + fewer) ** 0.5
-
-
-def _surprise(*energies: float) -> float:
-    """Return the most of all with the term, in turn with those without it, where the latter stay below 1.01."""
-    return max([1.0, *(exact for exact, plain in zip(energies[::2], energies[1::2], strict=True) if plain <= 1.01)])
-
-
-def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     """Ask of the pairs that differ whether more of any body gain energy, or rise, with the term than chance has it."""
+    rows = rows_with(results, "pair_count")
     formula = "worlds that at any time have over 1 % more energy than at the start, or no number"
     sums = {name: gathered(sum, (row[f"{name}_gain_count"] for row in rows)) for name in ("plain", "exact")}
     gains = {name: results.value(f"{name}_gains", formula, count) for name, count in sums.items()}
@@ -53,4 +39,15 @@ def _gains_nothing(results: Results, rows: list[Row]) -> Claim:
     gain = results.chosen("tumble_gain", "less can be rounding", 1.0, "%")
     numbers = {"pairs": pairs, "gain": gain, "shortest": shortest, "longest": longest}
     numbers |= {"gained": excess["gain"], "risen": excess["rise"], "surprise": surprise}
-    return Claim("tumbling_gains_nothing", outcome, numbers | gains)
+    return Section(claims=[Claim("tumbling_gains_nothing", outcome, numbers | gains)])
+
+
+def _excess(*counts: float) -> float:
+    """Tell by how many standard deviations the counts of the first kind exceed those of the second, in turn."""
+    more, fewer = sum(counts[::2]), sum(counts[1::2])
+    return (more - fewer) / max(1.0, more + fewer) ** 0.5
+
+
+def _surprise(*energies: float) -> float:
+    """Return the most of all with the term, in turn with those without it, where the latter stay below 1.01."""
+    return max([1.0, *(exact for exact, plain in zip(energies[::2], energies[1::2], strict=True) if plain <= 1.01)])

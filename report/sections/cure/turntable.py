@@ -6,7 +6,7 @@ from dataclasses import replace
 from measured_report.parts.claim import FAILS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Value, combined
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.shared.arithmetic import cell_count, departure, extreme, largest_size
 from report.shared.tables import Column, table_of
 
@@ -36,20 +36,22 @@ def derive(results: Results) -> Section:
     why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
     resolution = results.chosen("resolution", why, 0.002, "%/s")
     rows = {case: results.row[case] for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES)}
-
-    def percent(column: str, case: str, row: Row) -> Value:
-        formula = f"{column} of {case}, in percent of the distance from the axis"
-        return results.value(f"{case}_{column}", formula, PERCENT * row[column])
-
-    names = ("growth_per_s", "predicted_growth_per_s")
-    measured, law = ({case: percent(column, case, row) for case, row in rows.items()} for column in names)
+    measured, law = dict[str, Value](), dict[str, Value]()
+    for cells, column in ((measured, "growth_per_s"), (law, "predicted_growth_per_s")):
+        for case, row in rows.items():
+            formula = f"{column} of {case}, in percent of the distance from the axis"
+            cells[case] = results.value(f"{case}_{column}", formula, PERCENT * row[column])
     columns: dict[str, Column] = {
         name: [cells[f"{variant}-{engine}"] for variant in VARIANTS]
         for name, cells, engine in (("MuJoCo C", measured, "c"), ("by the law", law, "c"), ("Warp", measured, "warp"))
     }
     tables = {"rates": table_of("what is done", VARIANTS.values(), columns)}
     claims = [_follows_law(results, measured, law, resolution), _by_hand(results, measured["plain-c"])]
-    claims += [_no_setting_stops_it(results, measured, resolution), _cured(results, measured, resolution)]
+    formula = "largest growth, in size, with the term, without the error of the step and with a high impratio"
+    growths = (measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES)
+    claims += [_no_setting_stops_it(results, measured, resolution)]
+    largest = results.value("cured_growth", formula, largest_size(growths))
+    claims += [Claim("cured", at_most(largest, resolution), {"largest": largest, "resolution": resolution})]
     return Section(tables=tables, claims=claims)
 
 
@@ -96,10 +98,3 @@ def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolu
     if grows == FAILS:
         outcome = replace(outcome, name="unknown", reason="there is no growth to stop")
     return Claim("no_setting_stops_it", outcome, {"largest": largest})
-
-
-def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
-    formula = "largest growth, in size, with the term, without the error of the step and with a high impratio"
-    growths = (measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES)
-    largest = results.value("cured_growth", formula, largest_size(growths))
-    return Claim("cured", at_most(largest, resolution), {"largest": largest, "resolution": resolution})

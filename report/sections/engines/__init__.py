@@ -1,8 +1,7 @@
 """Other engines: the box on the turning table, the pinched capsule, the shake, and numbers that others published."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Section
@@ -17,7 +16,6 @@ page = "scenes"
 reads = ("cure", "scenes", "solver")
 label = "other engines"
 
-LONG, SHORT = "2ms", "1ms"
 MODELS = {
     "mjx": "MJX",
     "drake-sap-point": "Drake, SAP, points",
@@ -33,12 +31,10 @@ MODELS = {
     "discrete-20ms": "MuJoCo C, integrator discrete",
 }
 OURS = {"c": "MuJoCo C", "warp": "MuJoCo Warp"}  # engines of which other sections have the numbers
-MUJOCO = ("mjx", "discrete-20ms")
 CONTINUOUS = "drake-continuous-point"
 
 
-@dataclass(frozen=True)
-class Line:
+class Line(NamedTuple):
     """A contact model with its numbers: walk [%/s] and sinking [µm/s], at a step of 2 ms."""
 
     name: str
@@ -61,32 +57,30 @@ def derive(results: Results) -> Section:
     numbers: dict[str, Any] = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": long}
     engines = table_of("engine", [line.name for line in lines], columns, **numbers)
     robots, others = robot.derive(results, MODELS), published.derive(results)
-    first = Section(tables={"engines": engines}, claims=[_walks_most_in_mujoco(results, lines)])
-    return joined([first, robots, Section(claims=[_test_lets_through(results)]), others])
+    claims = [_walks_most_in_mujoco(results, lines), _test_lets_through(results)]
+    return joined([Section(tables={"engines": engines}, claims=claims), robots, others])
 
 
 def _lines(results: Results) -> Iterator[Line]:
+    """Derive each line from its walks [1/s], with the whole step and with half of it, and the sinking [mm/s]."""
+    runs: list[tuple[Any, ...]] = []
     sections, newton = Sections(results.others), f"Newton {results.record.identity.packages['newton']}"
     for engine, name in OURS.items():
         walks = [sections.cell("cure", f"{run}-{engine}", "growth_per_s") for run in ("plain", "half-step")]
         sink = sections.cell("scenes", f"within-pads-{engine}", "steady_creep_mm_s")
-        yield _line(results, engine, (name, newton), walks, sink)
+        runs.append((engine, name, newton, *walks, sink))
     for model, name in MODELS.items():
-        step = "0ms" if model == CONTINUOUS else LONG
-        runs = f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}"
-        long, short, pinch = (results.row[f"{model}-{run}"] for run in runs)
+        step = "0ms" if model == CONTINUOUS else "2ms"
+        tests = f"turntable-{step}", "turntable-1ms", f"pinch-{step}"
+        long, short, pinch = (results.row[f"{model}-{test}"] for test in tests)
         halved = absent("1/s", "continuous time has no step") if model == CONTINUOUS else short.growth_per_s
-        walks = [long.growth_per_s, halved]
-        yield _line(results, model.replace("-", "_"), (name, long.release), walks, pinch.creep_mm_s)
-
-
-def _line(results: Results, key: str, named: tuple[str, str], walks: Sequence[Quantity], sink: Quantity) -> Line:
-    """Derive a line from walks [1/s], with the whole step and with half of it, and the sinking [mm/s]."""
-    formula = "in percent of the distance from the axis"
-    names = f"{key}_walk", f"{key}_short_walk"
-    walk, short = (results.value(name, formula, PERCENT * rate) for name, rate in zip(names, walks, strict=True))
-    sinking = results.value(f"{key}_sink", "how fast the capsule sinks", constant(1e3, "µm/mm") * sink)
-    return Line(*named, walk, short, sinking)
+        runs.append((model.replace("-", "_"), name, long.release, long.growth_per_s, halved, pinch.creep_mm_s))
+    for key, name, release, whole, half, sink in runs:
+        formula = "in percent of the distance from the axis"
+        walk = results.value(f"{key}_walk", formula, PERCENT * whole)
+        halved = results.value(f"{key}_short_walk", formula, PERCENT * half)
+        sinking = results.value(f"{key}_sink", "how fast the capsule sinks", constant(1e3, "µm/mm") * sink)
+        yield Line(name, release, walk, halved, sinking)
 
 
 def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
@@ -95,7 +89,7 @@ def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
 
 def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     """Tell whether it walks nowhere else as fast, and half the step does not help; MJX ran where the others did."""
-    mujoco = {*OURS.values(), *(MODELS[name] for name in MUJOCO)}
+    mujoco = {*OURS.values(), MODELS["mjx"], MODELS["discrete-20ms"]}
     mine = next(line for line in lines if line.name == MODELS["mjx"])
     others = [line.walk for line in lines if line.name not in mujoco and line.walk.value is not None]
     worst = results.value("worst_other", "fastest walk in another engine", combined(max, *others))

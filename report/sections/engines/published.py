@@ -55,9 +55,6 @@ PUBLISHED = (
 
 
 def derive(results: Results) -> Section:
-    """Make the table and its claim; a record from before has no such rows."""
-    if "orbit" not in results.row:
-        return Section(unmeasured=("published", "as_others_published"))
     sections = Sections({**results.others, results.record.section: results})
     ours = [sections.cell(each.section, each.case, each.column) for each in PUBLISHED]
     lines = [_line(results, each, cell) for each, cell in zip(PUBLISHED, ours, strict=True)]

@@ -14,10 +14,8 @@ ARMATURES = {"own": "of its own", "links": "in the links"}
 
 
 def derive(results: Results, labels: Mapping[str, str]) -> Section:
-    """Make the table, of models under their ``labels``, and its claims; a record from before has no such rows."""
+    """Make the table, of models under their ``labels``, and its claims."""
     rows = RowsBy(results, results.rows, "model", "shake")
-    if not rows:
-        return Section(unmeasured=("robots", "slips_farthest", "only_it_loses"))
     models = list(dict.fromkeys(model for model, _ in rows))
     columns: dict[str, Column] = {
         "slip": "slip_mm",
@@ -31,7 +29,10 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
     step = results.chosen("robot_step", "given: the time step of the shake", 1000.0 / 960.0, "ms")
     table = table_of("engine", names, columns, [rows[model, "3cm"] for model in models], step=step)
     others = [model for model in models if model != MUJOCO]
-    claims = [_slips_farthest(results, rows, others), _only_it_loses(rows, others)]
+    wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
+    lost, amplitudes = [row.plain.get("dropped") for row in wide], [row.shake_amplitude_m for row in wide]
+    loses = decided(lost[0] is True and not any(lost[1:]), *amplitudes)
+    claims = [_slips_farthest(results, rows, others), Claim("only_it_loses", loses, {"wide": amplitudes[0]})]
     return Section(tables={"robots": table}, claims=claims)
 
 
@@ -49,11 +50,3 @@ def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
     is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value
     outcome = all_of(*(greater(mine, slip) for slip in (worst, held, still_worst)), decided(is_less, stiff))
     return Claim("slips_farthest", outcome, numbers)
-
-
-def _only_it_loses(rows: RowsBy, others: list[str]) -> Claim:
-    """Tell whether MuJoCo alone loses the cube in a wider shake."""
-    wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
-    lost = [row.plain.get("dropped") for row in wide]
-    amplitudes = [row.shake_amplitude_m for row in wide]
-    return Claim("only_it_loses", decided(lost[0] is True and not any(lost[1:]), *amplitudes), {"wide": amplitudes[0]})

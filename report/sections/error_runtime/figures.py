@@ -20,10 +20,13 @@ LEAST_ERROR_MM = 1e-5  # smaller errors are drawn on the left edge, which leaves
 def draw_numerical(points: Points) -> Drawing:
     drawing, panels = new_figure(7.2, 4.4, ncols=2, sharex=True, sharey=True, squeeze=False)
     rows = [row for row in points.settings if counts(row) and row[ERROR].value is not None]
+    times = [_frame_ms(row) for row in (*rows, *points.worlds[-1:]) if row[TIME].value]
+    limits = {"xlim": (0.4 * min(times), 4.0 * max(times))}
+    limits["ylim"] = (LEAST_ERROR_MM, 4.0 * max(row[ERROR].value for row in rows))
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
-        axes.set_title(title)
-        _set_axes(axes, rows, points.worlds[-1:])
-        axes.set_xlabel("time of a world's frame [ms]")
+        axes.set(title=title, xlabel="time of a world's frame [ms]", xscale="log", yscale="log", **limits)
+        axes.minorticks_off()
+        axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
         if (floor := points.floors[pads].value) is not None:
             axes.axhspan(LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
             _say_level(axes, floor, " Warp's rounding", "top")
@@ -36,23 +39,16 @@ def draw_numerical(points: Points) -> Drawing:
                 _draw_engine(axes, mine, points.backend_front, backend)
             if (row := points.shipped(pads, backend)) and row[ERROR].value:
                 _star(axes, _place(row), row, write(row[ERROR]), (8, 4))
-        if pads == "stiff":
-            _mark_worlds(axes, points)
+        if pads == "stiff" and (one := points.shipped(pads, points.engines[0])) and one[ERROR].value:
+            # The most worlds at the run time of each, with the error of one as shipped, whose settings they have.
+            for row in (row for row in points.worlds[-1:] if row[TIME].value):
+                _star(axes, (_frame_ms(row), one[ERROR].value), one, f"{write(row.worlds)} worlds, each", (-4, -16))
     panels[0][0].set_ylabel("numerical error [mm]")
     return drawing
 
 
 def _say_level(axes: Axes, level: float, text: str, side: str) -> None:
     axes.annotate(text, (0.01, level), xycoords=("axes fraction", "data"), va=side, fontsize=8)
-
-
-def _set_axes(axes: Axes, rows: Sequence[Row], worlds: Sequence[Row]) -> None:
-    times = [_frame_ms(row) for row in (*rows, *worlds) if row[TIME].value]
-    axes.set(xscale="log", yscale="log")
-    limits = (LEAST_ERROR_MM, 4.0 * max(row[ERROR].value for row in rows))
-    axes.set(xlim=(0.4 * min(times), 4.0 * max(times)), ylim=limits)
-    axes.minorticks_off()
-    axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
 
 
 def _frame_ms(row: Row) -> float:
@@ -78,15 +74,6 @@ def _draw_engine(axes: Axes, rows: Sequence[Row], front: frozenset[str], backend
         side = "right" if backend == "mujoco-c" else "left"  # the faster engine stands to the left
         above: dict[str, Any] = {"xytext": (0, 12), "textcoords": "offset points", "ha": side, "fontsize": 9}
         axes.annotate(NAMES[backend], _place(best[0]), color=colour, **above)
-
-
-def _mark_worlds(axes: Axes, points: Points) -> None:
-    """Mark the most worlds at the run time of each, with the error of one as shipped, whose settings they have."""
-    one = points.shipped("stiff", points.engines[0])
-    for row in points.worlds[-1:]:
-        if one and one[ERROR].value and row[TIME].value:
-            place = (_frame_ms(row), one[ERROR].value)
-            _star(axes, place, one, f"{write(row.worlds)} worlds, each", (-4, -16))
 
 
 def _star(axes: Axes, place: tuple[float, float], row: Row, text: str, beside: tuple[int, int]) -> None:

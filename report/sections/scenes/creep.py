@@ -1,8 +1,7 @@
 """The creep predicted and measured, in every scene that there is."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure as Drawing
@@ -11,7 +10,7 @@ from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least,
 from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, combined, constant
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.shared.arithmetic import cell_count, other_value
 from report.shared.drawing import mark_points
 
@@ -32,8 +31,7 @@ MARKERS = ("o", "s", "^", "D", "v")
 SHAKE_S = 4.0  # how long the slide was watched: two periods of a motion that repeats every second cycle
 
 
-@dataclass(frozen=True)
-class Point:
+class Point(NamedTuple):
     """One run of a scene."""
 
     scene: str
@@ -53,43 +51,27 @@ def derive(results: Results) -> Section:
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
-    resolution = other_value(results, "cure", "resolution")
-    formula = "the larger of measured and predicted creep, of the smaller"
-    for row in _rows(results, scene):
-        if creeps := _creep(results, scene, row, resolution):
-            name = f"{scene}_{row.case}_factor"
-            measured, predicted = creeps
-            factor = combined(max, measured / predicted, predicted / measured)
-            yield Point(scene, measured, predicted, results.value(name, formula, factor))
-
-
-def _rows(results: Results, scene: str) -> Sequence[Row]:
-    if scene not in OTHERS:
-        return [row for row in results.rows if row.scene == scene]
-    other = results.others.get(OTHERS[scene])
-    return other.rows if other else []
-
-
-def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tuple[Value, Value] | None:
-    """Derive measured and predicted creep [mm/s], in size; None where there is none, or none that would be seen."""
+    """Derive measured and predicted creep [mm/s], in size, of the runs of a scene in which it would be seen."""
+    least = other_value(results, "cure", "resolution").value
     columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
-    if any(column not in row or row[column].value is None for column in columns):
-        return None
-    if scene == "turntable" and row.backend == "warp":
+    words = {"turntable": "growth times the distance at the start", "contacts": f"slide by the {SHAKE_S:g} s"}
+    other = results.others.get(OTHERS[scene]) if scene in OTHERS else None
+    for row in other.rows if other else (row for row in results.rows if row.scene == scene):
+        if any(column not in row or row[column].value is None for column in columns):
+            continue
         # a growth [1/s] may be below what single precision shows, as that section has it [%/s].
-        growth, least = row[columns[1]].value, resolution.value
-        if least is not None and 100.0 * abs(growth) < least:
-            return None
-    scale: Quantity | float = row.start_radius_mm if scene == "turntable" else 1.0
-    scale = 1 / constant(SHAKE_S, "s") if scene == "contacts" else scale
-    formula = {"turntable": "growth times the distance at the start", "contacts": f"slide by the {SHAKE_S:g} s"}
-
-    def value(kind: str, cell: Quantity) -> Value:
-        name, words = f"{scene}_{row.case}_{kind}", f"{formula.get(scene, 'creep')}, {kind}"
-        return results.value(name, words, abs(cell * scale))
-
-    predicted = value("predicted", row[columns[1]])
-    return (value("measured", row[columns[0]]), predicted) if predicted.value else None
+        if scene == "turntable" and row.backend == "warp" and 100.0 * abs(row[columns[1]].value) < (least or 0.0):
+            continue
+        scale: Quantity | float = row.start_radius_mm if scene == "turntable" else 1.0
+        scale = 1 / constant(SHAKE_S, "s") if scene == "contacts" else scale
+        creeps = dict(zip(("measured", "predicted"), (abs(row[column] * scale) for column in columns), strict=True))
+        if creeps["predicted"].value:
+            name, formula = f"{scene}_{row.case}", words.get(scene, "creep")
+            values = [results.value(f"{name}_{kind}", f"{formula}, {kind}", creep) for kind, creep in creeps.items()]
+            measured, predicted = values
+            factor = combined(max, measured / predicted, predicted / measured)
+            formula = "the larger of measured and predicted creep, of the smaller"
+            yield Point(scene, measured, predicted, results.value(f"{name}_factor", formula, factor))
 
 
 def _predicted(results: Results, points: list[Point]) -> Claim:

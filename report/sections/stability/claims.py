@@ -4,13 +4,14 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import filterfalse
 from typing import Any
 
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, contiguous, decided, decreases
-from measured_report.values.quantities import PERCENT, Quantity, Value, absent, constant
+from measured_report.values.quantities import PERCENT, Value, constant
 from measured_report.values.results import Results, Row
 from report.sections.stability.passing import GROWTH_LARGEST, is_stable, judged_by, passes
 from report.shared.arithmetic import cell_count, cell_or_absent, extreme
@@ -79,21 +80,14 @@ def gain_goes(results: Results) -> Claim:
     for number in sorted(counts, reverse=True):
         if ("as-shipped", number) in runs:
             # Of the creep, whose repeats are compared; the drift, along one axis, varies at the longest step.
-            soft, stiff = (_creep(runs[pads, number]) for pads in ("as-shipped", "stiff"))
+            rows = (runs[pads, number] for pads in ("as-shipped", "stiff"))
+            soft, stiff = (replace(row.creep_mm_s, noise=row.creep_floor_mm_s.value) for row in rows)
             formula = f"creep in shipped pads over that in stiff ones, {number} substeps"
             gains.append(results.value(f"step_gain_{number}", formula, soft / stiff))
-    if len(gains) < 2:
-        lack = "it was not measured with longer steps"
-        numbers = dict.fromkeys(("shipped", "twice", "longest", "step"), absent("1", lack))
-        return Claim("gain_goes", Outcome("unknown", lack), numbers)
     falls = decreases([gains[0], gains[1], gains[-1]], noise=0.1, why="the same gain")
     ends = all_of(at_least(gains[0], 4.0, why="a gain to take back"), at_most(gains[-1], 2.0, why="a gain"))
     numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": runs["stiff", min(counts)].step_ms}
     return Claim("gain_goes", all_of(ends, falls), numbers)
-
-
-def _creep(row: Row) -> Quantity:
-    return replace(row.creep_mm_s, noise=row.creep_floor_mm_s.value)
 
 
 def clamp(results: Results) -> Claim:
@@ -132,8 +126,7 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
 def friction(results: Results) -> Claim:
     rows, formula = family(results, "friction"), "{} μ that holds"
     kept, largest, also = _range(results, rows, "pad_mu", "friction", formula, low="kept")
-    broken = [row for row in rows if not is_stable(row)]
-    lost = most(results, "friction_lost", "largest μ that does not hold", broken, "pad_mu")
+    lost = most(results, "friction_lost", "largest μ that does not hold", filterfalse(is_stable, rows), "pad_mu")
     return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest, lost=lost)
 
 

@@ -1,7 +1,8 @@
 """How far each extreme can be pushed: from what holds to what breaks, beside the scene as shipped."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from itertools import filterfalse
+from typing import NamedTuple
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.claim import Claim
@@ -14,8 +15,7 @@ from report.sections.stability.passing import is_stable
 NONE = absent("1", "it was not seen")
 
 
-@dataclass(frozen=True)
-class Limit:
+class Limit(NamedTuple):
     """One extreme: what holds, what breaks beyond it, and what the scene has as shipped, all in one unit."""
 
     name: str
@@ -25,43 +25,35 @@ class Limit:
     shipped: float
     over: tuple[Quantity, Quantity] | None = None  # what holds and what breaks, in percent over a limit
 
-    @property
-    def is_there(self) -> bool:
-        return None not in (self.low.value, self.high.value)
-
 
 def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row], alone: Sequence[Row]) -> list[Limit]:
     """Collect them from the claims on each, and from the rows where a claim has one end alone."""
 
     def ends(name: str, rows: Sequence[Row], column: str) -> tuple[Quantity, Quantity]:
-        formula = "{} of the runs of " + name + " that hold"
-        low = least(results, f"{name}_low", formula.format("least"), rows, column)
-        return low, most(results, f"{name}_high", formula.format("largest"), rows, column)
+        formula, held = "{} of the runs of " + name + " that hold", list(filter(is_stable, rows))
+        low = least(results, f"{name}_low", formula.format("least"), held, column)
+        return low, most(results, f"{name}_high", formula.format("largest"), held, column)
 
     def said(claim: str, name: str) -> Quantity:
         number = claims[claim].numbers.get(name)
         return number if isinstance(number, Quantity) else NONE
 
     def loads(label: str, name: str) -> Limit:
-        held = [row for row in family(results, name) if is_stable(row) and row.load.value is not None]
+        rows = [row for row in family(results, name) if row.load.value is not None]
         over = said(f"{name}_crossover", "kept"), said(f"{name}_crossover", "lost")
-        return Limit(label, *ends(f"{name}_load", held, "load"), results.derived.get(f"{name}_lost", NONE), 1.0, over)
+        return Limit(label, *ends(f"{name}_load", rows, "load"), results.derived.get(f"{name}_lost", NONE), 1.0, over)
 
-    steps = [row for row in family(results, "steps") if row.pads == "stiff" and is_stable(row)]
+    steps = [row for row in family(results, "steps") if row.pads == "stiff"]
     sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
-    tiny = [row for row in sizes if not is_stable(row)]
-    small = most(results, "edge_lost", "largest that is lost", tiny, "cube_edge_mm")
+    small = most(results, "edge_lost", "largest that is lost", filterfalse(is_stable, sizes), "cube_edge_mm")
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
-    strong = [row for row in pulls if not is_stable(row)]
-    heavy = least(results, "gravity_lost", "least that loses it", strong, "gravity_m_s2")
-    starts = [row for row in family(results, "overlap") if is_stable(row)]
-    first = said("safe_settings", "least")
+    heavy = least(results, "gravity_lost", "least that loses it", filterfalse(is_stable, pulls), "gravity_m_s2")
+    first, up_to = said("safe_settings", "least"), said("safe_settings", "limit")
     safe = [row for row in critical if first.value is not None and row.pad_ke.value >= first.value]
-    soft = [row for row in critical if first.value is not None and row not in safe and not is_stable(row)]
-    sunk = most(results, "ke_critical_lost", "largest below these that fails", soft, "pad_ke")
-    up_to = said("safe_settings", "limit")
-    below = [row for row in alone if row.substeps.value == AS_SHIPPED.substeps and is_stable(row)]
-    below = [row for row in below if up_to.value is not None and row.pad_ke.value <= up_to.value]
+    soft = [row for row in critical if first.value is not None and row.pad_ke.value < first.value]
+    sunk = most(results, "ke_critical_lost", "largest below these that fails", filterfalse(is_stable, soft), "pad_ke")
+    below = [row for row in alone if row.substeps.value == AS_SHIPPED.substeps and up_to.value is not None]
+    below = [row for row in below if row.pad_ke.value <= up_to.value]
     mass = AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3
     step = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
     found = [
@@ -72,10 +64,9 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
         loads("weaker grip, of that", "grip"),
         Limit("pads' friction", said("friction_extremes", "kept"), said("friction_extremes", "most"),
               said("friction_extremes", "lost"), AS_SHIPPED.pad_mu),
-        Limit("cube's edge [mm]", *ends("edge", [row for row in sizes if is_stable(row)], "cube_edge_mm"), small,
-              1e3 * AS_SHIPPED.cube_edge_m),
+        Limit("cube's edge [mm]", *ends("edge", sizes, "cube_edge_mm"), small, 1e3 * AS_SHIPPED.cube_edge_m),
         Limit("mass, grip to match [kg]", said("masses", "light"), said("masses", "heavy"), NONE, mass),
-        Limit("gravity [m/s²]", *ends("pull", [row for row in pulls if is_stable(row)], "gravity_m_s2"), heavy, 9.81),
-        Limit("overlap at the start [mm]", *ends("start", starts, "overlap_mm"), NONE, 1.0),
+        Limit("gravity [m/s²]", *ends("pull", pulls, "gravity_m_s2"), heavy, 9.81),
+        Limit("overlap at the start [mm]", *ends("start", family(results, "overlap"), "overlap_mm"), NONE, 1.0),
     ]  # fmt: skip
-    return [limit for limit in found if limit.is_there]
+    return [limit for limit in found if None not in (limit.low.value, limit.high.value)]

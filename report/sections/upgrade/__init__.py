@@ -13,7 +13,7 @@ from measured_report.values.quantities import PERCENT, Quantity, Value, combined
 from measured_report.values.results import Results
 from report.sections import speed
 from report.sections.upgrade import tables
-from report.sections.upgrade.ends import Ends, change, machines_differ, noise_of, released, unchanged, up_to
+from report.sections.upgrade.ends import Ends, machines_differ, released, unchanged
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 from report.shared.arithmetic import DEVICES, cell_count, departure, resolved
 
@@ -32,9 +32,13 @@ labels = {
 def derive(results: Results, releases: Releases) -> Section:
     shown = results.edition
     releases = released(releases, shown)
-    noise = noise_of(results, releases)
-    seen = up_to(releases, shown)
-    flipped, ends = list(flips(seen, shown)), Ends(seen)
+    floors = [chapters["noise"].results.derived["slip_floor"] for chapters in releases.values() if "noise" in chapters]
+    formula = "largest of the releases' noise floors"
+    noise = results.value("slip_floor", formula, combined(max, *floors), across=True, is_noise=True)
+    seen, names = releases, list(releases)
+    if shown in names[1:]:  # those before it and itself; the oldest is held against all
+        seen = {release: releases[release] for release in names[: names.index(shown) + 1]}
+    flipped, ends = list(flips(seen, shown)), Ends(seen, names[0], list(seen)[-1])
     same_slip = _slip_is_the_same(results, ends, noise)
     steps = _in_one_step(results, seen, noise, same_slip.outcome)
     shown_tables = {
@@ -51,12 +55,11 @@ def derive(results: Results, releases: Releases) -> Section:
 
 def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     old, new = ends.cells(tables.SLIP)
-    moved = change(results, "slip_change", old, new)
-    grows = (moved.value or 0) > 0
-    numbers = ends.names | {"before": old, "after": new, "noise": noise, "grows": grows}
+    same = unchanged(results, "slip_change", old, new, noise)
     least = results.value("slip_change_least", "a tenth of the older slip", old / 10)
-    outcome = all_of(unchanged(old, new, moved, noise), resolved(noise, least))
-    return Claim("slip_is_the_same", ends.one or outcome, numbers)
+    grows = (results.derived["slip_change"].value or 0) > 0
+    numbers = ends.names | {"before": old, "after": new, "noise": noise, "grows": grows}
+    return Claim("slip_is_the_same", ends.one or all_of(same, resolved(noise, least)), numbers)
 
 
 def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:
@@ -64,8 +67,7 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
     measured = [release for release in releases if cells[release].value is not None]
     outcomes = {}
     for before, after in pairwise(measured):
-        moved = change(results, f"slip_step_{after}", cells[before], cells[after])
-        outcomes[before, after] = unchanged(cells[before], cells[after], moved, noise)
+        outcomes[before, after] = unchanged(results, f"slip_step_{after}", cells[before], cells[after], noise)
     steps = [step for step, outcome in outcomes.items() if outcome == FAILS]
     outcome = decided(len(steps) == 1).having_read(*(cells[release] for release in measured), noise)
     outcome = next((step for step in outcomes.values() if step.name == "unknown"), outcome)
@@ -101,9 +103,6 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     timed = [chapters["speed"].results.record for chapters in ends.releases.values() if "speed" in chapters]
     numbers["device"] = DEVICES[timed[-1].machine["device"]] if timed else ""
     return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
-
-
-SAME = 5.0  # chosen: a slip that is no farther from another, in percent of that, is the same
 
 
 def nothing_to_explain(same: Outcome) -> Outcome | None:
@@ -146,7 +145,7 @@ def _as_before(results: Results, ends: Ends) -> Iterator[Claim]:
         ("mujoco_contacts", elsewhere, {"found": contacts[1], "c": engine[1], "elsewhere": elsewhere}),
         ("pyramid", moved, {"before": pyramid[0], "after": pyramid[1], "moved": moved}),
     ):
-        yield Claim(f"{name}_as_before", ends.one or at_most(slips, SAME, why="the same slip"), ends.names | numbers)
+        yield Claim(f"{name}_as_before", ends.one or at_most(slips, 5.0, why="the same slip"), ends.names | numbers)
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:

@@ -7,7 +7,7 @@ from measured_report.editions.release import read_label
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import HOLDS, Outcome, beyond
-from measured_report.values.quantities import Quantity, Value, combined
+from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 
 
@@ -16,37 +16,13 @@ def released(releases: Releases, shown: str) -> Releases:
     return {name: chapters for name, chapters in releases.items() if name == shown or not read_label(name).pins}
 
 
-def up_to(releases: Releases, shown: str) -> Releases:
-    """Return what the page of an edition compares: those before it and itself; the oldest is held against all."""
-    names = list(releases)
-    if shown not in names[1:]:
-        return releases
-    return {release: releases[release] for release in names[: names.index(shown) + 1]}
-
-
-def noise_of(results: Results, releases: Releases) -> Value:
-    floors = [release["noise"].results.derived["slip_floor"] for release in releases.values() if "noise" in release]
-    formula = "largest of the releases' noise floors"
-    return results.value("slip_floor", formula, combined(max, *floors), across=True, is_noise=True)
-
-
-def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
-    return results.value(name, "later release less earlier one", after - before, across=True)
-
-
 @dataclass(frozen=True)
 class Ends:
     """The oldest and the newest release that has results, between which changes are told."""
 
     releases: Releases
-
-    @property
-    def old(self) -> str:
-        return next(iter(self.releases))
-
-    @property
-    def new(self) -> str:
-        return next(reversed(list(self.releases)))
+    old: str
+    new: str
 
     @property
     def names(self) -> dict[str, str]:
@@ -63,8 +39,9 @@ class Ends:
         return self.cells(Query(f"upgrade.{case}.{column}"))
 
 
-def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
-    """Tell whether a change is no more than noise and rounding; clearly more is the opposite."""
+def unchanged(results: Results, name: str, before: Quantity, after: Quantity, noise: Quantity) -> Outcome:
+    """Tell whether the change ``name`` is no more than noise and rounding; clearly more is the opposite."""
+    moved = results.value(name, "later release less earlier one", after - before, across=True)
     is_same = None not in (moved.value, noise.value) and abs(moved.number) <= noise.number
     return (HOLDS if is_same else beyond(moved, noise)).having_read(before, after, moved, noise)
 

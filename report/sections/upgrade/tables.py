@@ -107,9 +107,7 @@ def number_table(releases: Releases) -> Table:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in history}
             for name, column in columns.items():
-                column.append(_marked(headline.cell(releases[name], name).bare, marks.get(name, "")))
+                number, mark = headline.cell(releases[name], name).bare, marks.get(name, "")
+                moved = Markup('{} <span class="moved {}">{}</span>').format(number, mark, mark)
+                column.append(moved if mark else number)
     return table_of("number", labels, {config().short_name(name): column for name, column in columns.items()})
-
-
-def _marked(number: Markup, mark: str) -> Markup:
-    return Markup('{} <span class="moved {}">{}</span>').format(number, mark, mark) if mark else number

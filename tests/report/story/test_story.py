@@ -11,7 +11,7 @@ from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.findings.editions import Edition
 from measured_report.pages.prose import Templates
-from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome
+from measured_report.parts.claim import FAILS, Claim, Outcome
 from measured_report.parts.section import Section
 from measured_report.site.check import check_site
 from measured_report.values.evidence import Evidence
@@ -45,8 +45,8 @@ def test_every_release_answers_in_order_and_tells_the_story_of_its_data(editions
         answers = ["what", "why", "fix", "releases", *(["cost"] if "speed" in editions[release].chapters else [])]
         assert ANSWER.findall(found["front"]) == answers, release
         assert "written for other data" not in found["front"] + found["story"], release
-        assert ("The cube creeps" if release == "1.4.0" else "contacts hold the cube") in found["title"]
-        assert ("Turning joints accelerate what" in found["story"]) == (release == "1.4.0")
+        assert ("The cube creeps" if release == "1.4.0" else "hold the cube") in found["title"]
+        assert ("joints accelerate what" in found["story"]) == (release == "1.4.0")
 
 
 @pytest.mark.parametrize("name", ["cure", "fix", "lab", "scenes"])
@@ -79,15 +79,15 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
 @pytest.mark.parametrize(
     ("section", "claim", "gone"),
     [
-        ("reproduction", "slips", "A shaken cube creeps"),
-        ("stiffness", "cause", "leave out what turning joints add"),
-        ("stiffness", "cause", "Turning joints accelerate what"),
+        ("reproduction", "slips", "A shaken cube"),
+        ("stiffness", "cause", "turning joints add"),
+        ("stiffness", "cause", "joints accelerate what"),
         ("reproduction", "stiff_pads_hold", "shape_material_ke"),
-        ("reproduction", "stiff_pads_hold", "Where these lines go"),
-        ("drift_law", "follows", "the law of the creep, how we know"),
+        ("reproduction", "stiff_pads_hold", "these lines go"),
+        ("drift_law", "follows", "law of the creep"),
         ("contacts", "term_restored", "[story-mechanism]"),
-        ("speed", "stiff_pads_only_same_time", "Hardly any run time"),
-        ("friction", "not_the_cause", "keep your solver’s budget"),
+        ("speed", "stiff_pads_only_same_time", "Hardly any"),
+        ("friction", "not_the_cause", "your solver’s budget"),
     ],
 )
 def test_a_paragraph_falls_with_a_claim_that_it_rests_on(editions, templates, before, section, claim, gone):
@@ -95,17 +95,13 @@ def test_a_paragraph_falls_with_a_claim_that_it_rests_on(editions, templates, be
     after = texts(flipped(editions, section, claim, outcome), templates, "1.4.0")
     assert gone in before["front"] + before["story"]
     assert gone not in after["front"] + after["story"]
-    assert "This release gives it" not in after["front"] and "Here it has" not in after["story"]
+    assert "This release gives" not in after["front"] and "Here it has" not in after["story"]
 
 
-def test_what_the_story_claims_can_be_said_with_every_outcome(editions, templates):
-    words = templates.text("story.md.j2").words
+def test_what_the_story_claims_holds_where_it_was_measured(editions):
     chapters = {release: edition.chapters for release, edition in editions.items()}
     for release in editions:
         for claim in story_of(chapters, release).claims:
-            claim = replace(claim, wording=words["claim", claim.name])
-            said = [replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "a test"))]
-            assert len(set(said)) == 3 and all(text.endswith(".") for text in said), said
             needs = {"coarser_moves": "lab", "advice": "cure_cost", "with_pyramid": "cure"}
             is_told = needs.get(claim.name, "noise") in chapters[release]
             if claim.name != "ends_creep":
