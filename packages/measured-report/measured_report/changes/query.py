@@ -187,8 +187,8 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         return
     rules, section_names = config().changes, sections(edition.project.root)
     _refuse("noise_section", [config().noise_section], "section", section_names)
-    _refuse("changes.upgrade_sections", rules.upgrade_sections, "section", section_names)
-    _refuse("changes.equivalent_sections", rules.equivalent_sections, "section", section_names)
+    for setting in ("upgrade_sections", "equivalent_sections"):
+        _refuse(f"changes.{setting}", getattr(rules, setting), "section", section_names)
     queries = [("thresholds", Query(name)) for name in rules.thresholds]
     queries += [("headlines", Query(name)) for name in rules.headlines.values()]
     queries += [("explanation", Query(rules.explanation, is_claim=True))] if rules.explanation else []
@@ -197,7 +197,11 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         answer = query.claim(edition.chapters) if query.is_claim else query.quantity(edition.chapters)
         if query.section in edition.chapters and not (answer and (not isinstance(answer, Quantity) or answer.source)):
             _refuse(f"changes.{setting}", [query.text], "value", [*query.names(edition.chapters)])
-    _refuse_unknown_cases(edition)
+    if chapter := edition.chapters.get(config().noise_section):  # repeats are of cases beside them, if any are
+        rows = chapter.results.record.rows
+        cases = [row["case"] for row in rows if "of" not in row]
+        if unknown := [row["of"] for row in rows if cases and row.get("of", cases[0]) not in cases]:
+            raise ReportError(f"{chapter.name}: of = {unknown[0]} names no case{suggestion(str(unknown[0]), cases)}")
     if edition.project.named.is_installed_with(package_versions()):
         _refuse_absent_imports(edition.project.root)
     _refuse("changes.package_groups", chain(*rules.package_groups), "package", config().packages)
@@ -206,23 +210,14 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         for table in config().columns:
             others = (table.rate_of, table.known_within, table.grows_with, table.trials, table.unless)
             _refuse("columns", (*table.names, *others), "column", columns)
-        _refuse("repeating", config().repeating, "column", columns)
-        _refuse("cost_terms", config().cost_terms, "column", columns)
+        for setting in ("repeating", "cost_terms"):
+            _refuse(setting, getattr(config(), setting), "column", columns)
 
 
 def _refuse(setting: str, names: Iterable[str], kind: str, existing: Collection[str]) -> None:
     for name in names:
         if name and name not in existing:
             raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{suggestion(name, existing)}")
-
-
-def _refuse_unknown_cases(edition: Edition) -> None:
-    """Raise ReportError where repeats are of a case that is not there, beside cases that are no repeats."""
-    if chapter := edition.chapters.get(config().noise_section):
-        rows = chapter.results.record.rows
-        cases = [row["case"] for row in rows if "of" not in row]
-        if unknown := [row["of"] for row in rows if cases and row.get("of", cases[0]) not in cases]:
-            raise ReportError(f"{chapter.name}: of = {unknown[0]} names no case{suggestion(str(unknown[0]), cases)}")
 
 
 def _refuse_absent_imports(root: Path) -> None:
