@@ -250,14 +250,13 @@ def gaps(edition: Edition) -> list[str]:
             texts = ((column, str(cell)) for column, cell in row.items())
             lost = [f"{column.removesuffix(REASON)}: {text}" for column, text in texts if text.startswith(UNBELIEVED)]
             lines += [f"{name}: {row['case']} has no {text}" for text in lost]
-        unread = ((claim.name, number) for claim in chapter.section.claims for number in claim.unread)
-        bare = (key for key, figure in chapter.section.figures.items() if not figure.sources)
-        lines += [f"{name}: the figure {figure} has no sources" for figure in bare]
+        claims, figures = chapter.section.claims, chapter.section.figures.items()
+        lines += [f"{name}: the figure {key} has no sources" for key, figure in figures if not figure.sources]
+        unread = ((claim.name, number) for claim in claims for number in claim.unread)
         lines += [f"{name}.{claim} prints {number}, which its test has not read" for claim, number in unread]
-        outcomes = {claim.name: claim.outcome for claim in chapter.section.claims if claim.outcome.name == "unknown"}
-        lacking = {claim: outcome for claim, outcome in outcomes.items() if not outcome.is_inconclusive}
-        reasons = {claim: str(outcome.reason) for claim, outcome in lacking.items() if outcome.reason != WITHIN}
-        lines += [f"{name}.{claim} cannot tell: {reason}" for claim, reason in reasons.items()]
+        for claim, outcome in ((claim.name, claim.outcome) for claim in claims if claim.outcome.name == "unknown"):
+            if not outcome.is_inconclusive and outcome.reason != WITHIN:
+                lines.append(f"{name}.{claim} cannot tell: {outcome.reason}")
     return lines
 
 
