@@ -5,13 +5,13 @@ Simulations repeat to the last bit on a CPU. What no run executed is not proven:
 
 import json
 import os
-import subprocess
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
+from subprocess import Popen
 from typing import Any
 
 from measured_report.changes.moves import few
@@ -187,9 +187,7 @@ def _run_both(
     return {section: (old[section], new[section]) for section in pairs}
 
 
-def _started(
-    python: Path, side: Project, codes: Mapping[str, Code], device: str, folder: Path
-) -> "subprocess.Popen[bytes]":
+def _started(python: Path, side: Project, codes: Mapping[str, Code], device: str, folder: Path) -> Popen[bytes]:
     """Start quick runs of a side, which note in ``folder`` what they execute of what changed of its codes."""
     spans = defaultdict[str, list[tuple[int, int]]](list)
     for file, lines in (pair for code in codes.values() for pair in code.spans.items()):
@@ -205,7 +203,7 @@ def _started(
     # What it times waits for nobody else, by a lock in TMPDIR, as these times are not looked at.
     settings = {"PYTHONPATH": os.pathsep.join(packages), "TQDM_DISABLE": "1", "TMPDIR": str(folder)}
     settings |= accelerator().NONE if device == "cpu" else {}
-    return subprocess.Popen(command, cwd=side.root, env={**os.environ, **settings})
+    return Popen(command, cwd=side.root, env={**os.environ, **settings})
 
 
 def _runs_of(codes: Mapping[str, Code], records: Mapping[str, Sequence[Record]], folder: Path) -> dict[str, Run]:

@@ -11,6 +11,7 @@ from typing import Any, TypeGuard
 
 ASSETS = ("assets/", "experiments/")  # where files lie that a program reads or starts by their path
 GAP = "·"
+Meanings = Mapping[str, str]  # by name what it stands for
 EFFECTS = ""  # the name under which is kept what a module does besides defining names
 
 
@@ -20,7 +21,7 @@ class Definition:
 
     tree: str  # digest of its syntax tree, with a gap in the place of each name that is not its own
     names: tuple[str, ...]  # what stands in the gaps: names, and attributes that are asked of them: `metrics.height_mm`
-    imports: Mapping[str, str]
+    imports: Meanings
     assets: tuple[str, ...]
     decorators: tuple[str, ...]
 
@@ -33,7 +34,7 @@ class Source:
     modules: tuple[str, ...]  # names that it imports, anywhere in it, of which some are modules of this project
     assets: tuple[str, ...]
     top: Mapping[str, Any]  # by name, at its top level: the plain constants, and how many parameters a function has
-    imports: Mapping[str, str]
+    imports: Meanings
 
 
 Definitions = Mapping[str, tuple[Definition, ...]]
@@ -67,7 +68,7 @@ class Reader:
                 definitions.setdefault(name, []).append(self._definition(node, index))
         return {name: tuple(group) for name, group in definitions.items()}
 
-    def canonical(self, node: ast.stmt, meanings: Mapping[str, str] | None = None) -> "Canonical":
+    def canonical(self, node: ast.stmt, meanings: Meanings | None = None) -> "Canonical":
         """Return the forms of a definition of this module and of what is in it."""
         inner = self._imported(ast.walk(node))
         return Canonical(node, self._names | inner.keys(), {**self._imports, **inner}, meanings)
@@ -189,19 +190,13 @@ class Canonical:
     signature. Fields that are empty, as those that only some Pythons know, are left out.
     """
 
-    def __init__(
-        self,
-        node: ast.stmt,
-        names: Collection[str] = (),
-        imports: Mapping[str, str] | None = None,
-        meanings: Mapping[str, str] | None = None,
-    ):
+    def __init__(self, node: ast.stmt, names: Collection[str], imports: Meanings, meanings: Meanings | None = None):
         """Make those of a statement at the top of its module, in which the names that it defines do not count.
 
         The ``names`` of its module become gaps, or what ``meanings`` has of them; of them ``imports`` are imported.
         """
         self.gaps: list[str] = []
-        self._names, self._imports, self._meanings = names, imports or {}, meanings
+        self._names, self._imports, self._meanings = names, imports, meanings
         self._own = frozenset(bound_names(node))
         self._local_count, self._is_silent = 0, False
         nodes = list(ast.walk(node))
@@ -371,7 +366,7 @@ def _is_bound(node: ast.AST) -> TypeGuard[ast.Name]:
     return isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)
 
 
-def _is_string(node: ast.AST) -> TypeGuard[ast.Constant]:
+def _is_string(node: ast.AST) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
@@ -383,7 +378,7 @@ def _reads_locals(node: ast.AST) -> bool:
 
 
 def _named_assets(nodes: Iterable[ast.AST]) -> tuple[str, ...]:
-    texts = (node.value for node in nodes if _is_string(node))
+    texts = (node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str))
     return tuple(text for text in texts if text.startswith(ASSETS) and "\n" not in text)
 
 
