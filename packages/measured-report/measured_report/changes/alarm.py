@@ -61,18 +61,6 @@ def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
     """Return the comparison as text, markdown or json; beside what it counts stands the ``rate`` of false alarms."""
     if form == "json":
         return _json("diff", comparison.is_alarm, {"false_alarms": rate, **_diff_data(comparison, say)})
-    first, counts, *lines = _diff_lines(comparison, say)
-    return _lines([first, f"{counts}; false alarms: {rate}", *lines], form)
-
-
-def upgrade_text(comparison: Comparison, verdict: Sequence[str], form: str, say: Say) -> str:
-    """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
-    if form == "json":
-        return _json("upgrade", comparison.is_alarm, {"verdict": list(verdict), **_diff_data(comparison, say)})
-    return _lines(verdict if form == "text" else [*verdict, "", *_details(comparison, say)], form)
-
-
-def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
     counts: dict[str, Sequence[Any]] = {
         "can't be trusted": comparison.faults,
         "what matters": comparison.alarms,
@@ -80,11 +68,19 @@ def _diff_lines(comparison: Comparison, say: Say) -> list[str]:
         "values that changed": comparison.moves,
     }
     editions = " → ".join(f"{config().edition} {release}" for release in comparison.releases)
-    count_texts = (f"{label}: {len(items)}" for label, items in counts.items())
-    faults = (fault.text for fault in comparison.faults[:NAMED])
-    lines = [f"{editions}: {summary(comparison)}", "; ".join(count_texts), *faults]
+    count_texts = [f"{label}: {len(items)}" for label, items in counts.items()]
+    lines = [f"{editions}: {summary(comparison)}", "; ".join([*count_texts, f"false alarms: {rate}"])]
+    lines += [fault.text for fault in comparison.faults[:NAMED]]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
-    return [*lines, f"smallest change that would have been seen: {power(comparison)}", *_details(comparison, say)]
+    lines += [f"smallest change that would have been seen: {power(comparison)}", *_details(comparison, say)]
+    return _lines(lines, form)
+
+
+def upgrade_text(comparison: Comparison, verdict: Sequence[str], form: str, say: Say) -> str:
+    """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
+    if form == "json":
+        return _json("upgrade", comparison.is_alarm, {"verdict": list(verdict), **_diff_data(comparison, say)})
+    return _lines(verdict if form == "text" else [*verdict, "", *_details(comparison, say)], form)
 
 
 def _details(comparison: Comparison, say: Say) -> list[str]:
@@ -129,8 +125,8 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
 
 
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
-    said = {"outcome": claim.outcome.name, "said": claim.outcome.answer, "text": say(section, claim)}
-    return said | {"confirmed": claim.confirmed}
+    outcome, text = claim.outcome, say(section, claim)
+    return {"outcome": outcome.name, "said": outcome.answer, "text": text, "confirmed": claim.confirmed}
 
 
 def _move_data(move: Move) -> dict[str, Any]:

@@ -5,13 +5,13 @@ Simulations repeat to the last bit on a CPU. What no run executed is not proven:
 
 import json
 import os
-import subprocess
 import tempfile
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
+from subprocess import Popen
 from typing import Any
 
 from measured_report.changes.moves import few
@@ -54,7 +54,6 @@ class Run:
 
 Codes = tuple[Code, Code]  # the old and the new one, as the next
 Runs = tuple[Run, Run]
-Notes = tuple[Mapping[str, Set[Place]], Mapping[str, Set[Place]], Mapping[str, Mapping[str, str]]]
 
 
 def carried(project: Project, release: Release, names: Sequence[str], device: str) -> Iterator[tuple[str, str]]:
@@ -72,7 +71,11 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
             yield name, f"none of the newest {COMMIT_LIMIT} commits has the code that measured it"
         for commit in dict.fromkeys(commits.values()):
             git(tree, "checkout", "--quiet", "--detach", commit)
-            pairs = {name: _codes(name, tree, project.root) for name in commits if commits[name] == commit}
+            pairs: dict[str, Codes] = {}
+            for name in (name for name in commits if commits[name] == commit):
+                old, new = pairs[name] = Code(name, tree), Code(name, project.root)
+                old.compare(new)
+                new.compare(old)
             runs = _run_both(project, release, tree, pairs, "cpu")
             reasons = {name: _reasons(runs[name], records[name]) for name in pairs}
             # Runs on a GPU may settle what a CPU does not execute, and what is timed.
@@ -90,12 +93,27 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
 
 
 def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str], reasons: Sequence[str]) -> str:
-    """Write a record for which there are no reasons against it, else sum these up."""
+    """Write a record as one of the new code where there are no reasons against it, else sum these up."""
     elsewhere = _release_with_proof(project, record) if any(why.startswith(UNEXECUTED) for why in reasons) else ""
-    reasons = [reason for reason in reasons if not (elsewhere and reason.startswith(UNEXECUTED))]
-    if not reasons:
-        _write(project, record, runs, commits, elsewhere)
-    return few(reasons, 2)
+    if reasons := [reason for reason in reasons if not (elsewhere and reason.startswith(UNEXECUTED))]:
+        return few(reasons, 2)
+    before, after = (run.records[0] for run in runs)
+    gone = _gone_columns(before, after)  # which are left out
+    rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
+    identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
+    change = Carried(
+        code=record.identity.code,
+        before=commits[0],
+        after=commits[1],
+        date=now().isoformat(timespec="seconds"),
+        row_count=len(after.rows),
+        cell_count=sum(map(len, after.rows)),
+        executed_in=elsewhere,
+    )
+    units = {name: unit for name, unit in record.units.items() if name not in gone}
+    record = replace(record, identity=identity, rows=rows, units=units, carried=(*record.carried, change))
+    write_record(project.record_path(record.section), record)
+    return ""
 
 
 def _release_with_proof(project: Project, record: Record) -> str:
@@ -108,13 +126,6 @@ def _release_with_proof(project: Project, record: Record) -> str:
             if last and last.code == record.identity.code and not last.executed_in:
                 return release
     return ""
-
-
-def _codes(name: str, *roots: Path) -> Codes:
-    old, new = (Code(name, root) for root in roots)
-    old.compare(new)
-    new.compare(old)
-    return old, new
 
 
 @contextmanager
@@ -157,19 +168,14 @@ def _run_both(
     """Run sections of both codes quick: beside one another on a CPU, in turn on a GPU."""
     python = python_of(release, expected_packages(project), project.root)
     sides = [replace(project, profile="quick", root=tree), replace(project, profile="quick", aside=ASIDE)]
+    codes = [{section: pair[index] for section, pair in pairs.items()} for index in range(len(sides))]
     records: list[defaultdict[str, list[Record]]] = [defaultdict(list) for _ in sides]
     with tempfile.TemporaryDirectory() as name:
-        folders = [Path(name) / str(place) for place in range(len(sides))]
-        commands = [
-            _command(python, side, folder, [codes[place] for codes in pairs.values()], [*pairs, "--device", device])
-            for place, (side, folder) in enumerate(zip(sides, folders, strict=True))
-        ]
+        folders = [Path(name) / str(index) for index in range(len(sides))]
         for _ in range(repeat_count):
             running = []
-            for command, side, folder in zip(commands, sides, folders, strict=True):
-                for section in pairs:
-                    side.record_path(section).unlink(missing_ok=True)
-                running.append(subprocess.Popen(command, cwd=side.root, env=_settings(side.root, device, folder)))
+            for side, codes_of_side, folder in zip(sides, codes, folders, strict=True):
+                running.append(_started(python, side, codes_of_side, device, folder))
                 if device != "cpu":
                     running[-1].wait()
             for process, side, records_of_side in zip(running, sides, records, strict=True):
@@ -177,15 +183,31 @@ def _run_both(
                 for section in pairs:
                     with suppress(RecordError):
                         records_of_side[section].append(load_record(side.record_path(section)))
-        notes = [_notes_in(folder) for folder in folders]
-    return {
-        section: (_run_of(section, codes[0], records[0], notes[0]), _run_of(section, codes[1], records[1], notes[1]))
-        for section, codes in pairs.items()
-    }
+        old, new = (_runs_of(*of_side) for of_side in zip(codes, records, folders, strict=True))
+    return {section: (old[section], new[section]) for section in pairs}
 
 
-def _notes_in(folder: Path) -> Notes:
-    """Read by section what processes noted that they executed, what of it while times were measured, and their work."""
+def _started(python: Path, side: Project, codes: Mapping[str, Code], device: str, folder: Path) -> Popen[bytes]:
+    """Start quick runs of a side, which note in ``folder`` what they execute of what changed of its codes."""
+    spans = defaultdict[str, list[tuple[int, int]]](list)
+    for file, lines in (pair for code in codes.values() for pair in code.spans.items()):
+        spans[file] += lines
+    folder.mkdir(exist_ok=True)
+    spans_file = folder.with_suffix(".json")
+    spans_file.write_text(json.dumps(spans), encoding="utf-8")
+    for section in codes:
+        side.record_path(section).unlink(missing_ok=True)
+    command = [str(python), "-P", reach.__file__, str(spans_file), str(folder), MODULE, *codes, "--device", device]
+    command += ["--profile", side.profile, "--edition", side.release, "--aside", side.aside]
+    packages = [*map(str, sorted((side.root / "packages").glob("*"))), os.environ.get("PYTHONPATH", "")]
+    # What it times waits for nobody else, by a lock in TMPDIR, as these times are not looked at.
+    settings = {"PYTHONPATH": os.pathsep.join(packages), "TQDM_DISABLE": "1", "TMPDIR": str(folder)}
+    settings |= accelerator().NONE if device == "cpu" else {}
+    return Popen(command, cwd=side.root, env={**os.environ, **settings})
+
+
+def _runs_of(codes: Mapping[str, Code], records: Mapping[str, Sequence[Record]], folder: Path) -> dict[str, Run]:
+    """Return the runs of a side, with what its processes noted of each section and of importing it."""
     executed, timed = defaultdict[str, set[Place]](set), defaultdict[str, set[Place]](set)
     work = defaultdict[str, dict[str, str]](dict)
     for note in (json.loads(path.read_bytes()) for path in folder.glob("*.json")):
@@ -194,33 +216,10 @@ def _notes_in(folder: Path) -> Notes:
                 places[section].add(tuple(place))
         for section, digests in note["work"].items():
             work[section] |= digests
-    return executed, timed, work
-
-
-def _run_of(section: str, code: Code, records: Mapping[str, Sequence[Record]], notes: Notes) -> Run:
-    """Return what was noted of a section and of importing it."""
-    executed, timed = (side[""] | side[section] for side in notes[:2])
-    return Run(code, records[section], executed, timed, notes[2][section])
-
-
-def _command(python: Path, side: Project, folder: Path, codes: Sequence[Code], options: Sequence[str]) -> list[str]:
-    """Return the command that runs a side and follows what changed of its codes, as it notes in ``folder``."""
-    spans: dict[str, list[tuple[int, int]]] = {}
-    for file, lines in (pair for code in codes for pair in code.spans.items()):
-        spans.setdefault(file, []).extend(lines)
-    folder.mkdir()
-    spans_file = folder.with_suffix(".json")
-    spans_file.write_text(json.dumps(spans), encoding="utf-8")
-    edition = ["--profile", side.profile, "--edition", side.release, "--aside", side.aside]
-    return [str(python), "-P", reach.__file__, str(spans_file), str(folder), MODULE, *options, *edition]
-
-
-def _settings(root: Path, device: str, folder: Path) -> dict[str, str]:
-    """Return the settings of a process; what it times waits for nobody else, as these times are not looked at."""
-    packages = [str(each) for each in sorted((root / "packages").glob("*"))]
-    settings = {"PYTHONPATH": os.pathsep.join([*packages, os.environ.get("PYTHONPATH", "")]), "TQDM_DISABLE": "1"}
-    settings["TMPDIR"] = str(folder)
-    return {**os.environ, **settings} | (accelerator().NONE if device == "cpu" else {})
+    return {
+        name: Run(code, records[name], executed[""] | executed[name], timed[""] | timed[name], work[name])
+        for name, code in codes.items()
+    }
 
 
 def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str]:
@@ -290,30 +289,7 @@ def _gone_columns(before: Record, after: Record) -> set[str]:
 
 
 def _rows(record: Record) -> dict[tuple[Any, ...], Mapping[str, Any]]:
-    count: Counter[tuple[Any, ...]] = Counter()
-    rows = {}
+    rows_by_key = defaultdict[tuple[Any, ...], list[Mapping[str, Any]]](list)
     for row in record.rows:
-        key = key_of(row)
-        rows[key, count[key]] = row
-        count[key] += 1
-    return rows
-
-
-def _write(project: Project, record: Record, runs: Runs, commits: tuple[str, str], elsewhere: str) -> None:
-    """Write a record as one of the new code; columns that this has no more are left out."""
-    before, after = (run.records[0] for run in runs)
-    gone = _gone_columns(before, after)
-    rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
-    identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
-    change = Carried(
-        code=record.identity.code,
-        before=commits[0],
-        after=commits[1],
-        date=now().isoformat(timespec="seconds"),
-        row_count=len(after.rows),
-        cell_count=sum(map(len, after.rows)),
-        executed_in=elsewhere,
-    )
-    units = {name: unit for name, unit in record.units.items() if name not in gone}
-    record = replace(record, identity=identity, rows=rows, units=units, carried=(*record.carried, change))
-    write_record(project.record_path(record.section), record)
+        rows_by_key[key_of(row)].append(row)
+    return {(key, index): row for key, rows in rows_by_key.items() for index, row in enumerate(rows)}

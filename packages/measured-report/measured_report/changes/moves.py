@@ -41,10 +41,10 @@ class Move:
     @property
     def sides(self) -> list[Any]:
         """Return before and after with their units, as their rows have them."""
-        ends = self.before, self.after
         if self.rows:
             return [row[self.column] for row in self.rows]
-        return list(ends) if self.chance is None else [Quantity(end, self.unit, "") for end in ends]
+        ends = [self.before, self.after]
+        return ends if self.chance is None else [Quantity(end, self.unit, "") for end in ends]
 
     @property
     def name(self) -> str:
@@ -163,7 +163,13 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
                 if is_absolute(column):
                     if is_other_card and not _knows_cards(estimates):
                         continue
-                    estimates = [time if time is None or time.is_again else _of_process(time) for time in estimates]
+                    # Of a time of one process nobody knows how far another of the same card would be.
+                    estimates = [
+                        replace(time, count=1.0, least=CHOSEN_SHARE * abs(time.value))
+                        if time and not time.is_again
+                        else time
+                        for time in estimates
+                    ]
                 pairs.append((move, estimates, edge_share))
     return [*judged(pairs), *moves]
 
@@ -171,11 +177,6 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
 def _knows_cards(estimates: Sequence[Estimate | None]) -> bool:
     """Tell whether somebody knows how far absolute times of two cards of one kind are apart."""
     return any(estimate and estimate.is_of_cards for estimate in estimates)
-
-
-def _of_process(time: Estimate) -> Estimate:
-    """Return a time of one process, of which nobody knows how far another of the same card would be."""
-    return replace(time, count=1.0, least=CHOSEN_SHARE * abs(time.value))
 
 
 def _means_between(before: Chapter, after: Chapter) -> Iterator[Pair]:
@@ -202,16 +203,16 @@ def judged(pairs: Sequence[Pair]) -> list[Move]:
     if not pairs:
         return []
     estimated = [_estimates_of(move, estimates) for move, estimates, _ in pairs]
-    ends = [(before.value, after.value) for (before, after), _, _ in estimated]
+    ends = np.array([[side.value for side in sides] for sides, _, _ in estimated])
     sides = np.array([[(side.variance / side.count, side.freedom) for side in sides] for sides, _, _ in estimated])
     errors, freedoms = welch(sides[:, :, 0], sides[:, :, 1])
     leasts = np.array([least for _, least, _ in estimated])
-    distance = np.maximum(0.0, abs(np.array([after - before for before, after in ends])) - leasts)
+    distance = np.maximum(0.0, abs(np.diff(ends)[:, 0]) - leasts)
     arrays = chance_of(distance, errors, freedoms), errors.tolist(), freedoms.tolist(), leasts.tolist()
-    judgements, moves = zip(pairs, ends, estimated, *arrays, strict=True), []
-    for (move, _, edge_share), (before, after), (_, _, is_chosen), chance, error, freedom, least in judgements:
+    judgements, moves = zip(pairs, estimated, *arrays, strict=True), []
+    for (move, _, edge_share), ((before, after), _, is_chosen), chance, error, freedom, least in judgements:
         difference = {"chance": max(chance, edge_share), "error": error, "freedom": freedom, "least": least}
-        moves.append(replace(move, before=before, after=after, is_chosen=is_chosen, **difference))
+        moves.append(replace(move, before=before.value, after=after.value, is_chosen=is_chosen, **difference))
     return moves
 
 
@@ -234,20 +235,14 @@ def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple[Any, ...]:
     return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
 
 
-def _changed_settings(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[frozenset[str]]:
-    """Return the kinds of columns in which two runs were not set alike."""
-    names = (name for name in a if None not in (a[name], b.get(name)) and a[name] != b[name])
-    return [kinds for name in names if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
-
-
 def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterator[str]:
     has_same_terms = len(set(map(cost_terms, records, cells))) == 1
-    lost, changed = [is_lost(cell) for cell in cells], _changed_settings(*cells)
-    for column, before in cells[0].items():
-        if column not in cells[1] or not _may_differ(column):
-            continue
+    lost, (a, b) = [is_lost(cell) for cell in cells], cells
+    unlike = [name for name in a if None not in (a[name], b.get(name)) and a[name] != b[name]]
+    changed = [kinds for name in unlike if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
+    for column in (name for name in a if name in b and _may_differ(name)):
         about = column_of(column)
-        if isinstance(before, str | bool) or isinstance(cells[1][column], str | bool):
+        if isinstance(a[column], str | bool) or isinstance(b[column], str | bool):
             is_so = not (all(lost) and "failure" in about.kinds)
         elif any(lost) or ("cost" in about.kinds and not has_same_terms):
             is_so = False

@@ -190,8 +190,8 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
     if not _is_there(config().host):
         raise ReportError(f"{FILE}: host = {config().host!r}: there is no such module")
     _refuse("noise_section", [config().noise_section], "section", section_names)
-    _refuse("changes.upgrade_sections", rules.upgrade_sections, "section", section_names)
-    _refuse("changes.equivalent_sections", rules.equivalent_sections, "section", section_names)
+    for setting in ("upgrade_sections", "equivalent_sections"):
+        _refuse(f"changes.{setting}", getattr(rules, setting), "section", section_names)
     queries = [("thresholds", Query(name)) for name in rules.thresholds]
     queries += [("headlines", Query(name)) for name in rules.headlines.values()]
     queries += [("explanation", Query(rules.explanation, is_claim=True))] if rules.explanation else []
@@ -200,7 +200,11 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         answer = query.claim(edition.chapters) if query.is_claim else query.quantity(edition.chapters)
         if query.section in edition.chapters and not (answer and (not isinstance(answer, Quantity) or answer.source)):
             _refuse(f"changes.{setting}", [query.text], "value", [*query.names(edition.chapters)])
-    _refuse_unknown_cases(edition)
+    if chapter := edition.chapters.get(config().noise_section):  # repeats are of cases beside them, if any are
+        rows = chapter.results.record.rows
+        cases = [row["case"] for row in rows if "of" not in row]
+        if unknown := [row["of"] for row in rows if cases and row.get("of", cases[0]) not in cases]:
+            raise ReportError(f"{chapter.name}: of = {unknown[0]} names no case{suggestion(str(unknown[0]), cases)}")
     if edition.project.named.is_installed_with(package_versions()):
         _refuse_absent_imports(edition.project.root)
     _refuse("changes.package_groups", chain(*rules.package_groups), "package", config().packages)
@@ -209,8 +213,8 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         for table in config().columns:
             others = (table.rate_of, table.known_within, table.grows_with, table.trials, table.unless)
             _refuse("columns", (*table.names, *others), "column", columns)
-        _refuse("repeating", config().repeating, "column", columns)
-        _refuse("cost_terms", config().cost_terms, "column", columns)
+        for setting in ("repeating", "cost_terms"):
+            _refuse(setting, getattr(config(), setting), "column", columns)
 
 
 def _refuse(setting: str, names: Iterable[str], kind: str, existing: Collection[str]) -> None:
@@ -234,15 +238,6 @@ def _refuse_empty_pages(edition: Edition) -> None:
         paths = [edition.project.templates / text for text in page.texts]
         if page not in pages and not any(path.is_file() for path in paths):
             raise ReportError(f"{FILE}: the page {page.name} has no section, nor templates/{page.texts[0]}")
-
-
-def _refuse_unknown_cases(edition: Edition) -> None:
-    """Raise ReportError where repeats are of a case that is not there, beside cases that are no repeats."""
-    if chapter := edition.chapters.get(config().noise_section):
-        rows = chapter.results.record.rows
-        cases = [row["case"] for row in rows if "of" not in row]
-        if unknown := [row["of"] for row in rows if cases and row.get("of", cases[0]) not in cases]:
-            raise ReportError(f"{chapter.name}: of = {unknown[0]} names no case{suggestion(str(unknown[0]), cases)}")
 
 
 def _refuse_absent_imports(root: Path) -> None:
@@ -275,14 +270,13 @@ def gaps(edition: Edition) -> list[str]:
             texts = ((column, str(cell)) for column, cell in row.items())
             lost = [f"{column.removesuffix(REASON)}: {text}" for column, text in texts if text.startswith(UNBELIEVED)]
             lines += [f"{name}: {row['case']} has no {text}" for text in lost]
-        unread = ((claim.name, number) for claim in chapter.section.claims for number in claim.unread)
-        bare = (key for key, figure in chapter.section.figures.items() if not figure.sources)
-        lines += [f"{name}: the figure {figure} has no sources" for figure in bare]
+        claims, figures = chapter.section.claims, chapter.section.figures.items()
+        lines += [f"{name}: the figure {key} has no sources" for key, figure in figures if not figure.sources]
+        unread = ((claim.name, number) for claim in claims for number in claim.unread)
         lines += [f"{name}.{claim} prints {number}, which its test has not read" for claim, number in unread]
-        outcomes = {claim.name: claim.outcome for claim in chapter.section.claims if claim.outcome.name == "unknown"}
-        lacking = {claim: outcome for claim, outcome in outcomes.items() if not outcome.is_inconclusive}
-        reasons = {claim: str(outcome.reason) for claim, outcome in lacking.items() if outcome.reason != WITHIN}
-        lines += [f"{name}.{claim} cannot tell: {reason}" for claim, reason in reasons.items()]
+        for claim, outcome in ((claim.name, claim.outcome) for claim in claims if claim.outcome.name == "unknown"):
+            if not outcome.is_inconclusive and outcome.reason != WITHIN:
+                lines.append(f"{name}.{claim} cannot tell: {outcome.reason}")
     return lines
 
 

@@ -9,7 +9,7 @@ import os
 import re
 import tempfile
 import urllib.request
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -83,8 +83,13 @@ def read_label(text: str) -> Release | None:
 @cached_in_report  # a repository or an index is asked once
 def release_of(spec: str, pins: str = "", option: str = "") -> Release:
     """Find what is asked for, with ``pins`` as WITH= says them; UsageError, one line, when it means nothing."""
-    release = _resolved(spec, option or config().option)
-    return replace(release, pins=tuple(sorted({**dict(release.pins), **dict(_read_pins(pins))}.items())))
+    release, packages = _resolved(spec, option or config().option), config().packages[1:]
+    named = [pin.partition("==")[::2] for pin in pins.split()]
+    if not all(package in packages and VERSION.fullmatch(version) for package, version in named):
+        names = ", ".join(packages) or "none"
+        raise UsageError(f"WITH={pins} is no list of PACKAGE==1.2.3; packages of report.toml has: {names}")
+    versions = {**dict(release.pins), **{package: full_version(version) for package, version in named}}
+    return replace(release, pins=tuple(sorted(versions.items())))
 
 
 def _resolved(spec: str, option: str) -> Release:
@@ -150,14 +155,6 @@ def _own_version(project: str, spec: str, option: str) -> str:
         lacking = f"its pyproject.toml names no {package} with a version"
         raise UsageError(f"{option}={spec} is no checkout of {config().edition_name}: {lacking}")
     return full_version(match[1])
-
-
-def _read_pins(text: str) -> Sequence[tuple[str, str]]:
-    pins = [pin.partition("==")[::2] for pin in text.split()]
-    if not all(package in config().packages[1:] and VERSION.fullmatch(version) for package, version in pins):
-        names = ", ".join(config().packages[1:]) or "none"
-        raise UsageError(f"WITH={text} is no list of PACKAGE==1.2.3; packages of report.toml has: {names}")
-    return [(package, full_version(version)) for package, version in pins]
 
 
 @cached_in_report

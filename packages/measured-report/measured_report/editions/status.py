@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from measured_report.editions.project import Project
@@ -41,8 +42,15 @@ class State:
 
 
 def states_of(project: Project) -> list[State]:
+    states = []
     with unchanged_files():
-        states = [_read_state(project, section) for section in sections(project.root)]
+        for section in sections(project.root):
+            path = project.record_path(section)
+            try:
+                record = load_record(path) if os.path.lexists(path) else None
+                states.append(State(section, "fresh" if record else "missing", record))
+            except RecordError as error:
+                states.append(State(section, "damaged", notes=(str(error),)))
         packages = expected_packages(project, [state.record for state in states if state.record])
         for index, state in enumerate(states):
             if state.record:
@@ -50,14 +58,6 @@ def states_of(project: Project) -> list[State]:
                 if changed := changes(state.record.identity, now):
                     states[index] = replace(state, kind="stale", notes=tuple(changed))
     return states
-
-
-def _read_state(project: Project, section: str) -> State:
-    path = project.record_path(section)
-    try:
-        return State(section, "fresh", load_record(path)) if os.path.lexists(path) else State(section, "missing")
-    except RecordError as error:
-        return State(section, "damaged", notes=(str(error),))
 
 
 def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
@@ -82,10 +82,8 @@ def package_version(project: Project) -> str:
 def records_of(project: Project) -> Iterator[Record]:
     """Yield the records of an edition that can be read."""
     for section in sections(project.root):
-        try:
+        with suppress(RecordError):
             yield load_record(project.record_path(section))
-        except RecordError:
-            continue
 
 
 def status_matrix(project: Project) -> str:

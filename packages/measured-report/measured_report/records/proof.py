@@ -18,7 +18,7 @@ from types import CodeType
 from typing import Any
 
 from measured_report.records.code import Graph, Node, roots_of
-from measured_report.records.syntax import EFFECTS, Forms, Reader, bound_names, chain_of, is_text
+from measured_report.records.syntax import EFFECTS, Canonical, Reader, bound_names, chain_of, is_text
 
 Text = tuple[str, Any]  # of a piece, by the names in it and by their numbers
 Place = tuple[Any, ...]  # file, and line, last line, column and last column, as instructions have them
@@ -39,7 +39,7 @@ class Piece:
     definition: Node
     syntax: ast.AST
     meanings: Mapping[str, str]  # by name of what both codes have: what it is called does not count
-    forms: Forms  # in which what a function binds is numbered: what it is called does not count either
+    forms: Canonical  # in which what a function binds is numbered: what it is called does not count either
     context: tuple[Text, ...] = ()  # what heads the statement around it, its list there, and the statement before
 
     @cached_property
@@ -92,7 +92,7 @@ class Code:
         for node, tree in pairs:
             if node[1] in (list(bound_names(tree)) or [EFFECTS]):
                 meanings = self._shared_meanings(node)
-                self.changed.append(Piece(node, tree, meanings, readers[node[0]].forms(tree, meanings)))
+                self.changed.append(Piece(node, tree, meanings, readers[node[0]].canonical(tree, meanings)))
 
     def _shared_meanings(self, node: Node) -> dict[str, str]:
         """Digest by name what stands in a definition and both codes have."""
@@ -117,10 +117,17 @@ class Code:
         for piece in (inner for outer in other.changed for inner in outer.all()):
             for text in piece.texts:
                 pieces_by_text.setdefault(text, []).append(piece)
-        for piece in self._unexecuted(executed):
-            twins = (twin for text in piece.texts for twin in pieces_by_text.get(text, ()))
-            if not any(self._meanings(piece) == other._meanings(twin) for twin in twins):
-                yield f"{UNEXECUTED} {self._name(piece)}"
+        compiled = {file: {*_places(compile(Path(file).read_bytes(), file, "exec"))} for file in self.spans}
+        waiting = list(self.changed)
+        while waiting:
+            piece = waiting.pop()
+            places = {place for place in compiled[piece.definition[0]] if _is_within(place, piece)}
+            if any(map(places.intersection, executed)):
+                waiting += piece.children()
+            elif places:
+                twins = (twin for text in piece.texts for twin in pieces_by_text.get(text, ()))
+                if not any(self._named(piece) == other._named(twin) for twin in twins):
+                    yield f"{UNEXECUTED} {self._name(piece)}"
 
     def unread(self, other: "Code", *, is_old: bool = False) -> Iterator[str]:
         """Say which data are not in ``other`` as well; of old code it is no loss that some stand in fewer places."""
@@ -136,26 +143,11 @@ class Code:
             if is_other and any(_is_within(place, piece) for place in executed):
                 yield f"{TIMED}: {self._name(piece)}"
 
-    def _unexecuted(self, executed: Sequence[Set[Place]]) -> Iterator[Piece]:
-        """Yield the largest parts of what changed that no instruction was executed of."""
-        compiled = {file: {*_places(compile(Path(file).read_bytes(), file, "exec"))} for file in self.spans}
-        waiting = list(self.changed)
-        while waiting:
-            piece = waiting.pop()
-            places = {place for place in compiled[piece.definition[0]] if _is_within(place, piece)}
-            if any(map(places.intersection, executed)):
-                waiting += piece.children()
-            elif places:
-                yield piece
-
-    def _meanings(self, piece: Piece) -> list[str]:
-        return self._named(piece, ast.walk(piece.syntax))
-
-    def _named(self, piece: Piece, nodes: Iterable[ast.AST]) -> list[str]:
-        """Say what each name is: a digest of what both codes have, or else what it is called."""
+    def _named(self, piece: Piece, nodes: Iterable[ast.AST] | None = None) -> list[str]:
+        """Say what each name of a piece, or of ``nodes`` in it, is: a digest of what both codes have, or its name."""
         definitions = {name: binding for binding in self.graph.definitions(piece.definition) for name in binding.names}
         meanings = []
-        for name in filter(definitions.__contains__, map(chain_of, nodes)):
+        for name in filter(definitions.__contains__, map(chain_of, nodes or ast.walk(piece.syntax))):
             meaning = self.graph.meaning(piece.definition[0], definitions[name], name)
             nodes_meant = [] if isinstance(meaning, str) else meaning
             digests = [self.graph.digest(node, 0) for node in nodes_meant]
@@ -187,7 +179,7 @@ class Code:
 def _bare(node: ast.AST) -> ast.AST:
     """Return a statement without those in it, without its name, and without what type it returns."""
     bare = copy.copy(node)
-    for name in (name for name in ("name", "returns", *BODIES) if hasattr(bare, name)):
+    for name in (name for name in HEADLESS if hasattr(bare, name)):
         setattr(bare, name, [] if name in BODIES else "" if name == "name" else None)
     return bare
 

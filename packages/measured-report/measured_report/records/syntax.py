@@ -12,6 +12,7 @@ from typing import Any, TypeGuard
 ASSETS = ("assets/", "experiments/")  # where files lie that a program reads or starts by their path
 GAP = "·"
 WORKED_OUT = ...  # stands for what a module gives a name at its top level, and is no constant
+Meanings = Mapping[str, str]  # by name what it stands for
 EFFECTS = ""  # the name under which is kept what a module does besides defining names
 
 
@@ -21,7 +22,7 @@ class Definition:
 
     tree: str  # digest of its syntax tree, with a gap in the place of each name that is not its own
     names: tuple[str, ...]  # what stands in the gaps: names, and attributes that are asked of them: `metrics.height_mm`
-    imports: Mapping[str, str]
+    imports: Meanings
     assets: tuple[str, ...]
     decorators: tuple[str, ...]
 
@@ -34,7 +35,7 @@ class Source:
     modules: tuple[str, ...]  # names that it imports, anywhere in it, of which some are modules of this project
     assets: tuple[str, ...]
     top: Mapping[str, Any]  # by name, at its top level: constants, and how many parameters a function has
-    imports: Mapping[str, str]
+    imports: Meanings
 
 
 Definitions = Mapping[str, tuple[Definition, ...]]
@@ -46,7 +47,7 @@ class Reader:
         aside = (_imports_alone, is_text, _is_aside)
         self._statements = [node for node in tree.body if not any(is_so(node) for is_so in aside)]
         loose = (node for node in tree.body if not isinstance(node, DEFINING))
-        self._imports = {name: path for top in loose for node in ast.walk(top) for name, path, _ in self._named(node)}
+        self._imports = self._imported(chain(*map(ast.walk, loose)))
         self._names = {*self._imports, *(name for node in self._statements for name in bound_names(node))}
 
     def source(self) -> Source:
@@ -54,7 +55,7 @@ class Reader:
         return Source(
             digest=hashlib.sha256(ast.dump(self._tree).encode()).hexdigest(),
             modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
-            assets=tuple(_named_assets(nodes)),
+            assets=_named_assets(nodes),
             top=dict(self._top()),
             imports=self._imports,
         )
@@ -68,25 +69,19 @@ class Reader:
                 definitions.setdefault(name, []).append(self._definition(node, index))
         return {name: tuple(group) for name, group in definitions.items()}
 
-    def forms(self, node: ast.stmt, meanings: Mapping[str, str]) -> "Forms":
-        """Return the forms of a definition of this module and of what is in it; see ``Forms``."""
-        inner = {name: path for child in ast.walk(node) for name, path, _ in self._named(child)}
-        forms = Forms(self._names | inner.keys(), {**self._imports, **inner})
-        forms.meanings = meanings
-        forms.statement(node)
-        return forms
+    def canonical(self, node: ast.stmt, meanings: Meanings | None = None) -> "Canonical":
+        """Return the forms of a definition of this module and of what is in it."""
+        inner = self._imported(ast.walk(node))
+        return Canonical(node, self._names | inner.keys(), {**self._imports, **inner}, meanings)
 
     def _definition(self, node: ast.stmt, index: int) -> Definition:
-        nodes = list(ast.walk(node))
-        inner = {name: path for child in nodes for name, path, _ in self._named(child)}
-        tree = Canonical(self._names | inner.keys(), {**self._imports, **inner})
-        text = tree.statement(node)
+        canonical = self.canonical(node)
         decorators = (chain_of(getattr(child, "func", child)) for child in getattr(node, "decorator_list", ()))
         return Definition(
-            tree=digest_of([text, index]),
-            names=tuple(tree.gaps),
-            imports=inner,
-            assets=tuple(_named_assets(nodes)),
+            tree=digest_of([canonical.form, index]),
+            names=tuple(canonical.gaps),
+            imports=self._imported(ast.walk(node)),
+            assets=_named_assets(ast.walk(node)),
             decorators=tuple(name for name in decorators if name.partition(".")[0] in self._names),
         )
 
@@ -99,6 +94,9 @@ class Reader:
                 yield from ((target.id, value) for target in node.targets if isinstance(target, ast.Name))
             elif isinstance(node, ast.FunctionDef):
                 yield node.name, len(node.args.args)
+
+    def _imported(self, nodes: Iterable[ast.AST]) -> dict[str, str]:
+        return {name: path for node in nodes for name, path, _ in self._named(node)}
 
     def _named(self, node: ast.AST) -> Iterator[tuple[str, str, str]]:
         if isinstance(node, ast.Import):
@@ -194,24 +192,29 @@ class Canonical:
     signature. Fields that are empty, as those that only some Pythons know, are left out.
     """
 
-    def __init__(self, names: Collection[str] = (), imports: Mapping[str, str] | None = None):
-        """Make those of one statement; the ``names`` of its module become gaps, of which ``imports`` are imported."""
-        self.gaps: list[str] = []
-        self._names, self._imports = names, imports or {}
-        self._own: Collection[str] = ()
-        self._local_count = 0
-        self._locals_count = self._names_count = False
-        self._is_silent = False
+    def __init__(self, node: ast.stmt, names: Collection[str], imports: Meanings, meanings: Meanings | None = None):
+        """Make those of a statement at the top of its module, in which the names that it defines do not count.
 
-    def statement(self, node: ast.stmt) -> Any:
-        """Make tuples of a statement at the top of its module; the names that it defines do not count."""
+        The ``names`` of its module become gaps, or what ``meanings`` has of them; of them ``imports`` are imported.
+        """
+        self.gaps: list[str] = []
+        self._names, self._imports, self._meanings = names, imports, meanings
         self._own = frozenset(bound_names(node))
+        self._local_count, self._is_silent = 0, False
         nodes = list(ast.walk(node))
         self._locals_count = any(map(_reads_locals, nodes))
         # What a definition is called counts where it is asked for.
         attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
         self._names_count = any(node.attr in ("__name__", "__qualname__") and chain_of(node) for node in attributes)
-        return self.plain(node, Scope())
+        self._forms: dict[ast.AST, Any] = {}
+        self.form = self.plain(node, Scope())
+
+    def of(self, node: ast.AST, without: Collection[str] = ()) -> Any:
+        """Return the form of a node, ``without`` some of its fields; of one that has none, that of what is in it."""
+        if node not in self._forms:
+            return type(node).__name__, *map(self.of, ast.iter_child_nodes(node))
+        form = self._forms[node]
+        return tuple(part for part in form if not (isinstance(part, tuple) and part and part[0] in without))
 
     def plain(self, node: Any, scope: Scope) -> Any:
         if isinstance(node, list):
@@ -219,7 +222,8 @@ class Canonical:
             return tuple(form for form in (self.plain(child, scope) for child in children) if form != NOTHING)
         if not isinstance(node, ast.AST):
             return repr(node)
-        return getattr(self, f"visit_{type(node).__name__}", self._fields)(node, scope)
+        self._forms[node] = form = getattr(self, f"visit_{type(node).__name__}", self._fields)(node, scope)
+        return form
 
     def _fields(self, node: ast.AST, scope: Scope, **instead: Any) -> Any:
         pairs = ((name, value) for name, value in ast.iter_fields(node) if name != "kind")
@@ -246,7 +250,10 @@ class Canonical:
 
     def _gap(self, chain: str) -> tuple[str, ...]:
         self.gaps.append(chain)
-        return GAP, *chain.split(".")[0 if self._names_count else 1 :]
+        first, *attributes = chain.split(".")
+        if self._meanings is not None:
+            return GAP, self._meanings.get(first, first), *attributes
+        return GAP, *([first] if self._names_count else []), *attributes
 
     def _stands_for(self, name: str, scope: Scope) -> Any:
         if name in scope.attributes:
@@ -357,33 +364,6 @@ class Canonical:
         return keyword.arg is not None
 
 
-class Forms(Canonical):
-    """Keeps the form of each node, in which a name is what ``meanings`` has of it, and else what it is called."""
-
-    meanings: Mapping[str, str]
-
-    def plain(self, node: Any, scope: Scope) -> Any:
-        form = super().plain(node, scope)
-        if isinstance(node, ast.AST):
-            self._forms[node] = form
-        return form
-
-    def statement(self, node: ast.stmt) -> Any:
-        self._forms: dict[ast.AST, Any] = {}
-        return super().statement(node)
-
-    def of(self, node: ast.AST, without: Collection[str] = ()) -> Any:
-        """Return the form of a node, ``without`` some of its fields; of one that has none, that of what is in it."""
-        if node not in self._forms:
-            return type(node).__name__, *map(self.of, ast.iter_child_nodes(node))
-        form = self._forms[node]
-        return tuple(part for part in form if not (isinstance(part, tuple) and part and part[0] in without))
-
-    def _gap(self, chain: str) -> tuple[str, ...]:
-        first, *attributes = chain.split(".")
-        return GAP, self.meanings.get(first, first), *attributes
-
-
 def _is_bound(node: ast.AST) -> TypeGuard[ast.Name]:
     return isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)
 
@@ -399,11 +379,9 @@ def _reads_locals(node: ast.AST) -> bool:
     return node.func.id in ("locals", "eval", "exec") or (node.func.id in ("vars", "dir") and not node.args)
 
 
-def _named_assets(nodes: Iterable[ast.AST]) -> Iterator[str]:
-    for node in nodes:
-        text = node.value if isinstance(node, ast.Constant) else None
-        if isinstance(text, str) and text.startswith(ASSETS) and "\n" not in text:
-            yield text
+def _named_assets(nodes: Iterable[ast.AST]) -> tuple[str, ...]:
+    texts = (node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str))
+    return tuple(text for text in texts if text.startswith(ASSETS) and "\n" not in text)
 
 
 def digest_of(data: Any) -> str:
