@@ -147,7 +147,7 @@ def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
 
 def contents(editions: Mapping[str, Edition], templates: Templates, release: str) -> list[Content]:
     """The pages of one release as they are without a site."""
-    return contents_of(editions[release], templates, links_of(editions, dict.fromkeys(editions, ""), release))
+    return contents_of(editions[release], templates, links_of(editions, release))
 
 
 def undrawn(parts: Sequence[Prose]) -> str:

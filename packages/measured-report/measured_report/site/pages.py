@@ -6,7 +6,6 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -109,17 +108,10 @@ class Site:
     citation: Mapping[str, Any]
     cache: DerivedCache
 
-    @cached_property
-    def places(self) -> dict[str, str]:
-        """Tell where the pages of each release lie below the site."""
-        folders = {release: f"{edition.project.results.name}/" for release, edition in self.editions.items()}
-        return {**folders, self.shown: ""}
-
     def write(self) -> None:
         """Draw all figures, and write data and pages of all releases, and what is there once."""
-        places = self.places
-        links = {release: links_of(self.editions, places, release) for release in places}
-        contents = {release: contents_of(self.editions[release], self.templates, links[release]) for release in places}
+        links = {release: links_of(self.editions, release) for release in self.editions}
+        contents = {release: contents_of(self.editions[release], self.templates, links[release]) for release in links}
         releases = {release: edition.chapters for release, edition in self.editions.items()}
         if history := series_page(releases, self.templates):
             contents[self.shown].append(Content(SERIES, [history], []))
@@ -133,7 +125,7 @@ class Site:
         for release, edition in self.editions.items():
             names = {"contents": contents[release], "links": links[release], "origins": origins_json}
             own_pictures = {anchor: pair for (owner, anchor), pair in pictures.items() if owner == release}
-            self._write_pages(places[release], edition, own_pictures, names)
+            self._write_pages(edition, own_pictures, names)
         if self.address:  # a feed has whole addresses
             self._write_feed(contents)
         printed = self._printed()
@@ -147,10 +139,8 @@ class Site:
         folder = f"{self.editions[self.shown].project.results.name}/"
         return {folder + pointer if pointer.startswith(VALUES_FILE) else pointer for pointer in pointers}
 
-    def _write_pages(
-        self, folder: str, edition: WordedEdition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]
-    ) -> None:
-        root, chapters = edition.project.root, edition.chapters.values()
+    def _write_pages(self, edition: WordedEdition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]) -> None:
+        root, folder, chapters = edition.project.root, edition.folder, edition.chapters.values()
         icon = root / "assets" / ICON
         shared = {
             "edition": edition,
@@ -216,7 +206,7 @@ class Site:
     def _write_feed(self, contents: Mapping[str, Sequence[Content]]) -> None:
         entries = []
         for release, (front, *_) in contents.items():
-            text, entry = front.texts[0], {"release": release, "place": self.places[release]}
+            text, entry = front.texts[0], {"release": release, "place": self.editions[release].folder}
             if day := self.editions[release].measured_on:
                 entries.append({**entry, "day": day, "title": text.title, "summary": text.summary})
         names = {"address": self.address, "entries": entries, "authors": self.citation["authors"]}
@@ -260,9 +250,9 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
     return text.getvalue()
 
 
-def links_of(editions: Mapping[str, WordedEdition], places: Mapping[str, str], home: str) -> list[Link]:
-    up = "../" if places[home] else ""
-    bases = {release: f"{up}{folder}" for release, folder in places.items()} | {home: ""}
+def links_of(editions: Mapping[str, WordedEdition], home: str) -> list[Link]:
+    up = editions[home].root
+    bases = {release: f"{up}{edition.folder}" for release, edition in editions.items()} | {home: ""}
     return [Link(edition, bases[release], release == home) for release, edition in editions.items()]
 
 
