@@ -56,6 +56,10 @@ class WordedEdition(Edition):
         """Tell where its pages lie below the site."""
         return f"{self.project.results.name}/" if self.root else ""
 
+    def address(self, page: Page) -> str:
+        """Tell where the same page of it lies below the site, or its front where it has no such page."""
+        return self.folder + (page if page in self.pages else config().front).file
+
     @property
     def measured_on(self) -> str:
         """Return the day on which the last of its sections was measured; empty where none was."""
@@ -70,10 +74,9 @@ class WordedEdition(Edition):
         missing = (state for state in self.left_out if state.kind == "missing")
         return [state for state in missing if page in (config().front, outline_of(state.section).page)]
 
-    def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
+    def texts(self, page: Page, templates: Templates, releases: Releases, names: Mapping[str, Any]) -> list[Prose]:
         """Put a page's own texts into words; what can't be said is said as if nothing had been measured."""
         texts = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
-        releases = {link.release: link.edition.uncompared for link in names["releases"]}
         stories = {anchor: _worded(anchor, text, self.story(anchor, releases)) for anchor, text in texts.items()}
         prose: list[Prose] = []
         for anchor, text in texts.items():

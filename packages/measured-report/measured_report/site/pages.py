@@ -21,7 +21,7 @@ from measured_report.pages.editions import WordedChapter, WordedEdition
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.section import Figure, Pictures
-from measured_report.records.identity import sections, sources
+from measured_report.records.identity import sections
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
 from measured_report.site.series import PAGE as SERIES
@@ -70,33 +70,6 @@ class Content:
 
 
 @dataclass(frozen=True)
-class Link:
-    """Lead to a release from the pages of another one, from where its own lie at ``base``."""
-
-    edition: WordedEdition
-    base: str
-    is_shown: bool
-
-    @property
-    def release(self) -> str:
-        return self.edition.project.release
-
-    @property
-    def sections(self) -> dict[str, Mapping[str, Any]]:
-        """Return what other releases can name of its sections."""
-        chapters = self.edition.chapters.values()
-        return {chapter.name: chapter.names for chapter in chapters if self.is_shown or not chapter.compares}
-
-    def address(self, page: Page) -> str:
-        """Return that of the same page of it, or of its front where it has no such page."""
-        return self.base + (page if page in self.edition.pages else config().front).file
-
-    def section(self, name: str) -> str:
-        chapter = self.edition.chapters.get(name)
-        return f"{self.base}{chapter.page.file}#{name}" if chapter else ""
-
-
-@dataclass(frozen=True)
 class Site:
     """Write a site: the pages of ``shown`` are the first; ``editions`` are by release, oldest first."""
 
@@ -105,13 +78,11 @@ class Site:
     editions: Mapping[str, WordedEdition]
     templates: Templates
     address: str  # address that it will have; empty where that is not known
-    citation: Mapping[str, Any]
     cache: DerivedCache
 
     def write(self) -> None:
         """Draw all figures, and write data and pages of all releases, and what is there once."""
-        links = {release: links_of(self.editions, release) for release in self.editions}
-        contents = {release: contents_of(self.editions[release], self.templates, links[release]) for release in links}
+        contents = {release: contents_of(self.editions, release, self.templates) for release in self.editions}
         releases = {release: edition.chapters for release, edition in self.editions.items()}
         if history := series_page(releases, self.templates):
             contents[self.shown].append(Content(SERIES, [history], []))
@@ -123,11 +94,12 @@ class Site:
             origins[results.source] = ", ".join((release, results.record.machine_text, results.record.time_text))
         origins_json = json.dumps(origins, ensure_ascii=False)
         for release, edition in self.editions.items():
-            names = {"contents": contents[release], "links": links[release], "origins": origins_json}
+            names = {"contents": contents[release], "editions": self.editions.values(), "origins": origins_json}
             own_pictures = {anchor: pair for (owner, anchor), pair in pictures.items() if owner == release}
             self._write_pages(edition, own_pictures, names)
         if self.address:  # a feed has whole addresses
-            self._write_feed(contents)
+            names = {"address": self.address, "editions": self.editions, "contents": contents, **citation()}
+            self._write("feed.xml", self.templates.layout("feed.xml.j2", names))
         printed = self._printed()
         for edition in self.editions.values():
             self._write_data(edition, printed)
@@ -151,8 +123,7 @@ class Site:
             "folder": self.editions[self.shown].project.results.name,
             "icon": ICON if icon.is_file() else "",
             "logo": LOGO if (root / LOGO).is_file() else "",
-            "citation": self.citation,
-            "sources": sources(),
+            "citation": citation(),
             **names,
         }
         pages = dict(edition.plugins.pages(self.templates))
@@ -203,15 +174,6 @@ class Site:
         self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
         self._write(".gitkeep", "")
 
-    def _write_feed(self, contents: Mapping[str, Sequence[Content]]) -> None:
-        entries = []
-        for release, (front, *_) in contents.items():
-            text, entry = front.texts[0], {"release": release, "place": self.editions[release].folder}
-            if day := self.editions[release].measured_on:
-                entries.append({**entry, "day": day, "title": text.title, "summary": text.summary})
-        names = {"address": self.address, "entries": entries, "authors": self.citation["authors"]}
-        self._write("feed.xml", self.templates.layout("feed.xml.j2", names))
-
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"
         files: dict[str, Path | bytes] = {f"{folder}{source.name}": source for source in edition.plugins.data}
@@ -250,16 +212,12 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
     return text.getvalue()
 
 
-def links_of(editions: Mapping[str, WordedEdition], home: str) -> list[Link]:
-    up = editions[home].root
-    bases = {release: f"{up}{edition.folder}" for release, edition in editions.items()} | {home: ""}
-    return [Link(edition, bases[release], release == home) for release, edition in editions.items()]
-
-
-def contents_of(edition: WordedEdition, templates: Templates, links: Sequence[Link]) -> list[Content]:
+def contents_of(editions: Mapping[str, WordedEdition], release: str, templates: Templates) -> list[Content]:
     """Put the pages of a release into words; nothing is drawn yet."""
-    names = {"releases": links, "false_alarms": rate_values(edition)}
-    return [Content(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
+    edition, releases = editions[release], {name: side.uncompared for name, side in editions.items()}
+    names = {"false_alarms": rate_values(edition)}
+    texts = {page: edition.texts(page, templates, releases, names) for page in edition.pages}
+    return [Content(page, texts[page], chapters) for page, chapters in edition.pages.items()]
 
 
 def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dict[tuple[str, str], Pictures]:
