@@ -35,6 +35,7 @@ ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 LOGO = "static/logo.svg"
 FIELD = re.compile(r"^(title|license): *(.+)$", re.MULTILINE)
+DrawnFigures = Mapping[tuple[str, str], Pictures]  # by release and id
 AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-names: *(.+)$", re.MULTILINE)
 
 
@@ -95,8 +96,7 @@ class Site:
         origins_json = json.dumps(origins, ensure_ascii=False)
         for release, edition in self.editions.items():
             names = {"contents": contents[release], "editions": self.editions.values(), "origins": origins_json}
-            own_pictures = {anchor: pair for (owner, anchor), pair in pictures.items() if owner == release}
-            self._write_pages(edition, own_pictures, names)
+            self._write_pages(edition, pictures, names)
         if self.address:  # a feed has whole addresses
             names = {"address": self.address, "editions": self.editions, "contents": contents, **citation()}
             self._write("feed.xml", self.templates.layout("feed.xml.j2", names))
@@ -111,7 +111,7 @@ class Site:
         folder = f"{self.editions[self.shown].project.results.name}/"
         return {folder + pointer if pointer.startswith(VALUES_FILE) else pointer for pointer in pointers}
 
-    def _write_pages(self, edition: WordedEdition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]) -> None:
+    def _write_pages(self, edition: WordedEdition, pictures: DrawnFigures, names: Mapping[str, Any]) -> None:
         root, folder, chapters = edition.project.root, edition.folder, edition.chapters.values()
         icon = root / "assets" / ICON
         shared = {
@@ -128,7 +128,7 @@ class Site:
         }
         pages = dict(edition.plugins.pages(self.templates))
         for content in names["contents"]:
-            figures = self._drawn(content, folder, pictures, edition.root)
+            figures = self._drawn(content, edition, pictures)
             cited = dict.fromkeys(mark for prose in content.parts for mark in prose.marks if not mark.startswith("#"))
             marks = {mark: macros().cited(number) for number, mark in enumerate(cited, 1)}
             shown = {**figures, **marks, **_addresses(content, names["contents"], edition)}
@@ -145,20 +145,20 @@ class Site:
         for download in chain.from_iterable(chapter.section.downloads for chapter in chapters):
             self._write(f"{folder}download/{download.name}", download.text)
 
-    def _drawn(self, content: Content, folder: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
+    def _drawn(self, content: Content, edition: WordedEdition, pictures: DrawnFigures) -> dict[str, Markup]:
         """Show the figures of a page by their ids: the first is a part of it, and those behind it are files."""
         drawings: dict[str, Markup] = {}
         has_drawing = False
         for figure in content.figures:
-            drawn = pictures.get(figure.anchor)
+            drawn = pictures.get((edition.project.release, figure.anchor))
             if has_drawing and drawn and all(drawn):
                 address = f"figures/{figure.anchor}"
-                drawings[figure.anchor] = figure.html(drawn, address, root)
+                drawings[figure.anchor] = figure.html(drawn, address, edition.root)
                 for end, picture in zip(("", "-narrow"), drawn, strict=True):
                     svg = macros().drawing_file(picture) if isinstance(picture, Picture) else picture
-                    self._write(f"{folder}{address}{end}.svg", local(svg, self.shown))
+                    self._write(f"{edition.folder}{address}{end}.svg", local(svg, self.shown))
             else:
-                drawings[figure.anchor] = figure.html(drawn, root=root)
+                drawings[figure.anchor] = figure.html(drawn, root=edition.root)
                 has_drawing = has_drawing or bool(drawn and all(drawn))
         return drawings
 
@@ -220,7 +220,7 @@ def contents_of(editions: Mapping[str, WordedEdition], release: str, templates: 
     return [Content(page, texts[page], chapters) for page, chapters in edition.pages.items()]
 
 
-def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dict[tuple[str, str], Pictures]:
+def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> DrawnFigures:
     figures_of = {release: [figure for page in pages for figure in page.figures] for release, pages in contents.items()}
     placed = {(release, figure.anchor): figure for release, figures in figures_of.items() for figure in figures}
     pictures = {key: figure.pictures for key, figure in placed.items() if figure.pictures}
