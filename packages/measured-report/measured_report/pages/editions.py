@@ -178,7 +178,7 @@ def _say(state: State, chapters: Chapters, releases: Releases, templates: Templa
 
 
 def _names_for(section_name: str, section: Section, sections: Mapping[str, Section]) -> dict[str, Callable[..., Any]]:
-    """Find tables and figures of the section ``own`` for its words, say its passages, and which claims hold."""
+    """Find tables and figures of a section for its words, say its passages, and which claims hold."""
 
     def find(name: str, claim: str) -> Claim | None:
         if name not in sections:

@@ -131,12 +131,11 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
 
 def new_figure(width: float = 7.2, height: float = 3.4, **subplots: Any) -> tuple[Drawing, Any]:
     """Make a figure of ``width`` × ``height`` inches and its axes; for a narrow screen panels stand on each other."""
-    rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
-    width = min(width, NARROW_WIDTH) if is_narrow() else width
-    if rows * columns == 1 or not is_narrow():
+    if not is_narrow():
         drawing = _Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
-    drawing = _Drawing(figsize=(width, height * columns))
+    rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
+    drawing = _Drawing(figsize=(min(width, NARROW_WIDTH), height * columns))
     axes = drawing.subplots(**{**subplots, "nrows": rows * columns, "ncols": 1, "squeeze": False})
     for panel in axes[:, 0]:
         panel.tick_params(labelbottom=True)

@@ -151,15 +151,13 @@ class Site:
         has_drawing = False
         for figure in content.figures:
             drawn = pictures.get((edition.project.release, figure.anchor))
-            if has_drawing and drawn and all(drawn):
-                address = f"figures/{figure.anchor}"
-                drawings[figure.anchor] = figure.html(drawn, address, edition.root)
-                for end, picture in zip(("", "-narrow"), drawn, strict=True):
-                    svg = macros().drawing_file(picture) if isinstance(picture, Picture) else picture
-                    self._write(f"{edition.folder}{address}{end}.svg", local(svg, self.shown))
-            else:
-                drawings[figure.anchor] = figure.html(drawn, root=edition.root)
-                has_drawing = has_drawing or bool(drawn and all(drawn))
+            is_whole = bool(drawn and all(drawn))
+            address = f"figures/{figure.anchor}" if has_drawing and is_whole else ""
+            drawings[figure.anchor] = figure.html(drawn, address, edition.root)
+            for end, picture in zip(("", "-narrow"), drawn or (), strict=True) if address else ():
+                svg = macros().drawing_file(picture) if isinstance(picture, Picture) else picture
+                self._write(f"{edition.folder}{address}{end}.svg", local(svg, self.shown))
+            has_drawing |= is_whole
         return drawings
 
     def _write(self, name: str, content: str | bytes | Path) -> None:
