@@ -25,7 +25,7 @@ from measured_report.records import code
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import package_versions
 from measured_report.records.traces import load_trace
-from measured_report.site.pages import Content, contents_of, links_of
+from measured_report.site.pages import Content, contents_of
 from report import sections
 
 wp.config.enable_backward = False  # before kernels are imported, of which gradients are half of what is compiled
@@ -147,7 +147,7 @@ def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
 
 def contents(editions: Mapping[str, Edition], templates: Templates, release: str) -> list[Content]:
     """The pages of one release as they are without a site."""
-    return contents_of(editions[release], templates, links_of(editions, dict.fromkeys(editions, ""), release))
+    return contents_of(editions, release, templates)
 
 
 def undrawn(parts: Sequence[Prose]) -> str:

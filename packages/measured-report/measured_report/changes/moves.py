@@ -11,7 +11,7 @@ from measured_report.files.config import cached_in_report, config
 from measured_report.findings.chapters import Chapter
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
-from measured_report.values.evidence import EDGES, Cells, is_absolute, is_lost
+from measured_report.values.evidence import EDGES, Cells, is_absolute, is_lost, key_of
 from measured_report.values.noise import FALSE_SHARE, ROUNDED_SHARE, Estimate, chance_of, t_quantile, welch
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
@@ -139,6 +139,7 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
     edge_share = max(chapter.results.evidence.edge_share for chapter in (before, after))
     rules, old, new = config().changes, _rows_by_key(before), _rows_by_key(after)
     pairs = list(_means_between(before, after))
+    is_other_card = records[0].card != records[1].card
     moves, mean_cells = [], {(move.place["case"], move.column) for move, *_ in pairs}
     for key in dict.fromkeys((*old, *new)):
         row_key, a, b = dict(key), old.get(key), new.get(key)
@@ -148,11 +149,10 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
                 moves.append(Move("value", *values, section=before.name, place=row_key))
             continue
         # Where repeats of a run end in different classes it is chance which one the row is about.
-        if a.names[0] in edges or any(
+        if key_of(a.plain) in edges or any(
             len(set(row.plain[rules.endings].split(", "))) > 1 for row in (a, b) if rules.endings in row
         ):
             continue
-        is_other_card = a.card != b.card
         for column in _comparable((a.plain, b.plain), records):
             ends = a.plain[column], b.plain[column]
             move = Move(column, *ends, section=before.name, place=row_key, rows=(a, b))

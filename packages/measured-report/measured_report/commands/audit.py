@@ -280,10 +280,8 @@ def _findings(path: Path, arguments: argparse.Namespace) -> list[Finding]:
 
     try:
         audit = Audit(path, source := cache(lambda name: Source((path.parent / name).absolute(), read)))
-        findings, text = (
-            list(audit.suggestions(arguments.suggest) if arguments.suggest else audit.findings()),
-            audit.text,
-        )
+        findings = list(audit.suggestions(arguments.suggest) if arguments.suggest else audit.findings())
+        text = audit.text
         for finding in reversed(findings if arguments.fix or arguments.suggest else ()):
             if finding.replacement:
                 text = text[: finding.start] + finding.replacement + text[finding.end :]

@@ -16,10 +16,8 @@ def run(project: Project, arguments: Arguments) -> int:
         print("\n\n".join(history(releases, Query(value)) for value in config().changes.headlines.values()))
         return 0
     query = query_of(arguments)
-    editions = releases.values()
-    if not any(query.answer(edition) is not None or query.text in query.names(edition) for edition in editions):
-        hint = suggestion(query.text, query.names(releases[project.release]))
-        raise UsageError(f"no edition has {query.text}{hint}")
+    if not any(query.answer(side) is not None or query.text in query.names(side) for side in releases.values()):
+        raise UsageError(f"no edition has {query.text}{suggestion(query.text, query.names(releases[project.release]))}")
     print(history(releases, query))
     return 0
 

@@ -9,7 +9,7 @@ from measured_report.commands.options import SHARED, Arguments, refuse_unmeasure
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
-from measured_report.findings.chapters import Chapter, Chapters
+from measured_report.findings.chapters import Chapter
 from measured_report.findings.editions import Edition, editions_of
 from measured_report.records.columns import changed_parameters, parameters
 from measured_report.values.format import unit_label
@@ -30,7 +30,15 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     chapters = editions[project.release].chapters
     records = {owner.results.source: owner for edition in editions.values() for owner in edition.chapters.values()}
     values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
-    quantity = _quantity(project, chapters, records, values, name)
+    query, package = Query(name), config().edition
+    pointer = name if name.startswith(f"{package}-") else f"{package}-{project.release}/{name}"
+    answers = query.quantity(chapters), values.get(pointer), _cell(records, Pointer(pointer))
+    quantity = next((answer for answer in answers if isinstance(answer, Quantity) and answer.source), None)
+    if quantity is None:
+        fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
+        raise UsageError(
+            f"{fault}; all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
+        )
     lines = [f"{name}: {_text(quantity)}"]
     if isinstance(quantity, Value):
         lines.append(f"  is          {quantity.formula}")
@@ -55,18 +63,6 @@ def _printed(project: Project, source: str) -> Iterator[str]:
             anchor = match[1] or anchor
             if match[2] and local(source, release) in match[2].split():
                 yield f"{path.name}#{anchor}"
-
-
-def _quantity(
-    project: Project, chapters: Chapters, records: Mapping[str, Chapter], values: Mapping[str, Value], name: str
-) -> Quantity:
-    query, package = Query(name), config().edition
-    pointer = name if name.startswith(f"{package}-") else f"{package}-{project.release}/{name}"
-    for quantity in (query.quantity(chapters), values.get(pointer), _cell(records, Pointer(pointer))):
-        if isinstance(quantity, Quantity) and quantity.source:
-            return quantity
-    fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
-    raise UsageError(f"{fault}; all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN")
 
 
 def _cell(records: Mapping[str, Chapter], pointer: Pointer) -> Quantity | None:

@@ -39,10 +39,12 @@ class Edition:
         compared = filter(lambda chapter: chapter.compares, self.chapters.values())
         return {**self.chapters, **{chapter.name: replace(chapter, section=Section()) for chapter in compared}}
 
-    def with_chapters(self: Some, states: Iterable[State], make: Callable[[State, Chapters], Chapter]) -> Some:
-        """Return the same with what ``make`` makes of some sections, in turn; one that it can't is left out."""
+    def with_chapters(
+        self: Some, make: Callable[[State, Chapters], Chapter], states: Iterable[State] | None = None
+    ) -> Some:
+        """Return the same with what ``make`` makes of sections, its own or others; one that it can't is left out."""
         chapters, left_out = dict(self.chapters), list(self.left_out)
-        for state in states:
+        for state in [chapter.state for chapter in self.chapters.values()] if states is None else states:
             try:
                 chapters[state.section] = make(state, chapters)
             except Exception as error:
@@ -121,7 +123,7 @@ def derive_edition(project: Project, cache: DerivedCache | None = None) -> Editi
         return edition.derive(state, results, chapters)
 
     measured = sorted(filter(lambda state: state.record, states), key=lambda state: outline_of(state.section).order)
-    return edition.with_chapters(measured, derive)
+    return edition.with_chapters(derive, measured)
 
 
 def _compared(edition: Edition, releases: Releases) -> Edition:
@@ -129,7 +131,7 @@ def _compared(edition: Edition, releases: Releases) -> Edition:
     def derive(state: State, chapters: Chapters) -> Chapter:
         return edition.derive(state, chapters[state.section].results, before(state.section, chapters), releases)
 
-    return edition.with_chapters([chapter.state for chapter in edition.chapters.values() if chapter.compares], derive)
+    return edition.with_chapters(derive, [chapter.state for chapter in edition.chapters.values() if chapter.compares])
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:

@@ -12,7 +12,6 @@ from measured_report.files.errors import ReportError
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.sections import outline_of
 from measured_report.measuring.accelerator import accelerator
-from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
@@ -35,13 +34,14 @@ class Measurements:
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims say by how many measurements they are decided, where there are several."""
         count = self.evidence[name].count if name in self.evidence else 1
-        text = f"by {count} measurements{self.kinds.get(name, '')}" if count > 1 else ""
-        return replace(section, claims=[replace(claim, confirmed=_decided_by(claim, text)) for claim in section.claims])
-
-
-def _decided_by(claim: Claim, text: str) -> str:
-    has_traces = any(".csv.gz" in pointer for pointer in claim.outcome.reads)  # which replicas lack
-    return "" if has_traces or claim.outcome.name == "unknown" else text
+        if count < 2:
+            return section
+        text, claims = f"by {count} measurements{self.kinds.get(name, '')}", []
+        for claim in section.claims:
+            has_traces = any(".csv.gz" in pointer for pointer in claim.outcome.reads)  # which replicas lack
+            is_decided = claim.outcome.name != "unknown" and not has_traces
+            claims.append(replace(claim, confirmed=text) if is_decided else claim)
+        return replace(section, claims=claims)
 
 
 def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> Measurements:

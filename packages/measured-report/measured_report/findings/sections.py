@@ -19,10 +19,10 @@ SAYINGS = ("order", "page", "first", "label", "labels", "reads")  # what a modul
 
 @dataclass(frozen=True)
 class Outline:
-    """Hold what a section's module, below ``root``, says of itself, known without running it."""
+    """Hold what a section's module, or folder of modules, says of itself, known without running it."""
 
     file: Path
-    root: Path
+    source: str
     order: int  # place on its page; sections can read those of a lower one
     page: Page  # the page that it names, or else the first that takes sections
     compares: bool
@@ -33,19 +33,13 @@ class Outline:
     labels: Mapping[str, str]  # what they call its cases; `label_of` reads it
     reads: tuple[str, ...]  # sections before it whose results it reads as well
 
-    @property
-    def source(self) -> str:
-        """Name the module, or the folder of modules, to people."""
-        return self.file.relative_to(self.root).as_posix().removesuffix("__init__.py")
-
 
 def outline_of(section: str) -> Outline:
     """Read what a section's module says; ReportError, one line, where that is not what it must be, or there is none."""
     file = file_of("report.sections", section)
     if file is None:
         raise ReportError(f"there is no report/sections/{section}.py, nor a folder of that name")
-    root = file.parents[3 if file.name == "__init__.py" else 2]
-    name = file.relative_to(root).as_posix()
+    name = file.relative_to(file.parents[3 if file.name == "__init__.py" else 2]).as_posix()
     says = files().source(file, name).top
     if worked_out := [name for name in SAYINGS if says.get(name) == WORKED_OUT]:
         raise ReportError(f"{name}: {worked_out[0]} is read without running it: write it out, and work nothing out")
@@ -62,7 +56,8 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f'{name}: labels is a dict, as {{"case": "words"}}, and reads a tuple, as ("noise",)')
     if unknown := [read for read in reads if not file_of("report.sections", read)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
-    return Outline(file, root, says["order"], pages[page], says["derive"] > 1, first, label, labels, tuple(reads))
+    source, compares = name.removesuffix("__init__.py"), says["derive"] > 1
+    return Outline(file, source, says["order"], pages[page], compares, first, label, labels, tuple(reads))
 
 
 @dataclass(frozen=True)

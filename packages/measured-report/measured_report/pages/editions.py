@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from typing import Any
 
 from markupsafe import Markup
@@ -52,6 +52,15 @@ class WordedEdition(Edition):
         return {page: members for page, members in by_page.items() if members or page == config().front}
 
     @property
+    def folder(self) -> str:
+        """Tell where its pages lie below the site."""
+        return f"{self.project.results.name}/" if self.root else ""
+
+    def address(self, page: Page) -> str:
+        """Tell where the same page of it lies below the site, or its front where it has no such page."""
+        return self.folder + (page if page in self.pages else config().front).file
+
+    @property
     def measured_on(self) -> str:
         """Return the day on which the last of its sections was measured; empty where none was."""
         return max((each.results.record.measured["date"][:10] for each in self.chapters.values()), default="")
@@ -65,10 +74,9 @@ class WordedEdition(Edition):
         missing = (state for state in self.left_out if state.kind == "missing")
         return [state for state in missing if page in (config().front, outline_of(state.section).page)]
 
-    def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
+    def texts(self, page: Page, templates: Templates, releases: Releases, names: Mapping[str, Any]) -> list[Prose]:
         """Put a page's own texts into words; what can't be said is said as if nothing had been measured."""
         texts = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
-        releases = {link.release: link.edition.uncompared for link in names["releases"]}
         stories = {anchor: _worded(anchor, text, self.story(anchor, releases)) for anchor, text in texts.items()}
         prose: list[Prose] = []
         for anchor, text in texts.items():
@@ -115,20 +123,14 @@ class _Names(dict[str, Mapping[str, Any]]):
         return dict.fromkeys(("claim", "table", "figure", "download"), lambda thing: Markup(""))
 
 
-def worded_editions(
-    project: Project, templates: Templates, derived: DerivedCache | None = None
-) -> dict[str, WordedEdition]:
+def worded_editions(project: Project, templates: Templates, derived: DerivedCache) -> dict[str, WordedEdition]:
     """Derive what the results of every release make, oldest first, and put it into words."""
     editions = {release: give_words(edition, templates) for release, edition in editions_of(project, derived).items()}
-    releases, results = {release: edition.chapters for release, edition in editions.items()}, {}
-
-    def say(state: State, chapters: Chapters) -> WordedChapter:
-        return _say(chapters[state.section], chapters, releases, templates)
-
-    for release, edition in editions.items():
-        worded = WordedEdition(**vars(edition), root="" if release == project.release else "../")
-        results[release] = worded.with_chapters([chapter.state for chapter in edition.chapters.values()], say)
-    return results
+    releases = {release: edition.chapters for release, edition in editions.items()}
+    say = partial(_say, releases=releases, templates=templates)
+    roots = {release: "" if release == project.release else "../" for release in editions}
+    worded = {release: WordedEdition(**vars(edition), root=roots[release]) for release, edition in editions.items()}
+    return {release: edition.with_chapters(say) for release, edition in worded.items()}
 
 
 def give_words(edition: Edition, templates: Templates) -> Edition:
@@ -138,7 +140,7 @@ def give_words(edition: Edition, templates: Templates) -> Edition:
         chapter, text = chapters[state.section], templates.text(f"sections/{state.section}.md.j2")
         return replace(chapter, section=chapter.section.worded(chapter.name, text.name, text.words))
 
-    return edition.with_chapters([chapter.state for chapter in edition.chapters.values()], worded)
+    return edition.with_chapters(worded)
 
 
 def sentences_of(project: Project) -> Callable[[str, Claim], str]:
@@ -153,10 +155,11 @@ def sentences_of(project: Project) -> Callable[[str, Claim], str]:
     return say
 
 
-def _say(chapter: Chapter, chapters: Chapters, releases: Releases, templates: Templates) -> WordedChapter:
+def _say(state: State, chapters: Chapters, releases: Releases, templates: Templates) -> WordedChapter:
     """Put a section into words, which may rest on claims of others; its tables may show what other releases say."""
+    chapter, name = chapters[state.section], state.section
     # Its passages may rest on what stands before it; what compares releases sees all.
-    name, chapters_before = chapter.name, chapters if chapter.compares else before(chapter.name, chapters)
+    chapters_before = chapters if chapter.compares else before(name, chapters)
     text, tables = templates.text(f"sections/{chapter.name}.md.j2"), chapter.section.tables
     tables = {key: table.of(releases) if hasattr(table, "of") else table for key, table in tables.items()}
     section = replace(chapter.section, tables=tables)
@@ -175,7 +178,7 @@ def _say(chapter: Chapter, chapters: Chapters, releases: Releases, templates: Te
 
 
 def _names_for(section_name: str, section: Section, sections: Mapping[str, Section]) -> dict[str, Callable[..., Any]]:
-    """Find tables and figures of the section ``own`` for its words, say its passages, and which claims hold."""
+    """Find tables and figures of a section for its words, say its passages, and which claims hold."""
 
     def find(name: str, claim: str) -> Claim | None:
         if name not in sections:

@@ -45,19 +45,15 @@ def references(templates: Path) -> Mapping[str, Reference]:
     path = templates / NAME  # which need not be there
     try:
         tables = read_toml(path) if path.is_file() else {}
-    except ValueError as error:
+        addresses = tables.pop("packages", {})
+        by_name = {name: Reference(**fields) for name, fields in tables.items()}
+    except (ValueError, TypeError) as error:
         raise ReportError(f"templates/{NAME}: {error}") from None
-    addresses, by_name = tables.pop("packages", {}), {}
-    for name, fields in tables.items():
-        try:
-            reference = Reference(**fields)
-        except TypeError as error:
-            raise ReportError(f"templates/{NAME}: {error}") from None
+    for name, reference in by_name.items():
         if all((reference.package in addresses, reference.version, reference.file, reference.line, reference.excerpt)):
-            reference = replace(reference, url=addresses[reference.package].format(**fields))
+            by_name[name] = reference = replace(reference, url=addresses[reference.package].format(**tables[name]))
         if not reference.url:
             raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file, line and excerpt")
-        by_name[name] = reference
     return by_name
 
 

@@ -8,7 +8,7 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from contextvars import ContextVar, copy_context
 from dataclasses import dataclass, field
-from functools import cache, partial
+from functools import cache
 from typing import Any
 
 import matplotlib
@@ -82,12 +82,8 @@ OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 class Screen:
     """Tells for what a figure is drawn, and of its numbers, as they are written, where each is from, in their order."""
 
-    kind: str = "broad"
+    kind: str = "broad"  # or `narrow`
     sources: defaultdict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
-
-    @property
-    def is_narrow(self) -> bool:
-        return self.kind == "narrow"
 
 
 _screen = ContextVar("screen", default=Screen())  # noqa: B039, of what is drawn for no page
@@ -135,12 +131,11 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
 
 def new_figure(width: float = 7.2, height: float = 3.4, **subplots: Any) -> tuple[Drawing, Any]:
     """Make a figure of ``width`` × ``height`` inches and its axes; for a narrow screen panels stand on each other."""
-    rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
-    width = min(width, NARROW_WIDTH) if is_narrow() else width
-    if rows * columns == 1 or not is_narrow():
+    if not is_narrow():
         drawing = _Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
-    drawing = _Drawing(figsize=(width, height * columns))
+    rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
+    drawing = _Drawing(figsize=(min(width, NARROW_WIDTH), height * columns))
     axes = drawing.subplots(**{**subplots, "nrows": rows * columns, "ncols": 1, "squeeze": False})
     for panel in axes[:, 0]:
         panel.tick_params(labelbottom=True)
@@ -154,7 +149,7 @@ def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) ->
 
 
 def is_narrow() -> bool:
-    return _screen.get().is_narrow
+    return _screen.get().kind == "narrow"
 
 
 class _Drawing(Drawing):
@@ -209,9 +204,9 @@ def _picture(draw: Callable[[], Drawing], screen: Screen, name: str) -> Picture:
     _screen.set(screen)
     with style.context(["default", {**STYLE, "svg.hashsalt": name}]):  # the user's own counts for nothing
         drawing = _trimmed(draw())
-        if screen.is_narrow:
+        if is_narrow():
             _fit_narrow(drawing)
-        return _svg(drawing, screen, f"narrow-{name}" if screen.is_narrow else name)
+        return _svg(drawing, screen, f"narrow-{name}" if is_narrow() else name)
 
 
 class _Vectors(RendererSVG):
@@ -310,9 +305,12 @@ class _Links:
         return f'<text data-src="{escape(" ".join(pointers))}"{opening[5:]}>{text}</text>' if pointers else element
 
 
-def _scales(axes: Axes) -> Sequence[Callable[[float], str]]:
-    """Return what tells a place on each axis: a name of its ticks, or else a number with what it, or another, is of."""
-    scales = []
+Scale = tuple[Mapping[float, str], str, str]  # the names of an axis's ticks, and what its numbers are of, with the unit
+
+
+def _scales(axes: Axes) -> list[Scale]:
+    """Return what each axis is of; where it does not say, what another is."""
+    scales: list[Scale] = []
     for axis in (axes.xaxis, axes.yaxis):
         labels = (tick.get_text() for tick in axis.get_majorticklabels())
         names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
@@ -320,16 +318,14 @@ def _scales(axes: Axes) -> Sequence[Callable[[float], str]]:
         above = getattr(axes.figure, f"get_sup{axis.axis_name}label")()
         called = next(filter(None, titles), above).removesuffix("]").partition("[")
         is_named = all(any(map(str.isalpha, name)) for name in names.values())
-        scales.append(partial(_reading, names if is_named else {}, *called[::2]))
+        scales.append((names if is_named else {}, called[0], called[2]))
     return scales
 
 
-def _reading(names: Mapping[float, str], label: str, unit: str, value: float) -> str:
-    nearest = min(names, key=lambda tick: abs(tick - value), default=None)
-    return f"{label} {value:.4g} {unit}".strip() if nearest is None else names[nearest]
-
-
-def _title(axes: Axes, scales: Sequence[Callable[[float], str]], mark: re.Match[str]) -> Markup:
-    point = float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])
-    values = axes.transData.inverted().transform(point)
-    return escape(" ".join(", ".join(say(value) for say, value in zip(scales, values, strict=True)).split()))
+def _title(axes: Axes, scales: Sequence[Scale], mark: re.Match[str]) -> Markup:
+    """Say where a mark stands: by the nearest of the names of an axis, or else by the number there."""
+    point, readings = (float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])), []
+    for value, (names, label, unit) in zip(axes.transData.inverted().transform(point), scales, strict=True):
+        nearest = min(names, key=lambda tick: abs(tick - value), default=None)
+        readings.append(f"{label} {value:.4g} {unit}".strip() if nearest is None else names[nearest])
+    return escape(" ".join(", ".join(readings).split()))

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
@@ -44,18 +44,22 @@ class Table:
         """Return the same as HTML: one unit a column, numbers aligned at their points, a mark for what there is not."""
         if isinstance(self.frame, Markup):
             return self
-        frame, columns = self.frame, [_column(name, self.frame[name]) for name in self.frame]
+        frame, columns = self.frame, [_Column(name, self.frame[name]) for name in self.frame]
         lines = zip(frame.index, frame.astype(object).to_numpy(), strict=True)
         rows = ((name, [column.cell(cell) for column, cell in zip(columns, line, strict=True)]) for name, line in lines)
         return replace(self, frame=macros().table(frame.index.name or "", columns, rows))
 
 
-class _Column(NamedTuple):
-    name: str
-    has_numbers: bool
-    unit: str
-    places: int  # the most digits behind a point
-    label: str  # its unit as the head of the table says it
+class _Column:
+    def __init__(self, name: str, cells: "pd.Series"):
+        numbers = [cell for cell in cells if isinstance(cell, Quantity)]
+        units = {cell.unit for cell in numbers}
+        if clash := unlike(sorted(units)):
+            raise ResultsError(f"the column {name} of a table has {' and '.join(clash)}: give it one unit")
+        self.name, self.has_numbers = name, bool(numbers)
+        self.unit = units.pop() if len(units) == 1 else ""
+        self.label = unit_label(self.unit or PLAIN)
+        self.places = max(map(_place_count, numbers), default=0)  # the most digits behind a point
 
     def cell(self, value: Any) -> tuple["_Column", Any, str]:
         """Return the column, the text of a cell, and what fills it for its point to stand below the others."""
@@ -71,15 +75,6 @@ class _Column(NamedTuple):
         if isinstance(value, int | float) and not is_missing:
             raise ResultsError(f"the number {value} in a table says nothing of where it comes from")
         return self, ABSENT if is_missing else value, ""
-
-
-def _column(name: str, cells: "pd.Series") -> _Column:
-    numbers = [cell for cell in cells if isinstance(cell, Quantity)]
-    units = {cell.unit for cell in numbers}
-    if clash := unlike(sorted(units)):
-        raise ResultsError(f"the column {name} of a table has {' and '.join(clash)}: give it one unit")
-    unit, places = units.pop() if len(units) == 1 else "", max(map(_place_count, numbers), default=0)
-    return _Column(name, bool(numbers), unit, places, unit_label(unit or "1"))
 
 
 def _place_count(number: Quantity) -> int:

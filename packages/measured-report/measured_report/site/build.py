@@ -19,7 +19,7 @@ from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions, sections, sources
 from measured_report.records.record import BYTE_LIMIT
 from measured_report.records.replicas import SUMS
-from measured_report.site.pages import Site, citation
+from measured_report.site.pages import Site
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)  # files that the site is made from, besides the folders
 BUILT = "site"  # what is kept of the last build
@@ -49,7 +49,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             derived, templates = DerivedCache(project.root), Templates(project.templates)
             editions = worded_editions(project, templates, derived)
             refuse_unknown_names(editions, editions.get(project.own_release or project.release))
-            Site(fresh, project.release, editions, templates, address, citation(), derived).write()
+            Site(fresh, project.release, editions, templates, address, derived).write()
             (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
         replace(project.site, fresh)
         built = {}

@@ -14,17 +14,8 @@ from measured_report.findings.sections import labels_of
 from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.evidence import Evidence, Repeated, evidence_of, repeats_of
-from measured_report.values.format import (
-    format_code,
-    format_least,
-    format_most,
-    format_number,
-    format_short,
-    label_of,
-    number_pattern,
-    read_number,
-)
-from measured_report.values.quantities import LEAST, MOST, VALUES_FILE
+from measured_report.values.format import WRITES, format_code, format_short, label_of, number_pattern, read_number
+from measured_report.values.quantities import VALUES_FILE
 
 SCRIPT = "page.js"  # the one script that pages run: the project's own, beside them
 FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "action", "formaction", "ping", "manifest"}
@@ -54,13 +45,9 @@ class PageReader(HTMLParser):
         self.ids = [value for _, name, value in attributes if name == "id"]
         self.links = [value for tag, name, value in attributes if (tag, name) == ("a", "href")]
         self.fetched = [value for _, name, value in attributes if name in FETCHING]
-        self.fetched += [
-            element.attributes["href"]
-            for element in self.elements
-            if "href" in element.attributes
-            and element.tag != "a"
-            and element.attributes.get("rel") not in ("canonical", "alternate")
-        ]
+        tags = [element.attributes for element in self.elements if element.tag != "a"]
+        links = [tag for tag in tags if tag.get("rel") not in ("canonical", "alternate")]
+        self.fetched += [link["href"] for link in links if "href" in link]
         styles = [value for _, name, value in attributes if name == "style"]
         self.styles = "".join([*styles, *(element.text for element in self.of("style"))])
         self.scripts = [element.tag for element in self.elements if _is_active(element)]
@@ -100,7 +87,6 @@ def _is_active(element: Element) -> bool:
     return bool(attributes) and not (is_file and not element.text.strip())
 
 
-WRITES = {"": format_number, MOST: format_most, LEAST: format_least}  # by how a page says that a number is written
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
 RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 

@@ -6,7 +6,6 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -22,7 +21,7 @@ from measured_report.pages.editions import WordedChapter, WordedEdition
 from measured_report.pages.prose import LAYOUT, Prose, Templates, stylesheet
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.section import Figure, Pictures
-from measured_report.records.identity import sections, sources
+from measured_report.records.identity import sections
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
 from measured_report.site.series import PAGE as SERIES
@@ -36,6 +35,7 @@ ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 LOGO = "static/logo.svg"
 FIELD = re.compile(r"^(title|license): *(.+)$", re.MULTILINE)
+DrawnFigures = Mapping[tuple[str, str], Pictures]  # by release and id
 AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-names: *(.+)$", re.MULTILINE)
 
 
@@ -71,33 +71,6 @@ class Content:
 
 
 @dataclass(frozen=True)
-class Link:
-    """Lead to a release from the pages of another one, from where its own lie at ``base``."""
-
-    edition: WordedEdition
-    base: str
-    is_shown: bool
-
-    @property
-    def release(self) -> str:
-        return self.edition.project.release
-
-    @property
-    def sections(self) -> dict[str, Mapping[str, Any]]:
-        """Return what other releases can name of its sections."""
-        chapters = self.edition.chapters.values()
-        return {chapter.name: chapter.names for chapter in chapters if self.is_shown or not chapter.compares}
-
-    def address(self, page: Page) -> str:
-        """Return that of the same page of it, or of its front where it has no such page."""
-        return self.base + (page if page in self.edition.pages else config().front).file
-
-    def section(self, name: str) -> str:
-        chapter = self.edition.chapters.get(name)
-        return f"{self.base}{chapter.page.file}#{name}" if chapter else ""
-
-
-@dataclass(frozen=True)
 class Site:
     """Write a site: the pages of ``shown`` are the first; ``editions`` are by release, oldest first."""
 
@@ -106,20 +79,11 @@ class Site:
     editions: Mapping[str, WordedEdition]
     templates: Templates
     address: str  # address that it will have; empty where that is not known
-    citation: Mapping[str, Any]
     cache: DerivedCache
-
-    @cached_property
-    def places(self) -> dict[str, str]:
-        """Tell where the pages of each release lie below the site."""
-        folders = {release: f"{edition.project.results.name}/" for release, edition in self.editions.items()}
-        return {**folders, self.shown: ""}
 
     def write(self) -> None:
         """Draw all figures, and write data and pages of all releases, and what is there once."""
-        places = self.places
-        links = {release: links_of(self.editions, places, release) for release in places}
-        contents = {release: contents_of(self.editions[release], self.templates, links[release]) for release in places}
+        contents = {release: contents_of(self.editions, release, self.templates) for release in self.editions}
         releases = {release: edition.chapters for release, edition in self.editions.items()}
         if history := series_page(releases, self.templates):
             contents[self.shown].append(Content(SERIES, [history], []))
@@ -131,11 +95,11 @@ class Site:
             origins[results.source] = ", ".join((release, results.record.machine_text, results.record.time_text))
         origins_json = json.dumps(origins, ensure_ascii=False)
         for release, edition in self.editions.items():
-            names = {"contents": contents[release], "links": links[release], "origins": origins_json}
-            own_pictures = {anchor: pair for (owner, anchor), pair in pictures.items() if owner == release}
-            self._write_pages(places[release], edition, own_pictures, names)
+            names = {"contents": contents[release], "editions": self.editions.values(), "origins": origins_json}
+            self._write_pages(edition, pictures, names)
         if self.address:  # a feed has whole addresses
-            self._write_feed(contents)
+            names = {"address": self.address, "editions": self.editions, "contents": contents, **citation()}
+            self._write("feed.xml", self.templates.layout("feed.xml.j2", names))
         printed = self._printed()
         for edition in self.editions.values():
             self._write_data(edition, printed)
@@ -147,10 +111,8 @@ class Site:
         folder = f"{self.editions[self.shown].project.results.name}/"
         return {folder + pointer if pointer.startswith(VALUES_FILE) else pointer for pointer in pointers}
 
-    def _write_pages(
-        self, folder: str, edition: WordedEdition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]
-    ) -> None:
-        root, chapters = edition.project.root, edition.chapters.values()
+    def _write_pages(self, edition: WordedEdition, pictures: DrawnFigures, names: Mapping[str, Any]) -> None:
+        root, folder, chapters = edition.project.root, edition.folder, edition.chapters.values()
         icon = root / "assets" / ICON
         shared = {
             "edition": edition,
@@ -161,13 +123,12 @@ class Site:
             "folder": self.editions[self.shown].project.results.name,
             "icon": ICON if icon.is_file() else "",
             "logo": LOGO if (root / LOGO).is_file() else "",
-            "citation": self.citation,
-            "sources": sources(),
+            "citation": citation(),
             **names,
         }
         pages = dict(edition.plugins.pages(self.templates))
         for content in names["contents"]:
-            figures = self._drawn(content, folder, pictures, edition.root)
+            figures = self._drawn(content, edition, pictures)
             cited = dict.fromkeys(mark for prose in content.parts for mark in prose.marks if not mark.startswith("#"))
             marks = {mark: macros().cited(number) for number, mark in enumerate(cited, 1)}
             shown = {**figures, **marks, **_addresses(content, names["contents"], edition)}
@@ -184,21 +145,19 @@ class Site:
         for download in chain.from_iterable(chapter.section.downloads for chapter in chapters):
             self._write(f"{folder}download/{download.name}", download.text)
 
-    def _drawn(self, content: Content, folder: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
+    def _drawn(self, content: Content, edition: WordedEdition, pictures: DrawnFigures) -> dict[str, Markup]:
         """Show the figures of a page by their ids: the first is a part of it, and those behind it are files."""
         drawings: dict[str, Markup] = {}
         has_drawing = False
         for figure in content.figures:
-            drawn = pictures.get(figure.anchor)
-            if has_drawing and drawn and all(drawn):
-                address = f"figures/{figure.anchor}"
-                drawings[figure.anchor] = figure.html(drawn, address, root)
-                for end, picture in zip(("", "-narrow"), drawn, strict=True):
-                    svg = macros().drawing_file(picture) if isinstance(picture, Picture) else picture
-                    self._write(f"{folder}{address}{end}.svg", local(svg, self.shown))
-            else:
-                drawings[figure.anchor] = figure.html(drawn, root=root)
-                has_drawing = has_drawing or bool(drawn and all(drawn))
+            drawn = pictures.get((edition.project.release, figure.anchor))
+            is_whole = bool(drawn and all(drawn))
+            address = f"figures/{figure.anchor}" if has_drawing and is_whole else ""
+            drawings[figure.anchor] = figure.html(drawn, address, edition.root)
+            for end, picture in zip(("", "-narrow"), drawn or (), strict=True) if address else ():
+                svg = macros().drawing_file(picture) if isinstance(picture, Picture) else picture
+                self._write(f"{edition.folder}{address}{end}.svg", local(svg, self.shown))
+            has_drawing |= is_whole
         return drawings
 
     def _write(self, name: str, content: str | bytes | Path) -> None:
@@ -212,15 +171,6 @@ class Site:
             self._write("license.txt", report().root / "LICENSE")
         self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
         self._write(".gitkeep", "")
-
-    def _write_feed(self, contents: Mapping[str, Sequence[Content]]) -> None:
-        entries = []
-        for release, (front, *_) in contents.items():
-            text, entry = front.texts[0], {"release": release, "place": self.places[release]}
-            if day := self.editions[release].measured_on:
-                entries.append({**entry, "day": day, "title": text.title, "summary": text.summary})
-        names = {"address": self.address, "entries": entries, "authors": self.citation["authors"]}
-        self._write("feed.xml", self.templates.layout("feed.xml.j2", names))
 
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"
@@ -260,19 +210,15 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
     return text.getvalue()
 
 
-def links_of(editions: Mapping[str, WordedEdition], places: Mapping[str, str], home: str) -> list[Link]:
-    up = "../" if places[home] else ""
-    bases = {release: f"{up}{folder}" for release, folder in places.items()} | {home: ""}
-    return [Link(edition, bases[release], release == home) for release, edition in editions.items()]
-
-
-def contents_of(edition: WordedEdition, templates: Templates, links: Sequence[Link]) -> list[Content]:
+def contents_of(editions: Mapping[str, WordedEdition], release: str, templates: Templates) -> list[Content]:
     """Put the pages of a release into words; nothing is drawn yet."""
-    names = {"releases": links, "false_alarms": rate_values(edition)}
-    return [Content(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
+    edition, releases = editions[release], {name: side.uncompared for name, side in editions.items()}
+    names = {"false_alarms": rate_values(edition)}
+    texts = {page: edition.texts(page, templates, releases, names) for page in edition.pages}
+    return [Content(page, texts[page], chapters) for page, chapters in edition.pages.items()]
 
 
-def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> dict[tuple[str, str], Pictures]:
+def _draw(contents: Mapping[str, Sequence[Content]], cache: DerivedCache) -> DrawnFigures:
     figures_of = {release: [figure for page in pages for figure in page.figures] for release, pages in contents.items()}
     placed = {(release, figure.anchor): figure for release, figures in figures_of.items() for figure in figures}
     pictures = {key: figure.pictures for key, figure in placed.items() if figure.pictures}

@@ -10,27 +10,14 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
-from statistics import fmean, median
-from typing import TYPE_CHECKING, Any, NamedTuple
+from statistics import NormalDist, fmean, median
+from typing import Any, NamedTuple
 
 from measured_report.files.config import cached_in_report, config
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of, is_number
 from measured_report.records.record import Record
-from measured_report.values.noise import (
-    NORMAL,
-    ROUNDED_SHARE,
-    Estimate,
-    Z,
-    binomial_noise,
-    discoveries,
-    fenced,
-    variance_of,
-)
-
-if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
-    import numpy as np
+from measured_report.values.noise import ROUNDED_SHARE, Estimate, Z, binomial_noise, discoveries, fenced, variance_of
 
 REPEATED_SHARE = 1e-3  # chosen: what repeats to the last bit here may round otherwise elsewhere, by this share
 EDGES = ("_p5", "_p95")  # ends of columns that say how far the numbers spread of which a column has the median
@@ -68,11 +55,6 @@ def engine_of(row: Cells) -> Key:
     return tuple(row.get(name) for name in config().repeating)
 
 
-def names_of(row: Cells) -> tuple[Key, Key]:
-    """Return what tells a row from others, and its engine."""
-    return key_of(row), engine_of(row)
-
-
 class Repeats(NamedTuple):
     """Hold what runs of one case, of one measurement, say of a column."""
 
@@ -106,27 +88,19 @@ def repeats_of(rows: Iterable[Cells]) -> Repeated:
     return repeats
 
 
-@dataclass(frozen=True)
-class Column:
-    """Holds the numbers of a column in all measurements, an array by row and measurement, and how each scatters."""
+class Cell(NamedTuple):
+    """Hold a number of a row in all measurements, NaN where there is none, and how it scatters."""
 
-    places: Mapping[Key, int]
-    samples: "np.ndarray"
-    variances: "np.ndarray"
-    freedoms: "np.ndarray"
-    counts: "np.ndarray"  # measurements, or cards, that a row's mean is of
+    samples: list[float]
+    scale: float = 1.0  # what its deviation would be if runs alone were apart; 1 where nobody knows
+    variance: float = 0.0
+    freedom: float = math.inf
+    mean_count: float = 1.0  # measurements, or cards, that the mean is of
     is_of_cards: bool = False  # set where it has the part that cards of one kind have
 
-    @cached_property
-    def lines(self) -> list[tuple[list[float], float, float, float]]:
-        """Return of each row its samples and how they scatter."""
-        arrays = self.samples, self.variances, self.freedoms, self.counts
-        return list(zip(*(array.tolist() for array in arrays), strict=True))
-
-    def estimate(self, key: Key, value: float | int, is_edge: bool) -> Estimate:
-        """Return what is known of the number of a row, which is ``value`` where it is shown."""
-        numbers, variance, freedom, count = self.lines[self.places[key]]
-        samples = [number if number == number else None for number in numbers]
+    def estimate(self, value: float | int, is_edge: bool) -> Estimate:
+        """Return what is known of the number, which is ``value`` where it is shown."""
+        samples = [number if number == number else None for number in self.samples]
         present = [number for number in samples if number is not None]
         least, largest = min(present), max(present)
         if is_edge and least < largest:
@@ -134,9 +108,12 @@ class Column:
             return Estimate(middle, least=max(largest - middle, middle - least), samples=samples, is_edge=True)
         if least < largest:
             value = fmean(present)
-        elif isinstance(value, int) or not value:  # a count, or nothing at all, of which all say the same
-            variance = 0.0
-        return Estimate(value, variance, freedom, count, 0.0, samples, self.is_of_cards, is_again=True)
+        # A count, or nothing at all, of which all say the same, has none.
+        variance = self.variance if least < largest or (isinstance(value, float) and value) else 0.0
+        return Estimate(value, variance, self.freedom, self.mean_count, 0.0, samples, self.is_of_cards, is_again=True)
+
+
+Group = Mapping[Key, Cell]  # the numbers of a column, of one engine, by row
 
 
 @dataclass(frozen=True)
@@ -144,7 +121,7 @@ class Evidence:
     """Holds what all measurements of a section say of its numbers."""
 
     count: int = 1
-    columns: Mapping[Key, Column] = field(default_factory=dict)
+    groups: Mapping[Key, Group] = field(default_factory=dict)
     """By column and engine, those of which there is more than one measurement."""
     repeats: Repeated = field(default_factory=dict)  # runs of one case, of the section on noise
     edges: frozenset[Key] = frozenset()  # rows that end in one of two ways, by chance
@@ -152,9 +129,9 @@ class Evidence:
     changed: Sequence[tuple[int, int]] = ()
     """How many numbers each measurement has, and how many of them changed against all other measurements."""
 
-    def estimate(self, column: str, row: Cells, names: tuple[Key, Key] | None = None) -> Estimate | None:
-        """Return what is known of a number in ``row``, which has such names; None where nobody knows its scatter."""
-        value, about, (key, engine) = row[column], column_of(column), names or names_of(row)
+    def estimate(self, column: str, row: Cells) -> Estimate | None:
+        """Return what is known of a number in ``row``; None where nobody knows its scatter."""
+        value, about, key = row[column], column_of(column), key_of(row)
         if value is None:
             return None
         if trials := row.get(about.trials):
@@ -164,9 +141,8 @@ class Evidence:
             return Estimate(value, (scale * binomial_noise(value / scale, trials) / Z) ** 2, samples=(value,))
         if about.is_exact:
             return Estimate(value)
-        measured = self.columns.get((column, *engine))
-        if measured and key in measured.places:
-            return measured.estimate(key, value, key in self.edges)
+        if cell := self.groups.get((column, *engine_of(row)), {}).get(key):
+            return cell.estimate(value, key in self.edges)
         if isinstance(value, int):
             return Estimate(value)
         return _by_itself(column, row) or self._by_repeats(column, row)
@@ -177,9 +153,9 @@ class Evidence:
         for case, columns in self.repeats.items():
             for column, runs in columns.items():
                 key = MEAN, case, column
-                measured = self.columns.get((column, MEAN) if is_absolute(column) else (MEAN,))
-                if measured and key in measured.places:
-                    estimates[case, column] = measured.estimate(key, runs.mean, key in self.edges)
+                group = self.groups.get((column, MEAN) if is_absolute(column) else (MEAN,), {})
+                if cell := group.get(key):
+                    estimates[case, column] = cell.estimate(runs.mean, key in self.edges)
                 else:
                     estimates[case, column] = Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
         return estimates
@@ -210,16 +186,8 @@ def _by_itself(column: str, row: Cells) -> Estimate | None:
     low, high = (row.get(timed + edge) for edge in EDGES)
     if low is None or high is None or not row.get(timed):
         return None
-    deviation = MEDIAN * (high - low) / (2 * NORMAL.inv_cdf(0.95)) / row[timed] * value
+    deviation = MEDIAN * (high - low) / (2 * NormalDist().inv_cdf(0.95)) / row[timed] * value
     return Estimate(value, deviation**2, count=max(1, row.get("repeat_count") or 1), samples=(value,))
-
-
-class Cell(NamedTuple):
-    """Hold a number of a row in all measurements, NaN where there is none."""
-
-    key: Key
-    samples: list[float]
-    scale: float = 1.0  # what its deviation would be if runs alone were apart; 1 where nobody knows
 
 
 Far = tuple[Key, list[float]]
@@ -237,34 +205,33 @@ def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidenc
     edges = {key for key, rows in rows_by_key.items() if _ends_apart(rows, lost[key])}
     keys = [key for key in rows_by_key if key not in edges and not lost[key][0]]
     is_alike = [record is not None and record.machine_for_speed == tracked.machine_for_speed for record in measured]
-    groups: dict[Key, list[Cell]] = {}
+    groups: dict[Key, dict[Key, Cell]] = {}
     for key in keys:
         rows = [{} if gone else row for row, gone in zip(rows_by_key[key], lost[key], strict=True)]
         engine = engine_of(rows[0])
         for column in filter(scatters, rows[0]):
-            if cell := _cell(key, column, rows, is_alike):
-                groups.setdefault((column, *engine), []).append(cell)
+            if cell := _cell(column, rows, is_alike):
+                groups.setdefault((column, *engine), {})[key] = cell
     runs = [repeats_of(record.rows if record else ()) for record in measured]
     for case, column in ((case, column) for case, columns in runs[0].items() for column in columns):
         means = [{column: run[case][column].mean} if column in run.get(case, {}) else {} for run in runs]
         spread = runs[0][case][column]
-        if cell := _cell((MEAN, case, column), column, means, is_alike, math.sqrt(spread.variance / spread.run_count)):
-            groups.setdefault((column, MEAN) if is_absolute(column) else (MEAN,), []).append(cell)
+        if cell := _cell(column, means, is_alike, math.sqrt(spread.variance / spread.run_count)):
+            groups.setdefault((column, MEAN) if is_absolute(column) else (MEAN,), {})[MEAN, case, column] = cell
     cards = [record.card if record else "" for record in measured]
-    columns: dict[Key, Column] = {}
     far: list[Far] = []
-    for group, cells in groups.items():
-        if is_absolute(group[0]) and (of_cards := _of_cards(cells, cards)):
-            columns[group] = of_cards
+    for name, group in groups.items():
+        if is_absolute(name[0]) and (of_cards := _of_cards(group, cards)):
+            groups[name] = of_cards
         else:
-            columns[group], deviations = _moderated(MEAN if MEAN in group else group[0], cells)
-            far += zip((cell.key for cell in cells), deviations.tolist(), strict=True)
+            groups[name], deviations = _moderated(MEAN if MEAN in name else name[0], group)
+            far += zip(group, deviations, strict=True)
     # No chance is so far from all others.
     events = {(key, index) for key, numbers in far for index, number in enumerate(numbers) if number > AT_EDGE}
     count = sum(map(bool, cards))
     share = len(events) / max(1, len(keys) * count)
     changed = [_changed(far, events, index, len(keys) * (count - 1)) for index in range(len(cards)) if count > 2]
-    return Evidence(count, columns, repeats, frozenset(edges | {key for key, _ in events}), share, changed)
+    return Evidence(count, groups, repeats, frozenset(edges | {key for key, _ in events}), share, changed)
 
 
 @cached_in_report
@@ -289,49 +256,50 @@ def _ends_apart(rows: Sequence[Cells], lost: Sequence[bool]) -> bool:
     return len({gone for _, gone in pairs}) > 1 or any(len({row.get(name) for row, _ in pairs}) > 1 for name in texts)
 
 
-def _cell(key: Key, column: str, rows: Sequence[Cells], is_alike: Sequence[bool], scale: float = 1.0) -> Cell | None:
+def _cell(column: str, rows: Sequence[Cells], is_alike: Sequence[bool], scale: float = 1.0) -> Cell | None:
     """Return a number in all measurements, of which costs stand beside those of machines alike alone; None of one."""
     numbers = [row.get(column) for row in rows]
     if is_cost(column):
         numbers = [number if alike else None for number, alike in zip(numbers, is_alike, strict=True)]
     samples = [float(number) if is_number(number) else math.nan for number in numbers]
-    return Cell(key, samples, scale) if sum(sample == sample for sample in samples) > 1 else None
+    return Cell(samples, scale) if sum(sample == sample for sample in samples) > 1 else None
 
 
-def _moderated(name: str, cells: Sequence[Cell]) -> tuple[Column, "np.ndarray"]:
-    """Return a column, and how far each measurement is from the others, in normal deviations."""
+def _moderated(name: str, group: Group) -> tuple[dict[Key, Cell], list[list[float]]]:
+    """Return how each number scatters, and how far each measurement is from the others, in normal deviations."""
     import numpy as np
 
     from measured_report.values.shrinkage import left_out, moderated
 
-    samples, scales = np.array([cell.samples for cell in cells]), np.array([cell.scale or 1.0 for cell in cells])
+    samples = np.array([cell.samples for cell in group.values()])
+    scales = np.array([cell.scale or 1.0 for cell in group.values()])
     scaled = samples / scales[:, None]
     counts = (~np.isnan(samples)).sum(axis=1)
-    sizes = np.maximum(abs(np.nanmean(scaled, axis=1)), 1e-12) if name != MEAN else np.ones(len(cells))
+    sizes = np.maximum(abs(np.nanmean(scaled, axis=1)), 1e-12) if name != MEAN else np.ones(len(group))
     fit = moderated(np.nanvar(scaled, axis=1, ddof=1), counts - 1.0, sizes, usual=float(name == MEAN))
     least = np.maximum(column_of(name).resolution, ROUNDED_SHARE * abs(np.nanmean(samples, axis=1))) / scales
-    places = {cell.key: index for index, cell in enumerate(cells)}
-    column = Column(places, samples, fit.variances * scales**2, fit.freedoms, counts)
-    return column, left_out(scaled, fit.lent, fit.common, least)
+    scatters = zip((fit.variances * scales**2).tolist(), fit.freedoms.tolist(), counts.tolist(), strict=True)
+    cells = {key: Cell(*cell[:2], *scatter) for (key, cell), scatter in zip(group.items(), scatters, strict=True)}
+    return cells, left_out(scaled, fit.lent, fit.common, least).tolist()
 
 
-def _of_cards(cells: Sequence[Cell], cards: Sequence[str]) -> Column | None:
-    """Return a column of absolute times: how far cards are apart is as well known as there are cards; None of one."""
+def _of_cards(group: Group, cards: Sequence[str]) -> dict[Key, Cell] | None:
+    """Return absolute times: how far cards are apart is as well known as there are cards; None of one card."""
     import numpy as np
 
-    samples = np.array([cell.samples for cell in cells])
+    samples = np.array([cell.samples for cell in group.values()])
     places_of = {card: np.array([name == card for name in cards]) for card in cards}
-    groups = [samples[:, places] for places in places_of.values() if not np.isnan(samples[:, places]).all()]
-    if len(groups) < 2:
+    sides = [samples[:, places] for places in places_of.values() if not np.isnan(samples[:, places]).all()]
+    if len(sides) < 2:
         return None
-    by_card = np.stack([np.nanmean(group, axis=1) if group.shape[1] > 1 else group[:, 0] for group in groups], axis=1)
+    by_card = np.stack([np.nanmean(side, axis=1) if side.shape[1] > 1 else side[:, 0] for side in sides], axis=1)
     complete, means = ~np.isnan(by_card).any(axis=1), by_card.mean(axis=1)
     if not complete.any():
         return None
     share = np.median(by_card[complete].var(axis=1, ddof=1) / means[complete] ** 2)
-    counts = np.full(len(cells), float(len(groups)))
-    places = {cell.key: index for index, cell in enumerate(cells) if complete[index]}
-    return Column(places, samples, share * means**2, counts - 1, counts, is_of_cards=True)
+    scatter: dict[str, Any] = {"freedom": len(sides) - 1.0, "mean_count": float(len(sides)), "is_of_cards": True}
+    rows = zip(group.items(), (share * means**2).tolist(), complete, strict=True)
+    return {key: cell._replace(variance=variance, **scatter) for (key, cell), variance, is_so in rows if is_so}
 
 
 def _changed(far: Sequence[Far], events: set[tuple[Key, int]], index: int, count: int) -> tuple[int, int]:

@@ -54,6 +54,10 @@ def format_least(value: float | int | None, *, noise: float | None = None) -> st
     return "0" if text.startswith(BELOW) else text
 
 
+MOST, LEAST = "most", "least"  # said on the page of a number that is a bound from above or below
+WRITES = {"": format_number, MOST: format_most, LEAST: format_least}  # by what the page says of a number
+
+
 def undusted(value: float | int | None) -> float | int | None:
     """Return ``value`` without what floating point leaves behind its digits, which no bound is for."""
     return float(f"{value:.{DIGITS_EXACT}g}") if isinstance(value, float) else value

@@ -5,7 +5,7 @@ both. Whose variance that is ``evidence.py`` says.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from statistics import NormalDist, fmean, median
@@ -162,25 +162,6 @@ def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
 
     total, squared = variances.sum(axis=1), (variances**2 / freedoms).sum(axis=1)
     return np.sqrt(total), np.where(squared > 0, total**2 / np.maximum(squared, TINY), math.inf)
-
-
-def derived_noise(
-    function: Callable[..., float], values: Sequence[float], noises: Sequence[float | None]
-) -> float | None:
-    """Return the noise of ``function``, each source changed by its noise; None where one has none.
-
-    What is off independently adds in squares, as in the Guide to the Expression of Uncertainty in Measurement (JCGM
-    100:2008), 5.1.2, with differences for derivatives. What was chosen has a noise of 0.
-    """
-    if None in noises:
-        return None
-    middle, changes = function(*values), []
-    for index, noise in enumerate(noises):
-        if noise:
-            ways = (values[index] + noise, values[index] - noise)
-            ends = [function(*values[:index], way, *values[index + 1 :]) for way in ways]
-            changes.append(max(abs(end - middle) for end in ends))
-    return math.hypot(*changes)
 
 
 def sampled_noise(samples: Sequence[float]) -> float:

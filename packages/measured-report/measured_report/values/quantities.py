@@ -6,6 +6,7 @@ import operator
 import re
 from collections import Counter
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, partialmethod
 from itertools import zip_longest
@@ -17,13 +18,12 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import PLAIN, is_unit
 from measured_report.records.record import Origin
-from measured_report.values.format import format_code, format_least, format_most, format_number, unit_label
-from measured_report.values.noise import WRITTEN_SHARE, derived_noise, sampled_noise
+from measured_report.values.format import LEAST, MOST, WRITES, format_code, format_number, unit_label
+from measured_report.values.noise import WRITTEN_SHARE, sampled_noise
 
 VALUES_FILE = "values.json"
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
-MOST, LEAST = "most", "least"  # said on the page of a number that is a bound from above or below
 
 
 def local(text: str, release: str) -> str:
@@ -110,20 +110,19 @@ class Quantity:
     @property
     def most(self) -> Markup:
         """Write the number with its unit, rounded up: where the words say *at most*, *within* or *less than*."""
-        return self._with_unit(self._written(format_most(self.value, noise=self.noise), MOST))
+        return self._in_words(MOST)
 
     @property
     def least(self) -> Markup:
         """Write the number with its unit, rounded down: where the words say *at least* or *more than*."""
-        return self._with_unit(self._written(format_least(self.value, noise=self.noise), LEAST))
+        return self._in_words(LEAST)
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         if not self.source:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
-        attributes |= {"data-as": written_as} if written_as else {}
         hint = self.reason or "; ".join(filter(None, (self.formula, self._uncertainty)))
-        attributes |= {"title": hint} if hint else {}
+        attributes |= {name: text for name, text in (("data-as", written_as), ("title", hint)) if text}
         # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
         written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
         return Markup(f"<data{written}>{escape(text)}</data>")
@@ -138,9 +137,10 @@ class Quantity:
         return f"±{self.noise:.2g}" + (several if len(present) > 1 and isinstance(self, Value) else "")
 
     def __html__(self) -> Markup:
-        return self._with_unit(self.bare)
+        return self._in_words()
 
-    def _with_unit(self, number: Markup) -> Markup:
+    def _in_words(self, way: str = "") -> Markup:
+        number = self._written(WRITES[way](self.value, noise=self.noise), way)
         return number + (Markup("&nbsp;") + self._label if self._label else "")
 
     def __str__(self) -> str:
@@ -217,20 +217,28 @@ def _sampled(function: Callable[..., float], values: Sequence[float]) -> float |
 def noise_of(function: Callable[..., float], sources: Sequence[Any], samples: Sequence[float | None]) -> float | None:
     """Return the noise of a value: what its sources make of it, or how far its measurements are apart, if that is less.
 
-    What measurements have in common, as the speed of a card, cancels in a ratio of two numbers of each of them.
+    What is off independently adds in squares, as in the Guide to the Expression of Uncertainty in Measurement (JCGM
+    100:2008), 5.1.2, with differences for derivatives. What was chosen has a noise of 0. What measurements have in
+    common, as the speed of a card, cancels in a ratio of two numbers of each of them.
     """
     values: list[Any] = [source.value for source in sources]
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
-    try:
-        noise = derived_noise(function, values, noises)
-    except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
-        noise = None
-    present = [sample for sample in samples if sample is not None]
-    if len(present) >= LEAST_SAMPLES and None not in noises:
-        noise = min(sampled_noise(present), math.inf if noise is None else noise)
-    if noise is None or not math.isfinite(noise):
+    if None in noises:
         return None
-    return max(float(noise), WRITTEN_SHARE * abs(function(*values))) if any(noises) else 0.0
+    middle, changes, noise = function(*values), [], math.inf
+    with suppress(ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
+        for index, change in enumerate(noises):
+            if change:
+                ends = (values[index] + change, values[index] - change)
+                results = [function(*values[:index], end, *values[index + 1 :]) for end in ends]
+                changes.append(max(abs(result - middle) for result in results))
+        noise = math.hypot(*changes)
+    present = [sample for sample in samples if sample is not None]
+    if len(present) >= LEAST_SAMPLES:
+        noise = min(sampled_noise(present), noise)
+    if not math.isfinite(noise):
+        return None
+    return max(float(noise), WRITTEN_SHARE * abs(middle)) if any(noises) else 0.0
 
 
 class Term(Value):

@@ -15,7 +15,7 @@ from measured_report.files.errors import ReportError, suggestion
 from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
-from measured_report.values.evidence import Evidence, Key, names_of
+from measured_report.values.evidence import Evidence
 from measured_report.values.format import label_of
 from measured_report.values.noise import Estimate
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, combined, constant
@@ -83,8 +83,7 @@ class Row:
         if value is None:
             reason = ": ".join(filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost")))
             return Quantity(None, unit, pointer, reason, origins)
-        estimate = self.estimate(column)
-        if estimate is None:
+        if not (estimate := self.estimate(column)):
             return Quantity(value, unit, pointer, "", origins)
         details = estimate.written_noise, estimate.note, estimate.samples
         if estimate.value == value:
@@ -104,18 +103,9 @@ class Row:
         """Tell whether the record has it."""
         return not self._lack
 
-    @cached_property
-    def names(self) -> tuple[Key, Key]:
-        return names_of(self.plain)
-
-    @property
-    def card(self) -> str:
-        """Name what it was measured on."""
-        return self._record.card
-
     def estimate(self, column: str) -> Estimate | None:
         """Return what is known of one of its numbers; None where nobody knows how that scatters."""
-        return self._results.evidence.estimate(column, self.plain, self.names)
+        return self._results.evidence.estimate(column, self.plain)
 
     @property
     def label(self) -> str:

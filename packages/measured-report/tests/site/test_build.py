@@ -12,10 +12,10 @@ from toys import MODULE, ROWS, TEMPLATE
 
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
+from measured_report.pages import prose
 from measured_report.pages.prose import Prose
 from measured_report.parts.words import CLOSE, OPEN
 from measured_report.records.record import write_record
-from measured_report.site import pages
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
@@ -59,7 +59,7 @@ def test_text_from_results_is_no_markup(toy):
 
 
 def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
-    monkeypatch.setattr(pages, "sources", lambda: "https://git.example/shake")
+    monkeypatch.setattr(prose, "sources", lambda: "https://git.example/shake")
     toy.build()
     line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(True)
     assert f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">' in toy.page

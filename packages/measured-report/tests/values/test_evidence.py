@@ -210,7 +210,7 @@ def test_times_stand_beside_those_of_one_kind_of_machine_and_cards_are_known_by_
     assert evidence_of(strange, {}).estimate("frame_ms", of_cards[0].rows[0]) is None
     assert evidence_of(
         [replace(each, rows=[{"case": "a", "slip_mm": 1.0 + n}]) for n, each in enumerate(strange)], {}
-    ).columns
+    ).groups
 
 
 def test_each_measurement_left_out_says_how_often_one_of_the_same_is_told_as_changed():

@@ -18,7 +18,6 @@ from measured_report.values.noise import (
     Estimate,
     binomial_noise,
     chance_of,
-    derived_noise,
     discoveries,
     fenced,
     sampled_noise,
@@ -116,12 +115,14 @@ def test_two_means_are_compared_as_welch_does():
     assert errors[1:] == pytest.approx([0.0, 5.0])
 
 
+def noise_by(function, *numbers):
+    return noise_of(function, [Quantity(value, "1", "", noise=noise) for value, noise in numbers], [])
+
+
 def test_a_derived_number_has_the_noise_of_its_sources_in_squares():
-    assert derived_noise(lambda a, b: a - b, [5.0, 1.0], [0.3, 0.4]) == pytest.approx(0.5)
-    assert derived_noise(lambda a, b: a / b, [10.0, 2.0], [0.0, 0.5]) == pytest.approx(10 / 1.5 - 5), "the farther way"
-    assert derived_noise(lambda *found: sum(found) / 4, [1.0] * 4, [0.2] * 4) == pytest.approx(0.1)
-    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
-    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0
+    assert noise_by(lambda a, b: a - b, (5.0, 0.3), (1.0, 0.4)) == pytest.approx(0.5)
+    assert noise_by(lambda a, b: a / b, (10.0, 0.0), (2.0, 0.5)) == pytest.approx(10 / 1.5 - 5), "the farther way"
+    assert noise_by(lambda *numbers: sum(numbers) / 4, *[(1.0, 0.2)] * 4) == pytest.approx(0.1)
 
 
 TENTHS = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5  # of three that are a tenth apart
@@ -142,7 +143,7 @@ def test_a_value_has_the_noise_of_its_sources_or_of_three_measurements_if_that_i
 
 @given(SIZES, SIZES, st.floats(1e-6, 0.5), st.floats(1e-6, 0.5))
 def test_a_ratio_carries_the_noise_of_both_parts(above, below, share, other):
-    noise = derived_noise(lambda a, b: a / b, [above, below], [share * above, other * below])
+    noise = noise_by(lambda a, b: a / b, (above, share * above), (below, other * below))
     assert noise >= 0.999 * max(share, other) * above / below
 
 
