@@ -13,21 +13,18 @@ third; R goes with 1 / impratio. Rounding of positions is a fifth. g, e and R f 
 C engine, with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
 import warp as wp
-from newton import Control
-from newton.solvers import SolverMuJoCo
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
+from experiments.simulation.contact_bias_c import watch_steps
 from experiments.simulation.limits import reference_stiffness, solref, step_s
 from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.stepper_c import MuJoCoStepper
 from newton_lint.law import impedance_at
 from newton_lint.newton_models.compat import kf_is_read
 
@@ -58,26 +55,7 @@ def measure_motion(case: Case) -> Motion:
     return Motion(bias, damping, load, run.depth_m, rounding, run.inverse_mass_1_kg)
 
 
-class WatchedStepper(MuJoCoStepper):
-    """Shows ``watch`` each step through C: the velocities that it began with, and its engine."""
-
-    watch: Callable[[np.ndarray, mujoco.MjModel, mujoco.MjData], None]
-
-    def step(self, substep: int, control: Control, step_s: float) -> None:
-        super().step(substep, control, step_s)
-        self.watch(self.before, self.solver.mj_model, self.solver.mj_data)
-
-    def _build_solver(self) -> SolverMuJoCo:
-        solver = super()._build_solver()
-        self.subtract_bias, self.control_in_c = self.control_in_c, self._begin_step
-        return solver
-
-    def _begin_step(self, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
-        self.before = data.qvel.copy()
-        self.subtract_bias(engine, data)
-
-
-class Watched(Simulation):
+class Watched:
     """A run through MuJoCo's C engine with the term put back, so that no slide of the cube is in what is summed up.
 
     ``frames``, shape [frames, 4, 3], has the sums over each frame's substeps of bias, damping, load and velocity, and
@@ -85,40 +63,40 @@ class Watched(Simulation):
     why nothing can be told from it, when that is so.
     """
 
-    stepper_of = WatchedStepper
-    stepper: WatchedStepper
-
     def __init__(self, case: Case):
         case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
-        super().__init__([case], wp.get_device("cpu"))
-        self._look_at()
-        self.stepper.watch = self._add
+        simulation = Simulation([case], wp.get_device("cpu"))
+        self._look_at(simulation)
+        watch_steps(simulation.solver, self._step)
         self.frames = np.zeros((case.frame_count, 4, 3))
         for sums in self.frames:
             self.sums = sums
-            self.step()
-        [self.trace] = self.recorder.traces()
+            simulation.step()
+        [self.trace] = simulation.recorder.traces()
         self.shaking = np.flatnonzero(self.trace.phase == metrics.SHAKE)
         reason = self.trace.failure or (None if len(self.shaking) else "the shake was never reached")
         self.failure = f"in MuJoCo C {reason}" if reason else None
 
-    def _look_at(self) -> None:
-        engine = self.solver.mj_model
-        of_newton = self.solver.mjc_body_to_newton.numpy()[0].tolist()
-        link = self.scene.links["fr3_hand_tcp"]
+    def _look_at(self, simulation: Simulation) -> None:
+        engine = simulation.solver.mj_model
+        of_newton = simulation.solver.mjc_body_to_newton.numpy()[0].tolist()
+        link = simulation.scene.links["fr3_hand_tcp"]
         self.hand = of_newton.index(link.body)
-        self.cube = of_newton.index(body_index(self.model, "cube"))
+        self.cube = of_newton.index(body_index(simulation.model, "cube"))
+        self.cube_geom = simulation.recorder.cube_geom
         self.axes = np.zeros(9)
         mujoco.mju_quat2Mat(self.axes, np.roll(np.array(link.pose.q, dtype=float), 1))
         self.axes = self.axes.reshape(3, 3)
-        finger = of_newton.index(self.scene.links["fr3_leftfinger"].body)
+        finger = of_newton.index(simulation.scene.links["fr3_leftfinger"].body)
         self.inverse_mass_1_kg = float(engine.body_invweight0[[finger, self.cube], 0].sum())
         self.depth_m = 0.0
         self.rate = np.zeros((3, engine.nv))
         self.jacobian = np.zeros((2, 3, engine.nv))
 
-    def _add(self, before: np.ndarray, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
-        """Add up a step; the kinematics are still those of its beginning."""
+    def _step(self, step, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
+        before = data.qvel.copy()
+        step(engine, data)
+        # The kinematics are still those of the step's beginning.
         centre, h = data.xpos[self.cube].copy(), engine.opt.timestep
         mujoco.mj_jac(engine, data, self.jacobian[0], None, centre, self.hand)
         mujoco.mj_jac(engine, data, self.jacobian[1], None, centre, self.cube)
@@ -136,9 +114,9 @@ class Watched(Simulation):
         found, depths_m = [], []
         for contact in data.contact:
             row = contact.efc_address
-            if row >= 0 and self.recorder.cube_geom in contact.geom and data.efc_force[row] > 0.0:
+            if row >= 0 and self.cube_geom in contact.geom and data.efc_force[row] > 0.0:
                 yielded = data.efc_R[row + 1 : row + 3] * data.efc_force[row + 1 : row + 3]
-                sign = 1.0 if contact.geom[1] == self.recorder.cube_geom else -1.0
+                sign = 1.0 if contact.geom[1] == self.cube_geom else -1.0
                 found.append(sign * contact.frame.reshape(3, 3)[1:].T @ yielded)
                 depths_m.append(contact.includemargin - contact.dist)
         self.depth_m = float(np.mean(depths_m)) if found else 0.0

@@ -1,16 +1,39 @@
 """The left-out term of ``contact_bias`` in MuJoCo's C engine and double precision."""
 
+from collections.abc import Callable
+from types import SimpleNamespace
+
 import mujoco
 import numpy as np
+from newton.solvers import SolverMuJoCo
 
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 
 
-def subtract_bias(engine: mujoco.MjModel, data: mujoco.MjData, *, centred: bool = False, normal: bool = False) -> None:
-    """Give the friction rows of contacts J̇ q̇ back, in ``mjcb_control``: rows are made then, and not yet solved.
+def install(solver: SolverMuJoCo, *, centred: bool = False, normal: bool = False) -> None:
+    """Give the friction rows of a solver's contacts J̇ q̇ back, in every step; ``centred`` and ``normal`` as in Warp."""
 
-    ``centred`` and ``normal`` are as in Warp.
-    """
+    def control(engine: mujoco.MjModel, data: mujoco.MjData) -> None:
+        subtract_bias(engine, data, centred=centred, normal=normal)
+
+    def step(engine: mujoco.MjModel, data: mujoco.MjData) -> None:
+        mujoco.set_mjcb_control(control)  # one for all models, so only as long as this one is stepped
+        try:
+            mujoco.mj_step(engine, data)
+        finally:
+            mujoco.set_mjcb_control(None)
+
+    solver._mujoco = SimpleNamespace(mj_step=step)  # what Newton calls to step the engine
+
+
+def watch_steps(solver: SolverMuJoCo, around: Callable[..., None]) -> None:
+    """Have ``around`` make a solver's steps: it is given what made them so far, and the engine's model and data."""
+    step = solver._mujoco.mj_step
+    solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: around(step, engine, data))
+
+
+def subtract_bias(engine: mujoco.MjModel, data: mujoco.MjData, *, centred: bool = False, normal: bool = False) -> None:
+    """Subtract J̇ q̇ from what the rows ask for, where MuJoCo calls ``mjcb_control``: rows are made, not yet solved."""
     for contact in data.contact:
         if contact.efc_address >= 0:
             linear, angular = velocity_product(engine, data, contact)

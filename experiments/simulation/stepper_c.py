@@ -3,12 +3,11 @@
 It has one world, on the CPU, and finds its contacts itself.
 """
 
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Sequence
 
 import mujoco
 import numpy as np
-from newton import CollisionPipeline, Contacts, Control
+from newton import CollisionPipeline, Contacts
 from newton.solvers import SolverMuJoCo
 
 from experiments.facts.case import Case, CaseError, batch_key
@@ -54,23 +53,11 @@ def update_data_interval(case: Case) -> int:
 
 
 class MuJoCoStepper(WarpStepper):
-    """Steps a batch in MuJoCo Warp or, where its case says so, in C, which calls ``control_in_c`` in each step."""
-
-    control_in_c: Callable[[mujoco.MjModel, mujoco.MjData], None] | None = None
+    """Steps a batch in MuJoCo Warp or, where its case says so, in C."""
 
     @property
     def is_queued(self) -> bool:
         return not self.solver.use_mujoco_cpu
-
-    def step(self, substep: int, control: Control, step_s: float) -> None:
-        if self.control_in_c is None:
-            super().step(substep, control, step_s)
-            return
-        mujoco.set_mjcb_control(self.control_in_c)  # one for all models, so only as long as this one is stepped
-        try:
-            super().step(substep, control, step_s)
-        finally:
-            mujoco.set_mjcb_control(None)
 
     def _build_collision(self) -> tuple[CollisionPipeline | None, Contacts | None]:
         if self.case.contacts == "mujoco" or self.case.backend == "mujoco":
@@ -116,7 +103,7 @@ class MuJoCoStepper(WarpStepper):
         for kind in sorted(set(kinds) - {False}):
             options = dict(zip(("centred", "normal"), kind, strict=True))
             if solver.use_mujoco_cpu:
-                self.control_in_c = partial(contact_bias_c.subtract_bias, **options)
+                contact_bias_c.install(solver, **options)
             else:
                 contact_bias.install(solver, worlds=[each == kind for each in kinds], **options)
 

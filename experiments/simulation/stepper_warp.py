@@ -122,7 +122,7 @@ class WarpRecorder(Recorder):
     def __init__(self, stepper: Stepper, frame_count: int):
         super().__init__(stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
         self.names = _geom_names(stepper.scene, stepper.solver)
-        self.cube_geom = int(stepper.solver.mj_model.body("cube").geomadr[0])
+        self.cube_geom = self.names.index("cube")
 
     def watch_substep(self) -> None:
         data = self.solver.mjw_data
