@@ -4,21 +4,17 @@ import re
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from importlib.metadata import version
-from typing import Any
 
 import warp as wp
 from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only, paired_timing  # noqa: F401
-from experiments.simulation.kernels import Launch, is_bare, launched_kernels
+from experiments.simulation.kernels import Launch, is_bare, scene_kernels
 from experiments.simulation.measurement import Conditions
-from experiments.simulation.recorder import Recorder
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.stepper import Stepper
-from experiments.simulation.stepper_c import MuJoCoRecorder, MuJoCoStepper
 from measured_report.files.errors import ReportError
 from measured_report.measuring.accelerator import lacks
 from measured_report.measuring.pool import gather, processes, start
@@ -89,33 +85,8 @@ def _compile_beside(device: wp.Device) -> None:
 
 def _compile(alias: str, index: int) -> None:
     """Compile a share; most of that is Python that writes what is compiled, so that shares take processes."""
-    for module, block_dim in list(_kernels(alias))[index::SHARE_COUNT]:
+    for module, block_dim in list(scene_kernels(alias))[index::SHARE_COUNT]:
         module.load(wp.get_device(alias), block_dim=block_dim)
-
-
-@cache
-def _kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
-    device = wp.get_device(alias)
-    return launched_kernels(device, lambda: Unlaunched([replace(AS_SHIPPED, frame_count=1)], device).frame())
-
-
-class UnlaunchedRecorder(MuJoCoRecorder):
-    """Looks for no cube among the engine's geoms: no kernel has said what they are of."""
-
-    def __init__(self, stepper: Stepper, frame_count: int):
-        Recorder.__init__(self, stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
-        self.cube_geom = 0
-
-
-class UnlaunchedStepper(MuJoCoStepper):
-    def _build_recorder(self, frame_count: int) -> MuJoCoRecorder:
-        return UnlaunchedRecorder(self, frame_count)
-
-
-class Unlaunched(Simulation):
-    """A simulation whose kernels are never launched."""
-
-    stepper_of = UnlaunchedStepper
 
 
 def be_quiet() -> None:

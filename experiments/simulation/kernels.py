@@ -2,10 +2,18 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import warp as wp
+
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.recorder import Recorder
+from experiments.simulation.simulation import Simulation
+from experiments.simulation.stepper import Stepper
+from experiments.simulation.stepper_c import MuJoCoRecorder, MuJoCoStepper
 
 Launch = Callable[..., Any]
 KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
@@ -54,3 +62,29 @@ def launched_kernels(device: wp.Device, run: Callable[[], object]) -> dict[tuple
     with launching(note), suppress(Exception):  # it may read what no kernel has written
         run()
     return kernels
+
+
+class UnlaunchedRecorder(MuJoCoRecorder):
+    """Looks for no cube among the engine's geoms: no kernel has said what they are of."""
+
+    def __init__(self, stepper: Stepper, frame_count: int):
+        Recorder.__init__(self, stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
+        self.cube_geom = 0
+
+
+class UnlaunchedStepper(MuJoCoStepper):
+    def _build_recorder(self, frame_count: int) -> MuJoCoRecorder:
+        return UnlaunchedRecorder(self, frame_count)
+
+
+class Unlaunched(Simulation):
+    """A simulation whose kernels are never launched."""
+
+    stepper_of = UnlaunchedStepper
+
+
+@cache
+def scene_kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
+    """Return what building the scene and its frame launch on a device; see ``launched_kernels``."""
+    device = wp.get_device(alias)
+    return launched_kernels(device, lambda: Unlaunched([replace(AS_SHIPPED, frame_count=1)], device).frame())

@@ -4,8 +4,7 @@ from itertools import chain
 
 import warp as wp
 
-from experiments.simulation import host
-from experiments.simulation.kernels import launched_kernels
+from experiments.simulation.kernels import launched_kernels, scene_kernels
 
 
 @wp.kernel(module="unique")
@@ -30,7 +29,7 @@ def test_what_would_be_launched_is_known_and_not_launched():
 
 def test_all_that_a_frame_launches_is_known_without_a_launch_with_the_types_that_it_is_launched_with():
     """So nothing that is compiled waits for what comes before it, and nothing is compiled once more."""
-    launched = [*chain(*host._kernels("cpu").values())]
+    launched = [*chain(*scene_kernels("cpu").values())]
     assert "end_frame" in {kernel.key for kernel in launched}
     generic = [kernel for kernel in launched if kernel.is_generic]
     assert generic and all(kernel.overloads for kernel in generic)
