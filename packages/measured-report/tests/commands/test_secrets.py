@@ -4,6 +4,7 @@ import gzip
 import shutil
 from pathlib import Path
 
+import pytest
 from toys import git, program
 
 USER, TOKEN = "somebody-here", "ghp_0123456789"
@@ -25,6 +26,7 @@ def written(folder: Path) -> dict[str, bytes]:
     return {name: gzip.decompress(text) if text[:2] == b"\x1f\x8b" else text for name, text in files.items()}
 
 
+@pytest.mark.slow
 def test_no_user_home_or_token_is_written_or_printed(toy, checkout, tmp_path):
     root, secret = toy.project.root, f"https://{USER}:{TOKEN}@127.0.0.1:9/x.git"
     shutil.copytree(root, home := tmp_path / USER / "report", ignore=shutil.ignore_patterns("results"))

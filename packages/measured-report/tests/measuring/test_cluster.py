@@ -85,6 +85,7 @@ def scheduler(address) -> str:
     return address
 
 
+@pytest.mark.slow
 def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler, capsys):
     whole = section_of(toy, batches.plan(str(log), "abcdef", 0.2, exclusive="cf"))
     mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
@@ -140,6 +141,7 @@ def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
         pass
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(outside, toy, monkeypatch, stop, capfd):
     monkeypatch.setattr(cluster, "SILENT_S", 10.0)
