@@ -144,7 +144,7 @@ def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
 @pytest.mark.slow
 @pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(outside, toy, monkeypatch, stop, capfd):
-    monkeypatch.setattr(cluster, "SILENT_S", 10.0)
+    monkeypatch.setattr(cluster, "SILENT_S", 5.0)
     with started(outside, 1) as process:
         address = process.stdout.readline().strip()
         lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
