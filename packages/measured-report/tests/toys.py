@@ -152,7 +152,7 @@ columns = [
 [changes]
 upgrade_sections = ["toy"]
 package_groups = [["warp-lang"], ["mujoco-warp", "mujoco"]]
-keys = ["case", "substeps"]
+keys = ["case", "substeps", "worlds"]
 endings = "classes"
 settings = { option = "solver option" }
 """

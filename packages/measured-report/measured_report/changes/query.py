@@ -25,7 +25,7 @@ from measured_report.parts.claim import WITHIN, Claim
 from measured_report.records.code import CARRIED, files, roots_of
 from measured_report.records.columns import REASON, UNBELIEVED, column_of, columns_of, parameters
 from measured_report.records.identity import package_versions, sections
-from measured_report.values.format import format_share
+from measured_report.values.format import format_share, label_of
 from measured_report.values.noise import FALSE_SHARE, LEAST_RUNS, NORMAL, TINY, Z
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
@@ -198,13 +198,19 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
     for setting, query in queries:
         _refuse(f"changes.{setting}", [query.section], "section", section_names)
         answer = query.claim(edition.chapters) if query.is_claim else query.quantity(edition.chapters)
-        if query.section in edition.chapters and not (answer and (not isinstance(answer, Quantity) or answer.source)):
+        is_nothing = answer in (None, "") or (isinstance(answer, str) and setting == "thresholds")
+        if query.section in edition.chapters and (is_nothing or (isinstance(answer, Quantity) and not answer.source)):
             _refuse(f"changes.{setting}", [query.text], "value", [*query.names(edition.chapters)])
     if chapter := edition.chapters.get(config().noise_section):  # repeats are of cases beside them, if any are
         rows = chapter.results.record.rows
         cases = [row["case"] for row in rows if "of" not in row]
         if unknown := [row["of"] for row in rows if cases and row.get("of", cases[0]) not in cases]:
             raise ReportError(f"{chapter.name}: of = {unknown[0]} names no case{suggestion(str(unknown[0]), cases)}")
+    for name, chapter in edition.chapters.items():
+        records = [same.chapters[name].results.record for same in editions.values() if name in same.chapters]
+        names = {str(row[key]) for record in records for row in record.rows for key in ("case", "of") if key in row}
+        if idle := [label for label in chapter.results.labels if all(label_of(case, {label: ""}) for case in names)]:
+            raise ReportError(f"{name}: labels has {idle[0]}, which is no case here{suggestion(idle[0], names)}")
     if edition.project.named.is_installed_with(package_versions()):
         _refuse_absent_imports(edition.project.root)
     _refuse("changes.package_groups", chain(*rules.package_groups), "package", config().packages)
@@ -308,7 +314,7 @@ def idle_settings(edition: Edition) -> list[str]:
     """Say which settings are of columns or cells that no row has, as a pattern that is mistyped."""
     rows, settings = _rows(edition), config()
     columns = {*columns_of(rows), *parameters(), ""}
-    patterns = [*(table.pattern for table in settings.columns), settings.changes.endings]
+    patterns = [*(table.pattern for table in settings.columns), settings.changes.endings, *settings.changes.keys]
     idle = [pattern for pattern in patterns if not any(re.fullmatch(pattern, column) for column in columns)]
     for name, cells in settings.repeating.items():
         present = {str(row.get(name, parameters().get(name))) for row in rows}

@@ -33,7 +33,7 @@ class ColumnTraits:
     """Describes what ``report.toml`` may tell of a column."""
 
     better: Literal["", "less", "more"] = ""  # which numbers are better; empty: neither
-    resolution: float = 0.0  # least difference that counts, however well a machine repeats itself
+    resolution: Annotated[float, Meta(ge=0.0)] = 0.0  # least difference that counts, whatever the noise
     rate_of: str = ""  # the column of the time that makes this rate, whose share of noise it has
     known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
     grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
@@ -104,7 +104,7 @@ class Config:
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
-    units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
+    units: Mapping[str, Annotated[str, Meta(min_length=1)]] = field(default_factory=dict)  # by the end of a column
     cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
     columns: Sequence[Columns] = ()  # the tables ``columns``
     baseline: str = "the baseline"  # what people call the case that all others are changed from
@@ -193,7 +193,7 @@ class Report:
             if not all(table.names or table.pattern for table in config.columns):
                 raise ValueError("a table of columns has neither names nor a pattern")
             if not 0 < len(config.pages) == len({page.name for page in config.pages}):
-                raise ValueError("pages has none, or two of one name")
+                raise ValueError(f"pages has none, or two of one name: {[page.name for page in config.pages]}")
         except re.error as error:
             raise ReportError(f"{FILE}: {error.pattern!r} is no regular expression: {error}") from None
         except (OSError, ValueError, TypeError) as error:  # which msgspec's are

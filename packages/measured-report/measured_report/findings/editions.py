@@ -58,6 +58,7 @@ class Edition:
         names = chapters if outline.compares else outline.reads
         read = {name: chapters[name] for name in names if name in chapters}
         others = Read(outline, {name: chapter.results for name, chapter in read.items()})
+        _ = [others.get(name) for name in outline.reads]  # which refuses one that stands after it, read or not
         results = replace(results, others=others, label=outline.label, labels=outline.labels)
         digest, section = results_digest(results) if self.cache.root else "", Section()
         if releases or not outline.compares:

@@ -48,12 +48,14 @@ def outline_of(section: str) -> Outline:
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
     pages = {page.name: page for page in config().pages[1:]}
-    page, label = says.get("page", next(iter(pages), "")), str(says.get("label", section.replace("_", " ")))
+    page, label = says.get("page", next(iter(pages), "")), says.get("label", section.replace("_", " "))
     if page not in pages:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
     first, labels, reads = says.get("first", False), says.get("labels", {}), says.get("reads", ())
-    if not (isinstance(labels, Mapping) and isinstance(reads, tuple | list)):
-        raise ReportError(f'{name}: labels is a dict, as {{"case": "words"}}, and reads a tuple, as ("noise",)')
+    if not (isinstance(labels, Mapping) and isinstance(reads, tuple | list) and isinstance(label, str)):
+        raise ReportError(
+            f'{name}: labels is a dict, as {{"case": "words"}}, and reads a tuple, as ("noise",), label text'
+        )
     if unknown := [read for read in reads if not file_of("report.sections", read)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
     source, compares = name.removesuffix("__init__.py"), says["derive"] > 1

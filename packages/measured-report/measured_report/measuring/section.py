@@ -56,6 +56,7 @@ class Section:
                 except StopIteration as end:
                     self._write(end.value)
                     return
+                assert all(isinstance(batch, Batch) for batch in self.stage), "it yields no Batch: rows are returned"
                 names = [batch.name for batch in self.stage]
                 if not names or len({*names, *self.results}) < len(names) + len(self.results):
                     raise ValueError(f"batches need names of their own: {', '.join(names)}")
@@ -164,9 +165,9 @@ def _as_one(batch: Batch) -> Plan:
 
 def believable(row: Mapping[str, object]) -> dict[str, object]:
     """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
-    row = {str(name): plain(value) for name, value in row.items()}
+    row = {str(name): plain(value, str(name)) for name, value in row.items()}
     if wrong := [name for name in row if not re.fullmatch(NAME, name)]:
         raise ReportError(f"the column {wrong[0]!r} is not called in small letters, digits and _, as rebound_mm")
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
     lost += [name for name in row if row[name] is None and name + REASON not in row and column_of(name).unit != "1"]
-    return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}
+    return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]!s:.40}" for name in lost}

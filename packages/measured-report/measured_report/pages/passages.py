@@ -32,7 +32,7 @@ from measured_report.parts.words import token
 from measured_report.values.format import ABSENT
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
-LOST = re.compile(f'<(?:data|span)[^>]* title="[^"]*"[^>]*>{ABSENT}<')  # a number that is not there, as it is printed
+LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')  # a number that is not there, as it is printed
 # Besides the sections that it needs; each says itself which number it is.
 NAMED = {"cell", "value", "row", "release", "config"}
 

@@ -150,7 +150,7 @@ def _named(template: str, code: jinja2.Template | None = None) -> Iterator[None]
     except UnicodeDecodeError as error:
         raise ReportError(f"templates/{template}: {error}") from None
     except jinja2.TemplateSyntaxError as error:
-        name = template if error.name in (None, "<introspection>") else error.name  # what looks for names in a tree
+        name = template if (error.name or "<")[0] in "/<" else error.name  # a path, or what looks for names in a tree
         raise ReportError(f"templates/{name}:{error.lineno}: {error.message}") from None
     except (jinja2.TemplateError, ReportError) as error:
         if TOLD.match(text := str(error)):

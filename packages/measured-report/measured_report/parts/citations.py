@@ -52,7 +52,7 @@ def references(templates: Path) -> Mapping[str, Reference]:
     for name, reference in by_name.items():
         if all((reference.package in addresses, reference.version, reference.file, reference.line, reference.excerpt)):
             by_name[name] = reference = replace(reference, url=addresses[reference.package].format(**tables[name]))
-        if not reference.url:
+        if not str(reference.url).startswith("http"):
             raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file, line and excerpt")
     return by_name
 

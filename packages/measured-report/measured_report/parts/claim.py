@@ -78,6 +78,7 @@ class Claim:
 
     def __post_init__(self) -> None:
         assert isinstance(self.outcome, Outcome), f"the claim {self.name} takes what a test returns, as at_most(…)"
+        assert isinstance(self.numbers, Mapping), f"the claim {self.name} takes numbers by name, as {{'gain': gain}}"
 
     @cached_property
     def sentence(self) -> Markup:
@@ -122,6 +123,7 @@ class Claim:
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
     """Hold or fail by a condition that was computed from these; cannot tell where one of them is missing."""
+    assert not (is_so and isinstance(is_so, Quantity | str)), f"{is_so} is no yes or no: test it, as x.value == 0"
     return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities, compares=False)
 
 
@@ -168,6 +170,7 @@ def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Ou
 
     def judge(*quantities: Quantity) -> Outcome:
         *values, most = (quantity.number for quantity in quantities)
+        assert most >= 0, f"{quantities[-1]} is no noise, which is never below 0"
         if len(values) < 2:
             return Outcome("unknown", "it takes two values to see a trend")
         if abs(values[-1] - values[0]) <= most:
@@ -204,6 +207,7 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     _refuse_units(difference, noise)
     outcome = _absent(difference, noise)
     if not outcome:
+        assert noise.number >= 0, f"{noise} is no noise, which is never below 0"
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
         reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
         near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_inconclusive=True)
@@ -214,8 +218,9 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
 def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", compares: bool = True) -> Outcome:
     """Return what ``judge`` says of them where all may be compared; a plain number was chosen for ``why``."""
     unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
-    if plain := [number for number in numbers if not (why or isinstance(number, Quantity))]:
-        raise ReportError(f'{plain[0]} was chosen and not measured: say for what with why="…", or name it by chosen(…)')
+    plain = [number for number in numbers if not isinstance(number, Quantity)]
+    if strange := [number for number in plain if not (why.strip() and hasattr(number, "__float__"))]:
+        raise ReportError(f'{strange[0]!r:.80} was not measured: a chosen number takes why="…", or a name by chosen(…)')
     chosen = partial(Bound, unit=unit, source="", noise=0.0, why=why)
     quantities = [number if isinstance(number, Quantity) else chosen(number) for number in numbers]
     if compares:

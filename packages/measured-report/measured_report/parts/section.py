@@ -126,6 +126,7 @@ class Figure:
         if not isinstance(drawing, Drawing):
             kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
             raise ReportError(f"it draws a {kind}, and not a new_figure()")
+        assert any(axes.has_data() for axes in drawing.axes), "it draws nothing"
         units = {source.unit for source in self.sources if isinstance(source, Quantity)}
         tables = (source.value for source in self.sources if isinstance(source, Series))
         units |= {column_of(column).unit for table in tables if table is not None for column in table}
@@ -197,6 +198,8 @@ class Section:
     def __post_init__(self) -> None:
         names = [claim.name for claim in self.claims]
         assert len(set(names)) == len(names), f"two claims have one name: {', '.join(names)}"
+        for name, item in (*self.tables.items(), *self.figures.items()):
+            assert hasattr(item, "__html__") or hasattr(item, "draw"), f"{name} is no Table(frame), or Figure(draw, …)"
 
     def worded(self, anchor: str, template: str, wordings: Mapping[tuple[str, str], Wording]) -> "Section":
         """Give it the words of the ``template``; ReportError unless items and wordings match."""

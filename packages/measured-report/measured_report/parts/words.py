@@ -44,6 +44,7 @@ TYPED = re.compile(
     r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?"
     r"(?:[nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?|[mk][AV]|min|times|[%°×x])(?!\w)"
 )  # a number with the unit of one that is measured
+MARKDOWN = re.compile(r"\*\*|(?<![\w*])\*\w|`|\]\(")
 FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)  # in TeX; none in code
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
@@ -107,6 +108,8 @@ class WordTags(Extension):
         optional = OPTIONAL | ({"fails"} if "opposite" in blocks else set())
         if missing := [part for part in parts if part not in optional | blocks.keys()]:
             parser.fail(f"{kind} {name} has no {{% {missing[0]} %}}", tag.lineno)
+        if any(MARKDOWN.search(text.data) for block in blocks.values() for text in block.find_all(nodes.TemplateData)):
+            parser.fail(f"{kind} {name} has Markdown, and its words are HTML, as <em>", tag.lineno)
         tree = nodes.Template([node for block in blocks.values() for node in block.body])
         tree.set_environment(self.environment)
         source = f"templates/{parser.name}:{min(block.lineno for block in blocks.values())}"
@@ -153,7 +156,9 @@ def with_formulas(source: str) -> str:
             raise TemplateSyntaxError(f"{tex:.60} is no TeX that is known here", line)
         return f"<span>{formula}</span>"
 
-    return FORMULA.sub(written, source)
+    if "$$" in TAGS.sub("", text := FORMULA.sub(written, source)):
+        raise TemplateSyntaxError("$$ begins a formula that no $$ ends", source.count("\n", 0, source.rfind("$$")) + 1)
+    return text
 
 
 def token(printed: list[Any], item: Any) -> Markup:

@@ -64,6 +64,8 @@ def units() -> Mapping[str, str]:
 @cached_in_report
 def column_of(name: str) -> Column:
     declared = [table for table in config().columns if name in table.names or re.fullmatch(table.pattern, name)]
+    if len({table.better for table in declared if name in table.names} - {""}) > 1:
+        raise ReportError(f"{FILE}: of {name} both less and more is better, by two tables of columns")
     pieces = PERCENTILE.sub("", name).split("_")
     ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
     unit = next((units()[end] for end in ends if end in units()), PLAIN)
@@ -149,12 +151,12 @@ def is_number(value: Any) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def plain(cell: Any) -> Any:
-    """Return a cell as Python has it where it is NumPy's; TypeError for what no record may hold."""
+def plain(cell: Any, name: str) -> Any:
+    """Return a cell as Python has it where it is NumPy's; ReportError for what no record may hold."""
     value = cell.item() if getattr(cell, "ndim", None) == 0 else cell
     if value is None or isinstance(value, bool | int | float | str):
         return value
-    raise TypeError(f"{value!r:.80} is no number, text, yes or no")
+    raise ReportError(f"the column {name} has {value!r:.80}, which is no number, text, yes or no")
 
 
 def number_problem(name: str, value: int | float) -> str:

@@ -28,12 +28,14 @@ NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
 def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, bytes]:
     """Pack a trace as it is kept beside ``record``, with its seal, without pandas, which is not there."""
-    text, columns = io.StringIO(), {str(name): list(map(plain, cells)) for name, cells in table.items()}
+    text, columns = io.StringIO(), {str(name): [plain(cell, name) for cell in cells] for name, cells in table.items()}
     try:
         for name, cells in columns.items():
             cells[:] = [None if is_number(cell) and number_problem(name, cell) else cell for cell in cells]
             texts = dict.fromkeys(cell for cell in cells if isinstance(cell, str))
             _check_column(name, list(filter(is_number, cells)), texts)
+        if len({*map(len, columns.values())}) > 1:
+            raise ValueError("its columns are not of one length")
         lines = list(zip(*columns.values(), strict=True))
         _check_cells(iter([[*columns], *([str(cell) for cell in line] for line in lines)]))
     except ValueError as error:

@@ -10,10 +10,11 @@ from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums
 from measured_report.files.cache import Cache
-from measured_report.files.config import FILE, report
+from measured_report.files.config import FILE, config, report
 from measured_report.files.errors import ReportError
 from measured_report.findings.cache import DerivedCache, installed
 from measured_report.pages.editions import WordedEdition, worded_editions
+from measured_report.pages.passages import LOST
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions, sections, sources
@@ -56,17 +57,23 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         for release, edition in editions.items():
             stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
             idle = _records_of_nothing(edition) + idle_settings(edition)
-            notes = (gaps(edition), blind_spots(edition) + idle) if edition.project.is_own else ()
+            printed = ((name, item) for name, chapter in edition.chapters.items() for item in chapter.prose.printed)
+            matches = [(name, LOST.match(item)) for name, item in printed if isinstance(item, str)]
+            lost = [f"{name}: its words print what is not there: {match[1]}" for name, match in matches if match]
+            notes = (gaps(edition) + lost, blind_spots(edition) + idle) if edition.project.is_own else ()
             built[release] = Built(stale, [*edition.left_out, *edition.plugins.left_out], *notes)
         cache.put(BUILT, (digest, digests_below(project.site)), built)
     return built
 
 
 def _records_of_nothing(edition: WordedEdition) -> list[str]:
-    """Say which records are of no section, as those of one that was renamed."""
+    """Say which records are of no section, as those of one that was renamed, and which folders of no edition."""
     results, known = edition.project.results, sections(edition.project.root)
+    editions = map(config().edition_folder, edition.project.releases)
+    strange = sorted({path.parent.name for path in results.parent.glob("*/*.json")}.difference(editions))
     paths = (path for path in sorted(results.glob("*.json")) if path not in edition.plugins.data)
-    return [f"{short_path(path)} is of no section" for path in paths if path.stem not in known]
+    lines = [f"results/{name} is of no edition" for name in strange]
+    return lines + [f"{short_path(path)} is of no section" for path in paths if path.stem not in known]
 
 
 def inputs_digest(project: Project, address: str = "") -> str:

@@ -22,6 +22,8 @@ FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "acti
 """Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
 ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal", "set", "animate"}
 """Elements that run, hold another page, or change where links lead."""
+INLINE = ("a", "abbr", "b", "code", "em", "i", "span", "strong", "sub", "sup")  # none of which a browser closes itself
+DOUBLED = re.compile(r"</data>&nbsp;(\S+)\s+\1(?!\w)")
 PICTURES = {"svg", "img", "video", "canvas"}
 
 
@@ -52,6 +54,8 @@ class PageReader(HTMLParser):
         self.styles = "".join([*styles, *(element.text for element in self.of("style"))])
         self.scripts = [element.tag for element in self.elements if _is_active(element)]
         self.inline = [element.text for element in self.of("script") if not element.attributes]
+        self.slips = [f"{unit} stands twice behind a number" for unit in DOUBLED.findall(html)]
+        self.slips += [f"<{tag}> is not closed" for tag in INLINE if len(self.of(tag)) != html.count(f"</{tag}>")]
         self.claims = [element.attributes for element in self.elements if "data-claim" in element.attributes]
 
     def of(self, tag: str) -> list[Element]:

@@ -18,7 +18,7 @@ from measured_report.records.traces import load_trace
 from measured_report.values.evidence import Evidence
 from measured_report.values.format import label_of
 from measured_report.values.noise import Estimate
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, combined, constant
+from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, combined
 
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd
@@ -192,7 +192,7 @@ class Results:
         name: str,
         formula: str,
         function: Callable[..., float] | Quantity,
-        *sources: Quantity | Series,
+        *sources: Quantity | Series | float,
         unit: str = PLAIN,
         across: bool = False,
         is_noise: bool = False,
@@ -209,6 +209,8 @@ class Results:
             unit, sources, function = function.unit, (function,), operator.pos
         if UNNAMEABLE.search(name):
             raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
+        if not formula.strip():
+            raise ResultsError(f"the value {name} has no words for how it is computed, or why it was chosen")
         if not is_unit(unit):
             raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
         term = combined(function, *sources, unit=unit, across=across)
@@ -220,4 +222,4 @@ class Results:
 
     def chosen(self, name: str, why: str, value: float, unit: str = PLAIN) -> Value:
         """Set the value ``name``, which nobody measured: a bound, and ``why`` in words."""
-        return self.value(name, f"chosen: {why}", constant(value, unit))
+        return self.value(name, f"chosen: {why}" if why.strip() else "", operator.pos, value, unit=unit)

@@ -58,7 +58,7 @@ def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for
     [
         ("results.rows[5:]; rows[0]", "IndexError: list index"),
         ("results.row['stiff'].slap_mm", "toy: stiff has no column"),
-        ("results.chosen('x', 'so', 1.0, 'furlong')", "1 has the unit furlong, not known here; units in report.toml"),
+        ("results.chosen('x', 'so', 1.0, 'furlong')", "the value x has the unit furlong, not known here; units"),
     ],
 )
 def test_a_bug_of_derive_is_no_damage_and_has_its_line_and_no_advice_to_measure(toy, bug, said, capsys):

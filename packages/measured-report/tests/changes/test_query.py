@@ -37,6 +37,7 @@ RULES = Config(
             {"thresholds": {"toy.saft.slip_mm": 1.0}},
             "toy.saft.slip_mm, which is no value here; similar: toy.soft.slip_mm",
         ),
+        ({"thresholds": {"toy.soft.case": 1.0}}, "changes.thresholds names toy.soft.case, which is no value here"),
         ({"host": "nosuch.host"}, "host = 'nosuch.host': there is no such module"),
         ({"pages": [Page("more")]}, "the page more has no section, nor templates/pages/more.md.j2"),
         ({"explanation": "toy.help"}, "changes.explanation names toy.help, which is no value here; similar: toy.helps"),
@@ -98,6 +99,7 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
         "toy: several rows of case stiff, which nothing tells apart",
         "toy: firm has no slip_mm: the measurement gave nan",
         "toy.helps cannot tell: there are 2 rows of case stiff",
+        "toy: its words print what is not there: there are 2 rows of case stiff",
     ]
 
 
@@ -109,8 +111,9 @@ def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the
 def test_what_a_figure_and_a_setting_are_of_is_missed_when_the_site_is_built(toy):
     toy.write("report/sections/toy.py", MODULE.replace("draw(trace), [trace]", "draw(trace), []"))
     shutil.copy(toy.project.record_path("toy"), toy.project.record_path("tay"))
+    shutil.copytree(toy.project.results, toy.project.results.with_name("newton-1.4.0 copy"))
     built = build(toy.project)["1.4.0"]
-    assert "newton-1.4.0/tay.json is of no section" in built.notes
+    assert {"newton-1.4.0/tay.json is of no section", "results/newton-1.4.0 copy is of no edition"} < {*built.notes}
     assert built.gaps == ["toy: the figure way has no sources"]
-    idle = [f"report.toml: no row has {name}" for name in ("growth_per_s", "classes", "case = c")]
+    idle = [f"report.toml: no row has {name}" for name in ("growth_per_s", "classes", "worlds", "case = c")]
     assert {*idle} < {*built.notes} and "report.toml: no row has slip_mm" not in built.notes

@@ -29,6 +29,8 @@ TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
         ('formulas = ["RK4"]', 'formulas = ["RK4("]', r"'RK4\(' is no regular expression"),
         ('names = ["duration_s"]', "", "a table of columns has neither names nor a pattern"),
         ('name = "results"', 'name = "index"', "pages has none, or two of one name"),
+        ('better = "less"', "resolution = -1.0", "Expected `float` >= 0.0"),
+        ('mj = "mJ"', 'mj = ""', "Expected `str` of length >= 1"),
         ('mj" = 0.05', 'mj" = -0.05', "Expected `float` > 0.0"),
         ("title =", 'repository = "nowhere"\ntitle =', "Expected `str` matching regex"),
     ],

@@ -104,8 +104,9 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
     [
         (None, "'NoneType' object has no attribute 'rows'"),
         (batches.Rows([1]), "'int' object has no attribute 'items'"),
-        (batches.Rows([{"case": "a", "slip_mm": [1.0]}]), r"\[1.0\] is no number, text, yes or no"),
-        (batches.Rows([{"case": "a"}], {"a": {"time_s": [[1.0]]}}), r"\[1.0\] is no number, text, yes or no"),
+        (batches.Rows([{"case": "a", "slip_mm": [1.0]}]), r"slip_mm has \[1.0\], which is no number, text, yes or no"),
+        (batches.Rows([{"case": "a"}], {"a": {"time_s": [[1.0]]}}), r"time_s has \[1.0\], which is no number.*"),
+        (batches.Rows([{"case": "a"}], {"a": {"time_s": [1.0], "slip_mm": []}}), "its columns are not of one length"),
         (batches.Rows([{"case": "a"}], {1: {1: [1.0]}}), "'1' is no column name"),
     ],
 )
@@ -115,6 +116,12 @@ def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, re
     lines = capsys.readouterr().err
     assert re.fullmatch(f"toy: measuring failed; what was there is kept: .*{reason}\n", lines)
     assert rows_of(toy) == before
+
+
+def test_rows_that_are_yielded_are_no_batches(toy, capsys):
+    assert (
+        fails(section_of(toy, (rows for rows in [[{"case": "a"}]]))) and "it yields no Batch" in capsys.readouterr().err
+    )
 
 
 def handed(returned) -> Plan:

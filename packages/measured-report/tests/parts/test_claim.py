@@ -61,8 +61,9 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
     assert all_of(found, greater(quantity(2.0), 1.0, noise=NOISE, why="much")).bounds == (*found.bounds, "1 mm (much)")
     assert "the noise of 0.1 mm, but" in within(quantity(0.15), 0.1, why="the same").reason
     assert greater(quantity(3.0), quantity(1.0), noise=NOISE).bounds == ()
-    with pytest.raises(ReportError, match=r"0\.5 was chosen and not measured: say for what"):
-        at_least(quantity(0.4), 0.5)
+    for bound, why in ((0.5, " "), ("0.5 mm", "hardly any")):
+        with pytest.raises(ReportError, match=r"0\.5.* was not measured: a chosen number takes why"):
+            at_least(quantity(0.4), bound, why=why)
     with pytest.raises(ReportError, match="'far' is no number to compute with"):
         _ = quantity(0.4) - "far"
 
@@ -131,6 +132,10 @@ def test_what_has_no_value_says_why(results):
     assert trace.value is None and "toy.soft.csv.gz" in trace.reason
     with pytest.raises(ResultsError, match="derived twice"):
         results.value("half", "two", lambda: 2.0)
+    with pytest.raises(ResultsError, match="the value least has no words for how it is computed, or why"):
+        results.chosen("least", "", 2.0)
+    with pytest.raises(ReportError, match="'2' is no number to compute with"):
+        results.chosen("least", "two", "2")
     with pytest.raises(ResultsError, match="toy: there is no single row of case nobody"):
         _ = results.row["nobody"].has_old  # as false as a no, if it were a text
     with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
@@ -142,3 +147,13 @@ def test_claims_have_names_of_their_own_and_take_what_a_test_returns():
         Section(claims=[Claim(name, HOLDS) for name in "aba"])
     with pytest.raises(AssertionError, match="the claim a takes what a test returns"):
         Claim("a", True)
+    with pytest.raises(AssertionError, match="the claim a takes numbers by name"):
+        Claim("a", HOLDS, [quantity(1.0)])
+    with pytest.raises(AssertionError, match="way is no Table"):
+        Section(figures={"way": print})
+    for is_so in (quantity(1.0), "no"):
+        with pytest.raises(AssertionError, match="is no yes or no"):
+            claims.decided(is_so, quantity(1.0))
+    for test in (within, lambda a, **chosen: greater(quantity(2.0), a, **chosen)):
+        with pytest.raises(AssertionError, match=r"1 mm \(a slip\) is no noise"):
+            test(quantity(1.0), noise=-1.0, why="a slip")

@@ -24,6 +24,8 @@ ASKS = "{% asks %} whether it helps\n"
         ("helps {{ gain }}", "helps at most {{ gain }}", r"sections/toy.md.j2:4: at most {{ gain }} takes .most$"),
         ("helps {{ gain }}", "helps at\nleast {{ gain.most }}", r"j2:4: at least {{ gain.most }} takes .least$"),
         ("helps {{ gain }}", "helps more than {{ gain }}", r"more than {{ gain }} takes .most or .least$"),
+        ("It helps", "It *helps*", r"sections/toy.md.j2:3: claim helps has Markdown, and its words are HTML"),
+        ("\n{% table", "\n$$x\n{% table", r"sections/toy.md.j2:\d+: \$\$ begins a formula that no \$\$ ends"),
         (ASKS, ASKS * 2, r"sections/toy.md.j2:7: claim helps is worded twice"),
         (
             "\n{% table",

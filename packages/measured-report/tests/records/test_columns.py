@@ -5,6 +5,7 @@ from dataclasses import MISSING, replace
 import pytest
 
 from measured_report.files.atomic import RecordError
+from measured_report.files.errors import ReportError
 from measured_report.records import columns
 from measured_report.records.columns import column_of, is_unit, number_problem, plain, text_problem, units_of, unlike
 from measured_report.records.record import read_record, record_text
@@ -41,9 +42,9 @@ def test_units_that_differ_by_a_prefix_are_of_one_kind():
 def test_texts_and_cells_have_their_limits_and_a_parameter_counts_where_it_is_not_its_default(monkeypatch):
     assert text_problem("a" * 4096) == "" and "more than 4096" in text_problem("a" * 4097)
     assert "U+202E" in text_problem("\u202e") and columns.name_problem("a\nb") and not columns.name_problem("a b")
-    assert plain(None) is None and plain(2) == 2
-    with pytest.raises(TypeError, match="is no number, text, yes or no"):
-        plain([1.0])
+    assert plain(None, "a") is None and plain(2, "a") == 2
+    with pytest.raises(ReportError, match=r"the column a has \[1.0\], which is no number, text, yes or no"):
+        plain([1.0], "a")
     rows = [{"case": "a", "on": True, "way_mm": 1}, {"pull_n": 2.0, "pause_s_reason": "b"}]
     assert units_of(rows) == {"way_mm": "mm", "pull_n": "N", "pause_s": "s"}
     slips = [columns.number_of("slip_mm", {"slip_mm": 1.0, "dropped": is_lost}) for is_lost in (True, False)]

@@ -44,6 +44,8 @@ WRONG = [
     ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6.4 mm</text></svg>', ""),
     ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6 mm</text></svg>', "is not said by"),
     ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
+    ("&nbsp;mm", "&nbsp;mm mm", "mm stands twice behind a number"),
+    ("</main>", "<em>x</main>", "<em> is not closed"),
     ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
 ]
 
