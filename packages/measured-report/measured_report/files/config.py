@@ -25,7 +25,6 @@ ROOMS = ("experiments", "report")  # packages that every report has of its own, 
 T = TypeVar("T")
 Address = Annotated[str, Meta(pattern="^$|^https?://")]
 ClassName = Annotated[str, Meta(pattern="^$|:")]
-Share = Annotated[float, Meta(gt=0.0)]
 
 
 @dataclass(frozen=True)
@@ -59,9 +58,9 @@ class Changes:
 
     upgrade_sections: Sequence[str] = ()  # sections that make upgrade measures, the longest first; none: all
     headlines: Mapping[str, str] = field(default_factory=dict)  # values that the history shows, by what they are called
-    thresholds: Mapping[str, Share] = field(default_factory=dict)
+    thresholds: Mapping[str, float] = field(default_factory=dict)
     """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
-    setting_threshold: Share = 0.05  # the same for any setting
+    setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05  # the same for any setting
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
     explanation: str = ""  # the claim that, where it holds, explains why editions differ
@@ -104,7 +103,7 @@ class Config:
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
-    units: Mapping[str, Annotated[str, Meta(min_length=1)]] = field(default_factory=dict)  # by the end of a column
+    units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
     cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
     columns: Sequence[Columns] = ()  # the tables ``columns``
     baseline: str = "the baseline"  # what people call the case that all others are changed from
@@ -192,6 +191,8 @@ class Report:
                 re.compile(pattern)
             if not all(table.names or table.pattern for table in config.columns):
                 raise ValueError("a table of columns has neither names nor a pattern")
+            if wrong := [name for name, share in config.changes.thresholds.items() if not share > 0]:
+                raise ValueError(f"changes.thresholds has {wrong[0]}, which is not above 0")
             if not 0 < len(config.pages) == len({page.name for page in config.pages}):
                 raise ValueError(f"pages has none, or two of one name: {[page.name for page in config.pages]}")
         except re.error as error:

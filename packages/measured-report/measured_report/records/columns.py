@@ -56,8 +56,8 @@ class Column(ColumnTraits):
 def units() -> Mapping[str, str]:
     """Return the unit by the end of a column's name; the longest end that fits counts."""
     known = _LENGTHS | _TIMES | _OTHERS
-    if other := [end for end, unit in config().units.items() if known.get(end, unit) != unit]:
-        raise ReportError(f"{FILE}: units has {other[0]}, which is {known[other[0]]}: give the column another end")
+    if other := [end for end, unit in config().units.items() if not unit or known.get(end, unit) != unit]:
+        raise ReportError(f"{FILE}: units has {other[0]}, which is {known.get(other[0], 'empty')}: take another end")
     return known | dict(config().units)
 
 

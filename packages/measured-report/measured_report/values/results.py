@@ -209,8 +209,7 @@ class Results:
             unit, sources, function = function.unit, (function,), operator.pos
         if UNNAMEABLE.search(name):
             raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
-        if not formula.strip():
-            raise ResultsError(f"the value {name} has no words for how it is computed, or why it was chosen")
+        assert formula.strip(), f"the value {name} has no words for how it is computed, or why it was chosen"
         if not is_unit(unit):
             raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
         term = combined(function, *sources, unit=unit, across=across)

@@ -132,7 +132,7 @@ def test_what_has_no_value_says_why(results):
     assert trace.value is None and "toy.soft.csv.gz" in trace.reason
     with pytest.raises(ResultsError, match="derived twice"):
         results.value("half", "two", lambda: 2.0)
-    with pytest.raises(ResultsError, match="the value least has no words for how it is computed, or why"):
+    with pytest.raises(AssertionError, match="the value least has no words for how it is computed, or why"):
         results.chosen("least", "", 2.0)
     with pytest.raises(ReportError, match="'2' is no number to compute with"):
         results.chosen("least", "two", "2")
