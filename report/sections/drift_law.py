@@ -96,7 +96,7 @@ def _follows(results: Results, runs: Sequence[Row], laws: Mapping[str, Value], o
     many = at_least(distinct, 5, why="more than a line takes")
     is_wide = all_of(at_least(width, 3.0, why="enough to see a law"), many)
     if outcome != FAILS and is_wide != HOLDS:
-        reason = "the friction rows of all runs brake too much alike to tell"
+        reason = "the friction rows of all runs brake too much alike to tell" if width.value else "no cube is kept"
         outcome = Outcome("unknown", reason).having_read(width)
         numbers = {name: absent(number.unit, reason) for name, number in numbers.items()}
     return Claim("follows", outcome, numbers | {"is_wide": is_wide == HOLDS})

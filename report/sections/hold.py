@@ -1,7 +1,5 @@
 """The same grasp with the arm held still: how much of the drift needs the load cycle?"""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
@@ -32,10 +30,9 @@ def derive(results: Results) -> Section:
     shaken, long, stiff = (results.row[case] for case in ("as-shipped", "hold-60s", "hold-60s-stiff"))
     sources = {"stiff-pads": results.others["reproduction"]} if "reproduction" in results.others else {}
     traces = {case: sources.get(case, results).trace(case) for case in LINES}
-    goes_on, keeps = _creep_goes_on(results, long), _stiff_pads_keep_creep(results, long, stiff)
-    numbers: dict[str, Any] = {"shaken": shaken.slip_mm, "held": long.slip_mm, "stiff": stiff.slip_mm}
+    keeps = _stiff_pads_keep_creep(results, long, stiff, goes_on := _creep_goes_on(results, long))
+    numbers = {"shaken": shaken.slip_mm, "held": long.slip_mm, "stiff": stiff.slip_mm, "is_so": keeps.outcome == HOLDS}
     numbers |= {"shake_duration": shaken.shake_duration_s, "hold_duration": long.shake_duration_s}
-    numbers["is_so"] = all_of(goes_on.outcome, keeps.outcome) == HOLDS
     figures = {"motion": Figure(lambda: _draw_motion(traces), list(traces.values()), numbers)}
     claims = [_drift_needs_cycle(results, results.row["hold"].drift_mm_s, shaken.drift_mm_s), goes_on, keeps]
     claims += [_creep_is_rounding(results, *(results.row[f"precision-{name}"] for name in PRECISION))]
@@ -63,11 +60,12 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
     return Claim("creep_goes_on", outcome, {"slip": slip, "duration": duration, "last": last})
 
 
-def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
+def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row, goes_on: Claim) -> Claim:
     formula = "slip of the long hold with stiff pads, of the slip of the long hold as shipped"
     remaining = results.value("stiff_creep_share", formula, PERCENT * stiff.slip_mm / long.slip_mm)
     numbers = {"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s}
-    return Claim("stiff_pads_keep_creep", at_least(remaining, 50.0, why="most of it remains"), numbers)
+    remains = at_least(remaining, 50.0, why="most of it remains")
+    return Claim("stiff_pads_keep_creep", all_of(goes_on.outcome, remains), numbers)
 
 
 def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Claim:

@@ -48,7 +48,7 @@ def derive(results: Results) -> Section:
     timed: Timed = RowsBy(results, rows, "device", "case", "worlds")
     # Of runs to the end, which are the same in the rows of all numbers of worlds.
     ran = {case: row for (device, case, _), row in reversed([*timed.items()]) if device == "cuda"}
-    base, differences, resolutions = ran.get(REFERENCE, results.row[REFERENCE]).slip_mm, {}, {}
+    base, differences, resolutions = ran.pop(REFERENCE, results.row[REFERENCE]).slip_mm, {}, {}
     for case, row in ran.items():
         name, formula = f"cuda_{case}_difference".replace("-", "_"), f"slip of {case} less that of {REFERENCE}"
         differences[case] = results.value(name, f"{formula}, on the same device", row.slip_mm - base)

@@ -6,7 +6,7 @@ from markupsafe import Markup
 
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, decided
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from report.sections.upgrade.ends import released
@@ -41,15 +41,14 @@ def derive(releases: Releases, shown: str) -> Section:
         return Section()
     bound = sections.value("reproduction", "slip_bound")
     needed = {way: [_advice(_slips(sections, way), bound) for sections in every.values()] for way in WAYS}
-    named = map(config().short_name, every)
-    tables = {"needed": table_of("release", named, needed)}
+    tables = {"needed": table_of("release", map(config().short_name, every), needed)}
     slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
     figures = {"mechanism": Figure(draw_mechanism, [slide]), "frontier": frontier.figure(sections)}
     claims = [*frontier.advice(sections, every), _fine_since(every, bound), _still_needed(every, bound)]
     for name, way in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID)):
         before, after = _slips(sections, way)
         is_halved = None not in (before.value, after.value) and 2.0 * after.number <= before.number
-        outcome = all_of(at_least(before, bound), decided(is_halved, before, after))
+        outcome = all_of(at_least(before, bound), at_most(after, bound), decided(is_halved, before, after))
         claims.append(Claim(name, outcome, {"before": before, "after": after}))
     return Section(tables=tables, figures=figures, claims=[*claims, _coarser_moves(sections)])
 
@@ -62,7 +61,7 @@ def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
     """Mark whether shipped pads keep the cube, and where they don't, whether stiff ones do."""
     before, after = slips
     if None in (before.value, bound.value):
-        return Markup("run failed" if before.source else "not measured")
+        return Markup("lost or failed" if before.source else "not measured")
     if before.value < bound.value:
         return Markup("✓ {}").format(before)
     if after.value is None or after.unit != bound.unit:

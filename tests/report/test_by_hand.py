@@ -34,7 +34,7 @@ TOLD = """
     friction:largest_share=4 contact_source:largest_share=4 solver:largest_share=4 gap:slip_difference_share=4
     priority:cube_slip_share=4 lab:as-shipped.slip_mm=6 lab:impratio-1.slip_mm=6.61
     lab:substeps-4.slip_mm=5.39 upgrade:as-shipped-mujoco-contacts.slip_mm=6 solver:cone-pyramidal.slip_mm=6
-    upgrade:stiff-pads-mujoco-contacts.slip_mm=2.9 cure:pyramidal-implicitfast-50-stiff-3cm-plain-rounded.slip_mm=0.5
+    upgrade:stiff-pads-mujoco-contacts.slip_mm=0.9 cure:pyramidal-implicitfast-50-stiff-3cm-plain-rounded.slip_mm=0.5
     error_runtime:stiff/c/cone-pyramidal.grasp_error_mm_per_cycle=0.03 lab:cone-pyramidal.slip_mm=6
 """
 

@@ -99,7 +99,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     moved = all_of(grows) if grows == HOLDS else greater(Quantity(1.0, "1", "", noise=0.0), most)
     outcome = OPPOSITE if moved == HOLDS else HOLDS if None not in (least.value, most.value) else grows
     outcome = machines_differ(ends.releases, "speed") or outcome
-    numbers = ends.names | {"grows": grows == HOLDS, "least": least, "most": most, "count": count}
+    numbers = ends.names | {"are_apart": greater(most, least) == HOLDS, "least": least, "most": most, "count": count}
     timed = [chapters["speed"].results.record for chapters in ends.releases.values() if "speed" in chapters]
     numbers["device"] = DEVICES[timed[-1].machine["device"]] if timed else ""
     return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
