@@ -28,7 +28,7 @@ def _problems_of(site: Path) -> Iterator[str]:
     pages = {path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in files}
     data, scripts = Data(site / "data"), plugins().scripts()
     for path, page in pages.items():
-        problems = page.slips + [f"<{tag}> runs a script" for tag in page.scripts]
+        problems = page.faults + [f"<{tag}> runs a script" for tag in page.scripts]
         problems += ["a script runs that is not the project's own" for text in page.inline if text not in scripts]
         problems += [f"{address} is fetched from elsewhere" for address in page.fetched if _is_elsewhere(address)]
         problems += ["a style fetches something"] if FETCHING_STYLE.search(page.styles) else []

@@ -54,8 +54,8 @@ class PageReader(HTMLParser):
         self.styles = "".join([*styles, *(element.text for element in self.of("style"))])
         self.scripts = [element.tag for element in self.elements if _is_active(element)]
         self.inline = [element.text for element in self.of("script") if not element.attributes]
-        self.slips = [f"{unit} stands twice behind a number" for unit in DOUBLED.findall(html)]
-        self.slips += [f"<{tag}> is not closed" for tag in INLINE if len(self.of(tag)) != html.count(f"</{tag}>")]
+        self.faults = [f"{unit} stands twice behind a number" for unit in DOUBLED.findall(html)]
+        self.faults += [f"<{tag}> is not closed" for tag in INLINE if len(self.of(tag)) != html.count(f"</{tag}>")]
         self.claims = [element.attributes for element in self.elements if "data-claim" in element.attributes]
 
     def of(self, tag: str) -> list[Element]:
