@@ -18,7 +18,7 @@ from measured_report.pages.passages import LOST
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions, sections, sources
-from measured_report.records.record import BYTE_LIMIT
+from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site
 
@@ -67,12 +67,16 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
 
 
 def _records_of_nothing(edition: WordedEdition) -> list[str]:
-    """Say which records are of no section, as those of one that was renamed, and which folders of no edition."""
+    """Say which records are of no section, as those of one that was renamed, which traces of none, and so on."""
     results, known = edition.project.results, sections(edition.project.root)
     editions = map(config().edition_folder, edition.project.releases)
     strange = sorted({path.parent.name for path in results.parent.glob("*/*.json")}.difference(editions))
     paths = (path for path in sorted(results.glob("*.json")) if path not in edition.plugins.data)
     lines = [f"results/{name} is of no edition" for name in strange]
+    for name, chapter in edition.chapters.items():
+        sealed = {trace_path(chapter.results.path, case) for case in chapter.results.record.traces}
+        strays = sorted({*results.glob(f"{name}.*.csv.gz")} - sealed)
+        lines += [f"{short_path(path)} is no trace of {name}" for path in strays]
     return lines + [f"{short_path(path)} is of no section" for path in paths if path.stem not in known]
 
 
