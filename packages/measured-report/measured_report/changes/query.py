@@ -206,11 +206,6 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
         cases = [row["case"] for row in rows if "of" not in row]
         if unknown := [row["of"] for row in rows if cases and row.get("of", cases[0]) not in cases]:
             raise ReportError(f"{chapter.name}: of = {unknown[0]} names no case{suggestion(str(unknown[0]), cases)}")
-    for name, chapter in edition.chapters.items():
-        records = [same.chapters[name].results.record for same in editions.values() if name in same.chapters]
-        names = {str(row[key]) for record in records for row in record.rows for key in ("case", "of") if key in row}
-        if idle := [label for label in chapter.results.labels if all(label_of(case, {label: ""}) for case in names)]:
-            raise ReportError(f"{name}: labels has {idle[0]}, which is no case here{suggestion(idle[0], names)}")
     if edition.project.named.is_installed_with(package_versions()):
         _refuse_absent_imports(edition.project.root)
     _refuse("changes.package_groups", chain(*rules.package_groups), "package", config().packages)
@@ -308,6 +303,17 @@ def blind_spots(edition: Edition) -> list[str]:
 
 def _rows(edition: Edition) -> list[Mapping[str, Any]]:
     return [row for chapter in edition.chapters.values() for row in chapter.results.record.rows]
+
+
+def idle_labels(editions: Mapping[str, Edition], edition: Edition) -> list[str]:
+    """Say which labels are of cases that no edition has, as one that is mistyped, or whose row is lost."""
+    lines = []
+    for name, chapter in edition.chapters.items():
+        records = [same.chapters[name].results.record for same in editions.values() if name in same.chapters]
+        names = {str(row[key]) for record in records for row in record.rows for key in ("case", "of") if key in row}
+        idle = [label for label in chapter.results.labels if all(label_of(case, {label: ""}) for case in names)]
+        lines += [f"{name}: labels has {label}, which is no case here{suggestion(label, names)}" for label in idle]
+    return lines
 
 
 def idle_settings(edition: Edition) -> list[str]:

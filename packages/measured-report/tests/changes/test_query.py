@@ -109,7 +109,8 @@ def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the
 
 
 def test_what_a_figure_and_a_setting_are_of_is_missed_when_the_site_is_built(toy):
-    toy.write("report/sections/toy.py", MODULE.replace("draw(trace), [trace]", "draw(trace), []"))
+    module = MODULE.replace("draw(trace), [trace]", "draw(trace), []")
+    toy.write("report/sections/toy.py", module.replace("order = 1", "order = 1\nlabels = {'saft': 'x'}"))
     shutil.copy(toy.project.record_path("toy"), toy.project.record_path("tay"))
     shutil.copytree(toy.project.results, toy.project.results.with_name("newton-1.4.0 copy"))
     built = build(toy.project)["1.4.0"]

@@ -104,7 +104,6 @@ END = "{% endtable %}\n"
         ("order = 1", "order = 1\nreads = 'toy'", "toy.py: labels is a dict, .* and reads a tuple"),
         ("order = 1", "order = 1\nreads = ('toy',)", "toy.py reads toy, which stands after it"),
         ("order = 1", "order = 1\nlabel = 3", "toy.py: .*label text"),
-        ("order = 1", "order = 1\nlabels = {'saft': 'x'}", "toy: labels has saft, .*; similar: soft"),
         ("drawing, axes = new_figure()", "return new_figure()[0]", "toy-way can't be drawn: .*it draws nothing"),
         (END, END + "{# x", r"^templates/sections/toy.md.j2:\d+: Missing end of comment tag"),
         ("order = 1", "order = 1\nlabels = ['soft']", "toy.py: labels is a dict"),
