@@ -7,7 +7,18 @@ from itertools import pairwise
 from measured_report.changes.compare import Flip, FlipList, flips
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome, all_of, at_most, decided, greater
+from measured_report.parts.claim import (
+    FAILS,
+    HOLDS,
+    OPPOSITE,
+    Claim,
+    Outcome,
+    all_of,
+    at_least,
+    at_most,
+    decided,
+    greater,
+)
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, Value, combined, constant
 from measured_report.values.results import Results
@@ -95,11 +106,12 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     most = results.value("frame_ratio_most", f"most {formula}", combined(max, *ratios), across=True)
     newer = cell_count(after for _, after in pairs)
     count = results.value("speed_case_count", "cases of one world whose frames were timed", newer)
-    grows = greater(least, 1.0, why="as long as before")
-    moved = all_of(grows) if grows == HOLDS else greater(Quantity(1.0, "1", "", noise=0.0), most)
-    outcome = OPPOSITE if moved == HOLDS else HOLDS if None not in (least.value, most.value) else grows
-    outcome = machines_differ(ends.releases, "speed") or outcome
-    numbers = ends.names | {"are_apart": greater(most, least) == HOLDS, "least": least, "most": most, "count": count}
+    one, why = Quantity(1.0, "1", "", noise=0.0), "the same time"
+    ways = greater(least, one), greater(one, most)  # all take longer, or all less
+    mixed = all(way.answer == "the opposite" for way in ways)
+    same = all_of(at_least(least, 0.95, why=why), at_most(most, 1.05, why=why))
+    outcome = machines_differ(ends.releases, "speed") or (OPPOSITE if HOLDS in ways else HOLDS if mixed else same)
+    numbers = ends.names | {"mixed": mixed, "least": least, "most": most, "count": count}
     timed = [chapters["speed"].results.record for chapters in ends.releases.values() if "speed" in chapters]
     numbers["device"] = DEVICES[timed[-1].machine["device"]] if timed else ""
     return Claim("same_speed", ends.one or outcome.having_read(least, most), numbers)
