@@ -76,7 +76,7 @@ class Example:
         self.case = case
         device = wp.get_device(device_of(case, None))
         if device.is_cuda:
-            compile_first(device)
+            compile_first("cuda")
         self.simulation = Simulation([case] * world_count, device)
         self.model = self.simulation.model
         self.state_0 = self.simulation.state

@@ -67,7 +67,7 @@ def kernels(tmp_path_factory) -> None:
     def make(_: Path) -> None:
         from experiments.simulation.host import compile_first
 
-        compile_first(wp.get_device("cpu"))
+        compile_first("cpu")
 
     made_once(tmp_path_factory, "kernels", make)
 

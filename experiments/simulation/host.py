@@ -1,5 +1,6 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
+import os
 import re
 import time
 from collections.abc import Callable
@@ -12,12 +13,13 @@ from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only, paired_timing  # noqa: F401
-from experiments.simulation.kernels import Launch, is_bare, scene_kernels
+from experiments.simulation.kernels import Launch, has_begun, is_bare, scene_kernels
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
+from measured_report.files.processes import workers
 from measured_report.measuring.accelerator import lacks
-from measured_report.measuring.pool import gather, processes, start
+from measured_report.measuring.pool import gather, start
 from measured_report.records.identity import package_versions
 
 PROCESS_COUNT = 16  # chosen: more wait for the largest module
@@ -52,12 +54,12 @@ def card(kind: str) -> tuple[str | None, str | None]:
 def prepare(kind: str) -> None:
     """Compile what the sections need; ReportError where this release can't run the scene."""
     tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or three.")
-    if reason := compile_first(warp_device(kind)):
+    if reason := compile_first(kind):
         newton, oldest = package_versions()["newton"], ".".join(map(str, OLDEST))
         raise ReportError(f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can")
 
 
-def compile_first(device: wp.Device) -> str:
+def compile_first(kind: str) -> str:
     """Compile what all sections need, by a frame of the scene; return why that can't be run at all, where it can't.
 
     What else goes wrong here is left to the measurement.
@@ -65,9 +67,12 @@ def compile_first(device: wp.Device) -> str:
     began = time.perf_counter()
     try:
         if is_bare():
-            _compile_beside(device)
+            _compile_beside(kind)
+        device = warp_device(kind)
         Simulation([replace(AS_SHIPPED, frame_count=1)], device).step()
         wp.synchronize_device(device)
+    except ReportError:
+        raise
     except (AttributeError, ImportError, TypeError) as missing:
         return " ".join(str(missing).split())[:200]
     except Exception as error:
@@ -77,16 +82,21 @@ def compile_first(device: wp.Device) -> str:
     return ""
 
 
-def _compile_beside(device: wp.Device) -> None:
-    """Compile in processes beside one another what building a simulation and its frame launch."""
-    with processes(PROCESS_COUNT) as pool:
-        gather(start(pool, _compile, [(device.alias, index) for index in range(SHARE_COUNT)]), "kernels")
+def _compile_beside(kind: str) -> None:
+    """Compile in processes beside one another what building a simulation and its frame launch.
+
+    A fork has imported all that it needs, but can't use a device that this process has begun to use.
+    """
+    method = "spawn" if has_begun() else "fork"
+    with workers(min(PROCESS_COUNT, os.cpu_count() or 1), method, be_quiet) as pool:
+        gather(start(pool, _compile, [(kind, index) for index in range(SHARE_COUNT)]), "kernels")
 
 
-def _compile(alias: str, index: int) -> None:
+def _compile(kind: str, index: int) -> None:
     """Compile a share; most of that is Python that writes what is compiled, so that shares take processes."""
-    for module, block_dim in list(scene_kernels(alias))[index::SHARE_COUNT]:
-        module.load(wp.get_device(alias), block_dim=block_dim)
+    device = warp_device(kind)
+    for module, block_dim in list(scene_kernels(device.alias))[index::SHARE_COUNT]:
+        module.load(device, block_dim=block_dim)
 
 
 def be_quiet() -> None:

@@ -26,7 +26,8 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print both and whether they agree within the noise; 1 when they differ."""
     refuse_unmeasured(project, arguments.release.asked)
     device = measuring_device(arguments.device or ("cuda" if accelerator().accelerators() else "cpu"), project.profile)
-    text, agrees = verify(derive_edition(project), measure_headline(project, arguments.release, device, PROGRAM))
+    found = measure_headline(project, arguments.release, device, PROGRAM, lambda: derive_edition(project))
+    text, agrees = verify(*found)
     print(text)
     return int(not agrees)
 

@@ -3,12 +3,12 @@
 import json
 import os
 import subprocess
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, TypeVar
 
 from measured_report.editions.environment import add_group, python_of
 from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
@@ -22,6 +22,7 @@ from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.machine import machine_name, machine_of, needs_device
 from measured_report.records.identity import sections as all_sections
 
+T = TypeVar("T")
 MODULE = "measured_report.measuring.run"
 FAILED, UNFIT = 1, 2  # exit statuses of a measurement that failed, or could not begin, which has said why
 
@@ -55,12 +56,14 @@ def measure(
     return edition
 
 
-def measure_headline(project: Project, release: Release, device: str, program: str) -> Mapping[str, Any]:
-    """Measure the headline and keep nothing of it; return what ``program`` writes."""
+def measure_headline(
+    project: Project, release: Release, device: str, program: str, beside: Callable[[], T]
+) -> tuple[T | None, Mapping[str, Any]]:
+    """Measure the headline and keep nothing of it; return what is done ``beside``, and what ``program`` writes."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        _run(project, release, program, device, "--json", str(path))
-        return json.loads(path.read_text(encoding="utf-8"))
+        done = _run(project, release, program, device, "--json", str(path), beside=beside)
+        return done, json.loads(path.read_text(encoding="utf-8"))
 
 
 def batches_at_once(project: Project, device: str) -> int:
@@ -70,17 +73,26 @@ def batches_at_once(project: Project, device: str) -> int:
     return (os.cpu_count() or 1) if project.profile == "quick" or not config().needs_device else 1
 
 
-def _run(project: Project, release: Release, module: str, device: str, *options: str) -> None:
+def _run(
+    project: Project, release: Release, module: str, device: str, *options: str, beside: Callable[[], T] | None = None
+) -> T | None:
     python = python_of(release, expected_packages(project), project.root)
     command = [str(python), "-m", module, "--device", device, *options]
     env = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     env |= accelerator().NONE if device == "cpu" else {}
-    process = subprocess.run(command, cwd=project.root, env=env, preexec_fn=end_with_parent, start_new_session=True)
-    if process.returncode == UNFIT:
+    process = subprocess.Popen(command, cwd=project.root, env=env, preexec_fn=end_with_parent, start_new_session=True)
+    try:
+        done = beside() if beside else None
+        status = process.wait()
+    except BaseException:
+        process.kill()
+        raise
+    if status == UNFIT:
         raise UsageError("")
-    if process.returncode:
-        status = f"measuring ended with exit status {process.returncode}; what was there is kept"
-        raise ReportError("" if process.returncode == FAILED else status)
+    if status:
+        words = f"measuring ended with exit status {status}; what was there is kept"
+        raise ReportError("" if status == FAILED else words)
+    return done
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
