@@ -24,11 +24,8 @@ def main() -> int:
         start = time.perf_counter()
         compile_first(arguments.device)
         compiled = time.perf_counter()
-        rows = (
-            Conditions(warp_device(arguments.device).alias, quick=False)
-            .measure([AS_SHIPPED, STIFF_PADS], "headline")
-            .rows
-        )
+        device = warp_device(arguments.device)
+        rows = Conditions(device.alias, quick=False).measure([AS_SHIPPED, STIFF_PADS], "headline").rows
         seconds = {"compile_s": compiled - start, "measure_s": time.perf_counter() - compiled}
         headline = {"machine": machine(arguments.device), "rows": rows, **seconds}
         arguments.json.write_text(json.dumps(headline), encoding="utf-8")

@@ -3,6 +3,7 @@
 from itertools import chain
 
 import warp as wp
+from toys import program
 
 from experiments.simulation.kernels import launched_kernels, scene_kernels
 
@@ -33,3 +34,18 @@ def test_all_that_a_frame_launches_is_known_without_a_launch_with_the_types_that
     assert "end_frame" in {kernel.key for kernel in launched}
     generic = [kernel for kernel in launched if kernel.is_generic]
     assert generic and all(kernel.overloads for kernel in generic)
+
+
+LOOK = """
+import warp as wp
+from experiments.simulation.kernels import has_begun, is_bare
+print(is_bare(), has_begun())
+wp.init()
+print(has_begun(), wp.config.kernel_cache_dir)
+"""
+
+
+def test_whether_a_machine_is_bare_is_known_before_warp_begins_which_then_keeps_its_kernels_where_it_would(tmp_path):
+    """So forks can compile for it."""
+    lines = program("-c", LOOK, WARP_CACHE_PATH=str(tmp_path)).stdout.splitlines()
+    assert (lines[0], lines[-1]) == ("True False", f"True {tmp_path / wp.config.version}")
