@@ -49,6 +49,7 @@ def derive(results: Results) -> Section:
     as_far = results.chosen("as_far", "a hand that goes farther off is shaken in another way", 10.0, "%")
     hands = _hands(results, rows)
     claims = [offered, _others_hold(rows, times, hands, bound, as_far), _hands_go_as_far(rows, hands, as_far)]
+    claims.append(_slips_repeat(rows, bound))
     if not has_steel:
         return Section(tables=tables, claims=claims, unmeasured=OF_STEEL)
     warp, steel = (rows[name, "3cm"].slip_mm for name in ("warp", "steel"))
@@ -152,6 +153,17 @@ def _hands_go_as_far(rows: RowsBy, hands: dict[str, Value], as_far: Quantity) ->
     is_farther = None not in (far.value, mine.value) and far.value > mine.value
     numbers = {"worst": _label(worst), "far": far, "mine": mine, "is_farther": is_farther}
     return Claim("hands_go_as_far", outcome.having_read(far, mine), numbers)
+
+
+def _slips_repeat(rows: RowsBy, bound: Quantity) -> Claim:
+    """Tell whether the cube slips as far in each that keeps it when it is measured again."""
+    slips = [(name, row.slip_mm) for (name, _), row in rows.items() if is_held(row)]
+    measured = [(name, slip, [each for each in slip.samples if each is not None]) for name, slip in slips]
+    several = {(name, slip): max(samples) - min(samples) for name, slip, samples in measured if len(samples) > 1}
+    names = dict.fromkeys(_label(name) for (name, _), apart in several.items() if apart > bound.number)
+    outcome = OPPOSITE if names else HOLDS if several else Outcome("unknown", "each was measured once")
+    read = outcome.having_read(*(slip for _, slip in several))
+    return Claim("slips_repeat", read, {"solvers": "; ".join(names), "bound": bound})
 
 
 def _anchors_help(rows: RowsBy) -> Claim:

@@ -75,13 +75,18 @@ def test_no_claim_flips_by_noise_alone(release, editions, tmp_path):
     for section, chapter in before.items():
         if section != "noise":
             record = chapter.results.record
-            write_record(
-                project.record_path(section), replace(record, rows=[shaken(row, floors, chance) for row in record.rows])
-            )
+            # What is known to repeat better, as in another solver, is moved by no more than that.
+            noises = [
+                {name: row[name].noise for name in floors if row.plain.get(name) is not None}
+                for row in chapter.results.rows
+            ]
+            known = [{name: min(floors[name], noise[name] or floors[name]) for name in noise} for noise in noises]
+            rows = [shaken(*each, chance) for each in zip(record.rows, known, strict=True)]
+            write_record(project.record_path(section), replace(record, rows=rows))
     after = derive_edition(project).chapters
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
-    assert [flip.text for flip in flips_between(before, {name: after[name] for name in before})] == []
+    assert [flip.claim for flip in flips_between(before, {name: after[name] for name in before})] == []
 
 
 def test_the_tracked_results_make_a_report_without_the_simulator(site):

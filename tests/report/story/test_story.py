@@ -159,8 +159,10 @@ def test_an_argument_of_the_solver_at_hand_is_advised_before_a_faster_solver(edi
 
 
 def test_other_solvers_are_drawn_with_weight_and_what_is_not_seen_at_what_would_be(editions):
-    found = Sections({section: chapter.results for section, chapter in editions["1.8.0"].chapters.items()})
-    ways = {way.name: way for way in WAYS}
+    measured = {section: chapter.results for section, chapter in editions["1.8.0"].chapters.items()}
+    other = measured["newton_solvers"]
+    once = replace(other, evidence=Evidence(repeats=other.evidence.repeats))
+    found, ways = Sections(measured | {"newton_solvers": once}), {way.name: way for way in WAYS}
     assert ways["XPBD"].creep_mm(found) > 1.0, "with weight the cube slides out"
     steel = ways["Steel"].slip(found)
     shakes_s = steel.noise / ways["Steel"].creep_mm(found)

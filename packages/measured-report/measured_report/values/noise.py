@@ -40,7 +40,7 @@ def deviations_of(t: Any, freedom: Any) -> Any:
     """Return normal deviations as rare as Student's t; of arrays too.
 
     Hill (1970), Algorithm 395, Communications of the ACM 13, 617-619; with fewer than two degrees of freedom, where it
-    is too rare, Wallace (1959), Annals of Mathematical Statistics 30, 1124-1130, who errs to the other side.
+    is too rare, between those of one and of two, of which the tails are known in closed form: chosen, within 1 %.
     """
     import numpy as np  # it takes long, and what is kept from before needs none of it
 
@@ -49,8 +49,14 @@ def deviations_of(t: Any, freedom: Any) -> Any:
     a = np.maximum(freedom, 1.0) - 0.5
     b, y = 48 * a**2, a * grown
     tail = (((-0.4 * y - 3.3) * y - 24) * y - 85.5) / (0.8 * y**2 + 100 + b)
-    wallace = np.sqrt(freedom * grown) * (8 * freedom + 1) / (8 * freedom + 3)
-    return np.where(freedom < 2, wallace, ((tail + y + 3) / b + 1) * np.sqrt(y))
+    hill = ((tail + y + 3) / b + 1) * np.sqrt(y)
+    if not np.any(freedom < 2):
+        return hill
+    deviation, root = np.vectorize(NORMAL.inv_cdf, [float]), np.hypot(t, math.sqrt(2))
+    with np.errstate(invalid="ignore"):  # of a number that is not there
+        of_one, of_two = (-deviation(beyond) for beyond in (np.arctan2(1, t) / math.pi, 1 / (root * (root + t))))
+    few = np.maximum(freedom, 1.0)
+    return np.where(few < 2, of_one + (few - 1) * (6 - few) / 4 * (of_two - of_one), hill)
 
 
 def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:

@@ -5,11 +5,12 @@ import math
 import operator
 import re
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, partialmethod
 from itertools import zip_longest
+from statistics import fmean
 from typing import Any
 
 from markupsafe import Markup, escape
@@ -19,7 +20,7 @@ from measured_report.files.errors import ReportError
 from measured_report.records.columns import PLAIN, is_unit
 from measured_report.records.record import Origin
 from measured_report.values.format import LEAST, MOST, WRITES, format_code, format_number, unit_label
-from measured_report.values.noise import WRITTEN_SHARE, sampled_noise
+from measured_report.values.noise import SURE, WRITTEN_SHARE, t_quantile
 
 VALUES_FILE = "values.json"
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
@@ -192,18 +193,19 @@ def mixed(*origins: frozenset[Origin]) -> str:
     return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"
 
 
-LEAST_SAMPLES = 3  # chosen: fewer measurements of a value say less than those of its sources
-
-
 def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[float | None]:
     """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
+    return [None if None in values else _sampled(function, values) for values in _measurements(sources)]
+
+
+def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
+    """Return what each measurement has of all sources; none where all of them are exact, or one is no number."""
     sampled = [source.samples if isinstance(source, Quantity) else None for source in sources]
     count = max((len(samples) for samples in sampled if samples), default=0)
     if None in sampled or not count:
         return []
     ways = [samples or count * (source.value,) for samples, source in zip(sampled, sources, strict=True)]
-    numbers = zip_longest(*(way[:count] for way in ways))
-    return [None if None in values else _sampled(function, values) for values in numbers]
+    return [*zip_longest(*(way[:count] for way in ways))]
 
 
 def _sampled(function: Callable[..., float], values: Sequence[float]) -> float | None:
@@ -214,31 +216,44 @@ def _sampled(function: Callable[..., float], values: Sequence[float]) -> float |
         return None
 
 
-def noise_of(function: Callable[..., float], sources: Sequence[Any], samples: Sequence[float | None]) -> float | None:
-    """Return the noise of a value: what its sources make of it, or how far its measurements are apart, if that is less.
+def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | None:
+    """Return the noise of a value: what its sources make of it, each by itself or all together, if that is less.
 
     What is off independently adds in squares, as in the Guide to the Expression of Uncertainty in Measurement (JCGM
     100:2008), 5.1.2, with differences for derivatives. What was chosen has a noise of 0. What measurements have in
-    common, as the speed of a card, cancels in a ratio of two numbers of each of them.
+    common, as the speed of a card, cancels in a ratio of two numbers of each of them: so all sources are moved as they
+    are from one measurement to the next, by Student's t of their mean.
     """
     values: list[Any] = [source.value for source in sources]
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     if None in noises:
         return None
-    middle, changes, noise = function(*values), [], math.inf
-    with suppress(ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
-        for index, change in enumerate(noises):
-            if change:
-                ends = (values[index] + change, values[index] - change)
-                results = [function(*values[:index], end, *values[index + 1 :]) for end in ends]
-                changes.append(max(abs(result - middle) for result in results))
-        noise = math.hypot(*changes)
-    present = [sample for sample in samples if sample is not None]
-    if len(present) >= LEAST_SAMPLES:
-        noise = min(sampled_noise(present), noise)
+    alone = (
+        [[*values[:index], values[index] + by, *values[index + 1 :]] for by in (change, -change)]
+        for index, change in enumerate(noises)
+        if change
+    )
+    noise, middle = _moved(function, values, alone), function(*values)
+    rows = [row for row in _measurements(sources) if None not in row]
+    by_source = [*zip(*rows, strict=True)]
+    agrees = any(noise and len(set(numbers)) == 1 for noise, numbers in zip(noises, by_source, strict=False))
+    if len(rows) > 2 or (len(rows) > 1 and not agrees):  # that two agree may be chance
+        scale = t_quantile(SURE, len(rows) - 1) / math.sqrt(len(rows) * (len(rows) - 1))
+        means = [*map(fmean, by_source)]
+        offs = [[scale * (number - mean) for number, mean in zip(row, means, strict=True)] for row in rows]
+        together = ([[*map(way, values, off)] for way in (operator.add, operator.sub)] for off in offs)
+        noise = min(noise, _moved(function, values, together))
     if not math.isfinite(noise):
         return None
     return max(float(noise), WRITTEN_SHARE * abs(middle)) if any(noises) else 0.0
+
+
+def _moved(function: Callable[..., float], values: Sequence[Any], moves: Iterable[Sequence[Sequence[Any]]]) -> float:
+    """Return how far moves of the values take a function, each the farther of its ways; infinite where one fails."""
+    middle = function(*values)
+    with suppress(ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
+        return math.hypot(*(max(abs(function(*way) - middle) for way in ways) for ways in moves))
+    return math.inf
 
 
 class Term(Value):
@@ -261,7 +276,7 @@ class Term(Value):
 
     @cached_property
     def noise(self) -> float | None:
-        return None if self.value is None else noise_of(self.function, self.operands, self.samples)
+        return None if self.value is None else noise_of(self.function, self.operands)
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         raise ReportError(f"{self} has no name to be shown by: give it one with results.value(name, formula, …)")
