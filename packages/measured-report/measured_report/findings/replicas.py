@@ -16,7 +16,7 @@ from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, believed, is_copy, is_far, mismatch, read_replica
-from measured_report.values.evidence import Evidence, evidence_of, repeats_of
+from measured_report.values.evidence import Evidence, evidence_of, repeats_of, with_cards
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
         noise = tracked.get(config().noise_section)
         repeats = repeats_of(noise.rows) if noise else {}
         of = {name: believed([record, *(side.get(name) for side in replicas)]) for name, record in tracked.items()}
-        evidence = {name: evidence_of(records, repeats) for name, records in of.items()}
+        evidence = with_cards({name: evidence_of(records, repeats) for name, records in of.items()})
         kinds = {name: _kinds([*filter(None, records)]) for name, records in of.items()}
         return Measurements(evidence, kinds, files_digest(replica_files(project), project.results), damaged, [*read])
 

@@ -9,7 +9,7 @@ itself.
 import math
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from statistics import NormalDist, fmean, median
 from typing import Any, NamedTuple
 
@@ -160,6 +160,19 @@ class Evidence:
                     estimates[case, column] = Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
         return estimates
 
+    @property
+    def cells(self) -> list[Cell]:
+        return [cell for group in self.groups.values() for cell in group.values()]
+
+    def of_cards_known(self, factor: float, freedom: float) -> "Evidence":
+        """Return the same with another scatter of cards, known by so many degrees of freedom."""
+
+        def better(cell: Cell) -> Cell:
+            return cell._replace(variance=factor * cell.variance, freedom=freedom) if cell.is_of_cards else cell
+
+        groups = {name: {key: better(cell) for key, cell in group.items()} for name, group in self.groups.items()}
+        return replace(self, groups=groups)
+
     def _by_repeats(self, column: str, row: Cells) -> Estimate | None:
         """Return what the noisiest runs of one case say of a number; what repeats to the last bit is rounded."""
         value, about = row[column], column_of(column)
@@ -298,8 +311,27 @@ def _of_cards(group: Group, cards: Sequence[str]) -> dict[Key, Cell] | None:
         return None
     share = np.median(by_card[complete].var(axis=1, ddof=1) / means[complete] ** 2)
     scatter: dict[str, Any] = {"freedom": len(sides) - 1.0, "mean_count": float(len(sides)), "is_of_cards": True}
-    rows = zip(group.items(), (share * means**2).tolist(), complete, strict=True)
-    return {key: cell._replace(variance=variance, **scatter) for (key, cell), variance, is_so in rows if is_so}
+    rows = zip(group.items(), means.tolist(), complete, strict=True)
+    return {
+        key: Cell(cell.samples, mean, float(share) * mean**2, **scatter) for (key, cell), mean, is_so in rows if is_so
+    }
+
+
+def with_cards(evidence: Mapping[str, Evidence]) -> Mapping[str, Evidence]:
+    """Let sections tell each other how far cards of one kind are apart: each knows few; see ``moderated``."""
+    import numpy as np
+
+    from measured_report.values.shrinkage import moderated
+
+    of_cards = {name: [*filter(lambda cell: cell.is_of_cards, each.cells)] for name, each in evidence.items()}
+    of_cards = {name: cells for name, cells in of_cards.items() if cells}
+    shares = np.array([median(cell.variance / cell.scale**2 for cell in cells) for cells in of_cards.values()])
+    freedoms = np.array([cells[0].freedom for cells in of_cards.values()])
+    fit = moderated(shares, freedoms, np.ones(len(shares)))
+    lent = np.minimum(fit.lent, freedoms.sum() - freedoms)  # the others know no more than they have measured
+    factors = (lent * fit.common + freedoms * shares) / (lent + freedoms) / shares
+    better = zip(of_cards, factors.tolist(), (lent + freedoms).tolist(), strict=True)
+    return {**evidence, **{name: evidence[name].of_cards_known(*known) for name, *known in better}}
 
 
 def _changed(far: Sequence[Far], events: set[tuple[Key, int]], index: int, count: int) -> tuple[int, int]:
