@@ -2,6 +2,7 @@
 
 import os
 import re
+import threading
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -85,9 +86,10 @@ def compile_first(kind: str) -> str:
 def _compile_beside(kind: str) -> None:
     """Compile in processes beside one another what building a simulation and its frame launch.
 
-    A fork has imported all that it needs, but can't use a device that this process has begun to use.
+    A fork has imported all that it needs, but can't use a device that this process has begun to use, nor what another
+    of its threads, as a worker of a cluster has, may hold at that moment.
     """
-    method = "spawn" if has_begun() else "fork"
+    method = "spawn" if has_begun() or threading.active_count() > 1 else "fork"
     with workers(min(PROCESS_COUNT, os.cpu_count() or 1), method, be_quiet) as pool:
         gather(start(pool, _compile, [(kind, index) for index in range(SHARE_COUNT)]), "kernels")
 
