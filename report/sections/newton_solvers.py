@@ -163,7 +163,7 @@ def _slips_repeat(rows: RowsBy, bound: Quantity) -> Claim:
     names = dict.fromkeys(_label(name) for (name, _), apart in several.items() if apart > bound.number)
     outcome = OPPOSITE if names else HOLDS if several else Outcome("unknown", "each was measured once")
     read = outcome.having_read(*(slip for _, slip in several))
-    return Claim("slips_repeat", read, {"solvers": "; ".join(names), "bound": bound})
+    return Claim("slips_repeat", read, {"solvers": " and in ".join(names), "bound": bound})
 
 
 def _anchors_help(rows: RowsBy) -> Claim:
