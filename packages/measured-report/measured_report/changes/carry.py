@@ -101,15 +101,8 @@ def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str]
     gone = _gone_columns(before, after)  # which are left out
     rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
     identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
-    change = Carried(
-        code=record.identity.code,
-        before=commits[0],
-        after=commits[1],
-        date=now().isoformat(timespec="seconds"),
-        row_count=len(after.rows),
-        cell_count=sum(map(len, after.rows)),
-        executed_in=elsewhere,
-    )
+    date, cell_count = now().isoformat(timespec="seconds"), sum(map(len, after.rows))
+    change = Carried(record.identity.code, *commits, date, len(after.rows), cell_count, elsewhere)
     units = {name: unit for name, unit in record.units.items() if name not in gone}
     record = replace(record, identity=identity, rows=rows, units=units, carried=(*record.carried, change))
     write_record(project.record_path(record.section), record)

@@ -203,13 +203,10 @@ def compare(before: Edition, after: Edition, timed: Sequence[Edition] = ()) -> C
     chances = [cell.chance for cell in compared if cell.chance is not None]
     limit = max(discoveries(chances), FALSE_SHARE / max(1, len(chances)))
     compared = [replace(cell, limit=limit) if (cell.chance or 0.0) <= FALSE_SHARE else cell for cell in compared]
-    return Comparison(
-        releases=(before.project.release, after.project.release),
-        faults=list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)])),
-        flips=backed(flips_between(*sides), compared),
-        cells=compared,
-        notes=[*_uncompared(before, after)],
-    )
+    releases = before.project.release, after.project.release
+    faults = list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)]))
+    flips = backed(flips_between(*sides), compared)
+    return Comparison(releases, faults, flips, compared, [*_uncompared(before, after)])
 
 
 def _uncompared(before: Edition, after: Edition) -> Iterator[str]:

@@ -59,16 +59,12 @@ class Move:
     @cached_property
     def is_real(self) -> bool:
         """Tell whether the values differ, numbers beyond the noise."""
-        if self.is_setting or self.chance is None:
-            return self.before != self.after
-        return self.chance <= self.limit
+        return self.before != self.after if self.is_setting or self.chance is None else self.chance <= self.limit
 
     @property
     def noise(self) -> float | None:
         """Return the least difference that would count; None for what is no number."""
-        if self.chance is None:
-            return None
-        return self.least + t_quantile(1 - self.limit, self.freedom) * self.error
+        return None if self.chance is None else self.least + t_quantile(1 - self.limit, self.freedom) * self.error
 
     @property
     def share(self) -> float | None:

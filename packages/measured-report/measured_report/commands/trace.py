@@ -36,9 +36,8 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     quantity = next((answer for answer in answers if isinstance(answer, Quantity) and answer.source), None)
     if quantity is None:
         fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
-        raise UsageError(
-            f"{fault}; all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
-        )
+        hint = f"all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
+        raise UsageError(f"{fault}; {hint}")
     lines = [f"{name}: {_text(quantity)}"]
     if isinstance(quantity, Value):
         lines.append(f"  is          {quantity.formula}")

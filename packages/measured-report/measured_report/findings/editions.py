@@ -128,7 +128,6 @@ def derive_edition(project: Project, cache: DerivedCache | None = None) -> Editi
 
 
 def _compared(edition: Edition, releases: Releases) -> Edition:
-
     def derive(state: State, chapters: Chapters) -> Chapter:
         return edition.derive(state, chapters[state.section].results, before(state.section, chapters), releases)
 

@@ -83,11 +83,6 @@ class Read(Mapping[str, Results]):
         return len(self.results)
 
 
-def labels_of(section: str) -> Mapping[str, str]:
-    """Return what people call the cases of a record; nothing where it is of no section."""
-    return outline_of(section).labels if file_of("report.sections", section) else {}
-
-
 def file_of(package: str, name: str) -> Path | None:
     """Return the file of a module of a package, of which a folder may be made as well; None where there is none."""
     folders = import_module(package).__path__

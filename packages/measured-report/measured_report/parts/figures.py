@@ -64,16 +64,14 @@ LONGEST_NAME, LONGEST_LINE = 18, 36  # characters of a name beside a narrow figu
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
     r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
-)
-"""Pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either."""
+)  # pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either
 IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
 NAME = re.compile(r' id="([^"]+)"')
 PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")  # a hundredth of a point is enough for anything that is drawn
-FONTS = re.compile(r" font-family: [^;\"]*;")
-UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
-COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
+UNWANTED = re.compile(r'(?s)<metadata>.*?</metadata>|<style.*?</style>|^.*?(?=<svg )|<!--.*?-->| font-family: [^;"]*;')
+BREAK = re.compile(r"\s*\n\s*")
 LETTER = re.compile(r"[^\W\d_]")
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
@@ -95,7 +93,6 @@ class LogLabels(ticker.LogFormatter):
     def __call__(self, value: float, position: int | None = None) -> str:
         if not super().__call__(value, position):
             return ""
-        assert self.axis
         low, high = self.axis.get_view_interval()
         exponent = round(math.log10(value))
         if (low < 1e-4 or high > 1e5) and math.isclose(value, 10.0**exponent):
@@ -236,14 +233,13 @@ def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     renderer.finalize()
     svg = PIECE.sub(_Links(drawing, screen.sources).linked, UNWANTED.sub("", buffer.getvalue()))
     used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
-    svg = NAME.sub(lambda match: match[0] if match[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
+    svg = NAME.sub(lambda match: match[0] if match[1] in used else "", svg)
     svg = BREAK.sub("\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
-    opening = OPENING.search(svg)
-    assert opening, "Matplotlib writes an svg element"
-    return Picture(screen.kind, opening[1], Markup(svg[opening.end() :].rstrip().removesuffix("</svg>")))
+    _, view, content = OPENING.split(svg, maxsplit=1)
+    return Picture(screen.kind, view, Markup(content.rstrip().removesuffix("</svg>")))
 
 
 def _trimmed(drawing: Drawing) -> Drawing:

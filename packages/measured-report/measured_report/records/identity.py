@@ -24,7 +24,6 @@ from measured_report.records.syntax import digest_of
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
 FileName = Annotated[str, Meta(pattern=r"\A(?!.*\.\.)[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
 Version = Annotated[str, Meta(pattern=r"\A(missing|[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?)\Z", max_length=64)]
-Profile = Annotated[str, Meta(pattern=r"\A(full|quick)\Z")]
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ class Identity:
     code: Digest
     config: Digest  # digest of the profile and of the assets that these name
     packages: Mapping[str, Version]
-    profile: Profile = "full"
+    profile: Annotated[str, Meta(pattern=r"\A(full|quick)\Z")] = "full"
     files: Mapping[FileName, Digest] = field(default_factory=dict)
     """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
 
@@ -88,11 +87,10 @@ def package_versions() -> dict[str, str]:
     """Return the version of each package here; of the first with its code, where that is not an index's."""
     versions = files().versions
     if not versions:
-        for package in config().packages:
-            try:
+        versions |= dict.fromkeys(config().packages, MISSING)
+        for package in versions:
+            with suppress(metadata.PackageNotFoundError):
                 versions[package] = full_version(metadata.version(package))
-            except metadata.PackageNotFoundError:
-                versions[package] = MISSING
         if versions[config().edition] != MISSING and (source := _source()):
             versions[config().edition] += f"+{source}"
     return dict(versions)
@@ -117,9 +115,7 @@ def _source() -> str:
     path = Path(unquote(urlparse(address).path))
     if "dir_info" in origin:
         return checkout_source(path)
-    if address.startswith("file:"):
-        return wheel_source(path)
-    return ""
+    return wheel_source(path) if address.startswith("file:") else ""
 
 
 def checkout_source(folder: Path) -> str:

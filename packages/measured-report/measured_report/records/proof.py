@@ -25,7 +25,6 @@ Place = tuple[Any, ...]  # file, and line, last line, column and last column, as
 BODIES = ("body", "orelse", "finalbody", "handlers", "cases")
 HEADLESS = ("name", "returns", *BODIES)  # of a definition neither its name counts nor what type it returns
 HEADED = (ast.stmt, ast.ExceptHandler, ast.match_case)
-FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SILENT = (ast.Raise, ast.Assert, ast.JoinedStr)  # their texts are only printed
 UNEXECUTED, TIMED = "no run executes", "what is timed has changed"
 TYPES = ("annotation", "returns")
@@ -219,7 +218,7 @@ def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:
                 continue  # which place of a few is no number that was chosen
             for child in value if isinstance(value, list) else [value]:
                 if isinstance(child, ast.AST):
-                    yield from _literals(child, is_top and not isinstance(node, FUNCTIONS))
+                    yield from _literals(child, is_top and not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef))
 
 
 def _is_number(node: ast.AST | None) -> bool:

@@ -167,11 +167,9 @@ def chain_of(node: ast.AST) -> str:
     return ".".join([node.id, *reversed(attributes)]) if isinstance(node, ast.Name) else ""
 
 
-SAID = {"print", "warnings.warn", "tqdm.tqdm.write", "tqdm.auto.tqdm.write"}
+SAID = {"print", "warnings.warn", "tqdm.tqdm.write", "tqdm.auto.tqdm.write"}  # functions whose texts are only printed
 LEVELS = ("debug", "info", "warning", "error", "exception", "critical")
 SAID |= {f"{logger}.{level}" for logger in ("logging", "logger") for level in LEVELS}
-"""Functions whose texts are only printed."""
-BARS = {"tqdm.tqdm", "tqdm.auto.tqdm"}  # progress bars: what they go through counts, and not how they show it
 PARSERS = {"ArgumentParser", "add_argument", "add_parser", "add_subparsers"}
 HELP = {"help", "metavar", "description", "epilog", "usage", "prog"}
 NOTHING = ("nothing",)  # stands for a statement that only prints texts
@@ -340,7 +338,7 @@ class Canonical:
             pieces = chain(*(arg.values if isinstance(arg, ast.JoinedStr) else [arg] for arg in node.args))
             form = self.plain([piece for piece in pieces if not _is_string(piece)], scope)
             return ("Said", called, form) if form else NOTHING
-        if called in BARS:
+        if called in ("tqdm.tqdm", "tqdm.auto.tqdm"):  # what a bar goes through counts, and not how it shows that
             through = [keyword for keyword in keywords if keyword.arg in (None, "iterable")]
             return self._fields(node, scope, args=self.plain(node.args[:1], scope), keywords=self.plain(through, scope))
         if called.rpartition(".")[2] in PARSERS:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import config
-from measured_report.findings.sections import labels_of
+from measured_report.findings.sections import file_of, outline_of
 from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.evidence import Evidence, Repeated, evidence_of, repeats_of
@@ -92,7 +92,6 @@ def _is_active(element: Element) -> bool:
 
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
-RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 
 
 class Data:
@@ -130,7 +129,11 @@ class Data:
     @cached_property
     def typed(self) -> re.Pattern[str]:
         """Match numbers in drawings and in their words that are names and formulas."""
-        edition = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
+        edition = (
+            [re.escape(config().edition_name) + r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"]
+            if config().edition_name
+            else []
+        )
         return re.compile("|".join([*config().formulas, *edition]) or "(?!)")
 
     @cached_property
@@ -139,7 +142,8 @@ class Data:
         names: set[str] = set()
         for path in self.folder.glob("*/*.json"):
             if path.name != VALUES_FILE:
-                rows, labels = self.file(str(path.relative_to(self.folder)))["rows"], labels_of(path.stem)
+                rows = self.file(str(path.relative_to(self.folder)))["rows"]
+                labels = outline_of(path.stem).labels if file_of("report.sections", path.stem) else {}
                 names |= {" ".join(cell.split()) for row in rows for cell in row.values() if isinstance(cell, str)}
                 for label in (label_of(row["case"], labels) for row in rows if "case" in row):
                     names |= {label, *label.split(", ")}

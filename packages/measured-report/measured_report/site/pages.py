@@ -88,7 +88,11 @@ class Site:
         if history := series_page(releases, self.templates):
             contents[self.shown].append(Content(SERIES, [history], []))
         pictures = _draw(contents, self.cache)
-        self._write_once()
+        self._write("404.html", self.templates.layout("404.html.j2", {"address": self.address}))
+        if (report().root / "LICENSE").is_file():
+            self._write("license.txt", report().root / "LICENSE")
+        self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
+        self._write(".gitkeep", "")
         origins = {}
         for results in (chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()):
             release = config().name_of(results.record.origin.release)
@@ -114,18 +118,11 @@ class Site:
     def _write_pages(self, edition: WordedEdition, pictures: DrawnFigures, names: Mapping[str, Any]) -> None:
         root, folder, chapters = edition.project.root, edition.folder, edition.chapters.values()
         icon = root / "assets" / ICON
-        shared = {
-            "edition": edition,
-            "measurable": sections(root),
-            "site_address": self.address,
-            "address": self.address and f"{self.address}{folder}",
-            "root": edition.root,
-            "folder": self.editions[self.shown].project.results.name,
-            "icon": ICON if icon.is_file() else "",
-            "logo": LOGO if (root / LOGO).is_file() else "",
-            "citation": citation(),
-            **names,
-        }
+        about = {"edition": edition, "measurable": sections(root), "citation": citation()}
+        addresses = {"site_address": self.address, "address": self.address and f"{self.address}{folder}"}
+        folders = {"root": edition.root, "folder": self.editions[self.shown].project.results.name}
+        images = {"icon": ICON if icon.is_file() else "", "logo": LOGO if (root / LOGO).is_file() else ""}
+        shared = {**about, **addresses, **folders, **images, **names}
         pages = dict(edition.plugins.pages(self.templates))
         for content in names["contents"]:
             figures = self._drawn(content, edition, pictures)
@@ -164,13 +161,6 @@ class Site:
         data = content.read_bytes() if isinstance(content, Path) else content
         (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
         (self.folder / name).write_bytes(data.encode() if isinstance(data, str) else data)
-
-    def _write_once(self) -> None:
-        self._write("404.html", self.templates.layout("404.html.j2", {"address": self.address}))
-        if (report().root / "LICENSE").is_file():
-            self._write("license.txt", report().root / "LICENSE")
-        self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
-        self._write(".gitkeep", "")
 
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"

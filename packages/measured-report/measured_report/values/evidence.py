@@ -22,8 +22,7 @@ from measured_report.values.noise import ROUNDED_SHARE, Estimate, Z, binomial_no
 REPEATED_SHARE = 1e-3  # chosen: what repeats to the last bit here may round otherwise elsewhere, by this share
 EDGES = ("_p5", "_p95")  # ends of columns that say how far the numbers spread of which a column has the median
 MEDIAN = math.sqrt(math.pi / 2)  # ratio of the spreads of the median of many numbers and of their mean
-AT_EDGE = 4.4
-"""Chosen: a number so many normal deviations from all others is no chance, of which there is one in 100,000."""
+AT_EDGE = 4.4  # chosen: a number so many normal deviations from all others, which is one in 100,000, is no chance
 MEAN = "mean of"  # begins the key of what the section on noise has many runs of
 Key = tuple[Any, ...]
 Cells = Mapping[str, Any]
@@ -121,8 +120,7 @@ class Evidence:
     """Holds what all measurements of a section say of its numbers."""
 
     count: int = 1
-    groups: Mapping[Key, Group] = field(default_factory=dict)
-    """By column and engine, those of which there is more than one measurement."""
+    groups: Mapping[Key, Group] = field(default_factory=dict)  # by column and engine, what was measured more than once
     repeats: Repeated = field(default_factory=dict)  # runs of one case, of the section on noise
     edges: frozenset[Key] = frozenset()  # rows that end in one of two ways, by chance
     edge_share: float = 0.0  # how often a row has ended otherwise in one measurement than in the others

@@ -21,8 +21,7 @@ NORMAL = NormalDist()
 Z = NORMAL.inv_cdf((1 + SURE) / 2)  # deviations that `SURE` of a normal distribution is within
 MOST_T, MOST_FREEDOM, TINY = 1e6, 1e9, 1e-300
 WRITTEN_SHARE = 5e-4  # chosen: no number is written to a smaller share of it, however well it is known
-ROUNDED_SHARE = 1e-6
-"""Chosen: no difference is smaller than this share of a number, as single precision makes of a few sums."""
+ROUNDED_SHARE = 1e-6  # chosen: no difference is a smaller share of a number, as single precision makes of a few sums
 
 
 @cache

@@ -23,8 +23,6 @@ from measured_report.values.quantities import VALUES_FILE, Quantity, Value, abse
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd
 
-
-UNNAMEABLE = re.compile(r"[\s/~#]")
 MEANS = "rows"  # begins the names of values that are means of several measurements of a row
 
 
@@ -207,7 +205,7 @@ class Results:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
         if isinstance(function, Quantity):
             unit, sources, function = function.unit, (function,), operator.pos
-        if UNNAMEABLE.search(name):
+        if re.search(r"[\s/~#]", name):
             raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
         assert formula.strip(), f"the value {name} has no words for how it is computed, or why it was chosen"
         if not is_unit(unit):
