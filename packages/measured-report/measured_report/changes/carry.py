@@ -27,17 +27,16 @@ from measured_report.measuring.batch import now
 from measured_report.measuring.machine import commit as commit_here
 from measured_report.measuring.measure import MODULE
 from measured_report.records.code import Graph, roots_of
-from measured_report.records.columns import REASON, column_of, columns_of, is_number
+from measured_report.records.columns import REASON, column_of, columns_of, is_cost, is_number
 from measured_report.records.identity import git, identity_of
 from measured_report.records.proof import TIMED, UNEXECUTED, Code, Place
 from measured_report.records.record import Carried, Record, load_record, write_record
-from measured_report.values.evidence import is_cost, key_of
+from measured_report.values.evidence import key_of
 from measured_report.values.noise import chance_of, discoveries, welch
 
 ASIDE = "carry"  # the folder below `results` of the quick runs of the new code
 REPEAT_COUNT = 3  # chosen: runs of each code on a GPU, where these execute what a CPU does not
 SHORT = 12  # characters of a commit, as those of `commit_here`
-GONE = ()  # stands for a cell that is not there
 COMMIT_LIMIT = 200  # so many commits back an old code is looked for
 
 
@@ -94,13 +93,14 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
 
 def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str], reasons: Sequence[str]) -> str:
     """Write a record as one of the new code where there are no reasons against it, else sum these up."""
-    elsewhere = _release_with_proof(project, record) if any(why.startswith(UNEXECUTED) for why in reasons) else ""
+    identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
+    is_open = any(why.startswith(UNEXECUTED) for why in reasons)
+    elsewhere = _release_with_proof(project, record, identity.code) if is_open else ""
     if reasons := [reason for reason in reasons if not (elsewhere and reason.startswith(UNEXECUTED))]:
         return few(reasons, 2)
     before, after = (run.records[0] for run in runs)
     gone = _gone_columns(before, after)  # which are left out
     rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
-    identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
     date, cell_count = now().isoformat(timespec="seconds"), sum(map(len, after.rows))
     change = Carried(record.identity.code, *commits, date, len(after.rows), cell_count, elsewhere)
     units = {name: unit for name, unit in record.units.items() if name not in gone}
@@ -109,9 +109,8 @@ def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str]
     return ""
 
 
-def _release_with_proof(project: Project, record: Record) -> str:
+def _release_with_proof(project: Project, record: Record, code: str) -> str:
     """Name a release with packages that execute what those of this one do not: it was carried over the same change."""
-    code = identity_of(record.section, project.profile, project.root, record.identity.packages).code
     for release in project.releases:
         with suppress(RecordError):
             other = load_record(project.of(release).record_path(record.section))
@@ -250,7 +249,7 @@ def first_difference(before: Sequence[Record], after: Sequence[Record]) -> str:
         for column in {*old[0][key], *new[0][key]} - gone:
             if not column_of(column.removesuffix(REASON)).kinds.isdisjoint(("cost", "uncompared")):
                 continue
-            sides = [[rows[key].get(column, GONE) for rows in side] for side in (old, new)]
+            sides = [[rows[key].get(column, ()) for rows in side] for side in (old, new)]  # () is no cell
             if len({(type(cell), cell) for side in sides for cell in side}) > 1:
                 if len(before) == 1 or not all(is_number(cell) for side in sides for cell in side):
                     return f"{case}.{column}: {sides[0][0]!r} → {sides[1][0]!r}"

@@ -14,9 +14,8 @@ from measured_report.findings.chapters import Chapters, Releases
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
-from measured_report.records.columns import UNBELIEVED
+from measured_report.records.columns import UNBELIEVED, is_cost
 from measured_report.records.record import Record
-from measured_report.values.evidence import is_cost
 from measured_report.values.noise import FALSE_SHARE, discoveries
 from measured_report.values.quantities import Pointer
 

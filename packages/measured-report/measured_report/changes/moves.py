@@ -145,9 +145,8 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
                 moves.append(Move("value", *values, section=before.name, place=row_key))
             continue
         # Where repeats of a run end in different classes it is chance which one the row is about.
-        if key_of(a.plain) in edges or any(
-            len(set(row.plain[rules.endings].split(", "))) > 1 for row in (a, b) if rules.endings in row
-        ):
+        endings = [row.plain[rules.endings].split(", ") for row in (a, b) if rules.endings in row]
+        if key_of(a.plain) in edges or any(len(set(classes)) > 1 for classes in endings):
             continue
         for column in _comparable((a.plain, b.plain), records):
             ends = a.plain[column], b.plain[column]

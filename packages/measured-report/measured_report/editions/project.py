@@ -8,8 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-import msgspec
-from msgspec import Struct
+from msgspec import Struct, convert
 
 from measured_report.editions.release import Release, read_label
 from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
@@ -42,7 +41,7 @@ def read_manifest(results: Path) -> Manifest | None:
         fields = tomllib.loads(content.decode("utf-8"))
         if any(name_problem(str(text)) for text in (*fields.values(), *fields.get("sections", ()))):
             raise ValueError("it has a text with what can't be printed")
-        return msgspec.convert({"asked": fields.pop(config().edition), **fields}, Manifest)
+        return convert({"asked": fields.pop(config().edition), **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 

@@ -20,7 +20,7 @@ PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the
 
 
 @contextmanager
-def workers(count: int, method: str, then: Callable[[], None]) -> Iterator[ProcessPoolExecutor]:
+def workers(count: int, method: str, then: Callable[[], None] | None = None) -> Iterator[ProcessPoolExecutor]:
     """Open a pool of ``count`` processes, started by ``method``, that call ``then``; ReportError if one is killed."""
     pool = ProcessPoolExecutor(count, get_context(method), begin, (then,))
     try:
@@ -53,12 +53,13 @@ def _make(number: int) -> Any:
     return _task[0](number)
 
 
-def begin(then: Callable[[], None]) -> None:
+def begin(then: Callable[[], None] | None) -> None:
     """Let this process, which is one of a pool, end with the one that started it and leave Ctrl-C to it."""
     end_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    then()
+    if then:
+        then()
 
 
 def end_with_parent() -> None:

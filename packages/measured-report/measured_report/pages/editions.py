@@ -165,15 +165,11 @@ def _say(state: State, chapters: Chapters, releases: Releases, templates: Templa
     section = replace(chapter.section, tables=tables)
     sections = {name: section, **{key: earlier.section for key, earlier in chapters_before.items()}}
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
-    names = {
-        "release": chapter.results.record.origin.release,
-        "row": chapter.results.row,
-        "rows": chapter.results.rows,
-        "value": chapter.results.derived,
-        **_names_for(name, section, sections),
-        "claim": _finder(name, "claim", unmeasured | {claim.name: claim.html(name) for claim in section.claims}),
-        "download": _finder(name, "download", {download.name: download for download in section.downloads}),
-    }
+    claims = unmeasured | {claim.name: claim.html(name) for claim in section.claims}
+    downloads = {download.name: download for download in section.downloads}
+    found = {"claim": _finder(name, "claim", claims), "download": _finder(name, "download", downloads)}
+    names = {"release": chapter.results.record.origin.release, "row": chapter.results.row, **found}
+    names |= {"rows": chapter.results.rows, "value": chapter.results.derived, **_names_for(name, section, sections)}
     return WordedChapter(**{**vars(chapter), "section": section}, names=names, prose=text.prose(name, names))
 
 

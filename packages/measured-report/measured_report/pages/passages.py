@@ -18,8 +18,7 @@ from functools import partial
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
-import jinja2
-from jinja2 import nodes
+from jinja2 import nodes, pass_context
 from jinja2.ext import Extension
 from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
@@ -102,7 +101,7 @@ def _attribute(parser: Parser, name: str) -> str:
 def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
     """Make what says the passages of a template of the claims that ``find`` finds by section and name."""
 
-    @jinja2.pass_context
+    @pass_context
     def passage(context: Context, text: str, answer: str, is_inline: bool, otherwise: Any, caller: Any) -> str:
         printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
         measured = {need: claim for need, claim in claims.items() if claim}

@@ -11,10 +11,9 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
-from matplotlib import style, ticker
+from matplotlib import rcParams, style, ticker
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_mixed import MixedModeRenderer
@@ -224,7 +223,7 @@ class _Vectors(RendererSVG):
 def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     buffer = io.StringIO()
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
-    inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
+    inches, dpi = drawing.get_size_inches(), rcParams["figure.dpi"]
     vectors = _Vectors(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
     # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.

@@ -87,6 +87,11 @@ def parameters() -> Mapping[str, Any]:
     return {field.name: field.default for field in fields(case)} if case else {}
 
 
+def is_cost(column: str) -> bool:
+    """Tell whether a column's numbers are of the machine: times, rates, bytes."""
+    return "cost" in column_of(column).kinds
+
+
 def is_unit(text: str) -> bool:
     unknown = {factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)}
     return not unknown or unknown <= {factor for unit in units().values() for factor in (unit, *re.split("[/·]", unit))}

@@ -59,8 +59,7 @@ class Piece:
         for name, value in ast.iter_fields(self.syntax):
             before: Text = ("", "")
             for child in value if isinstance(value, list) else [value]:
-                # An assertion that held has not read its message.
-                if isinstance(child, ast.AST) and name != "msg":
+                if isinstance(child, ast.AST) and name != "msg":  # an assertion that held has not read its message
                     yield replace(self, syntax=child, context=(*head, (name, name), before) if name in BODIES else head)
                     before = before if is_text(child) else self.text(child)
 

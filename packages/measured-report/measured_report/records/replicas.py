@@ -11,7 +11,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path, sums
-from measured_report.records.columns import column_of
+from measured_report.records.columns import column_of, is_cost
 from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
 
 FOLDER = "replicas"  # beside the records of the edition that was measured again
@@ -89,7 +89,7 @@ def is_copy(a: Record, b: Record) -> bool:
     if a.started == b.started and (is_alike or a.card.casefold() == b.card.casefold()):
         return True
     sides = [
-        {key: cell for key, cell in _numbers(side) if side.machine["device"] != "cpu" or _is_cost(key)}
+        {key: cell for key, cell in _numbers(side) if side.machine["device"] != "cpu" or is_cost(key[1])}
         for side in (a, b)
     ]
     same = [math.isclose(sides[0][key], sides[1][key], rel_tol=NEAR) for key in sides[0].keys() & sides[1].keys()]
@@ -107,7 +107,7 @@ def is_far(record: Record, measured: Sequence[Record | None]) -> bool:
     is_outside: dict[str, list[bool]] = {}
     for key, cell in dict(_numbers(record)).items():  # of rows of one case the last
         numbers = [side[key] for side in sides if key in side]
-        if len(numbers) > 1 and not _is_cost(key):
+        if len(numbers) > 1 and not is_cost(key[1]):
             low, high = min(numbers), max(numbers)
             reach = FAR * (high - low) + FAR_SHARE * max(abs(low), abs(high))
             is_outside.setdefault(key[1], []).append(not low - reach <= cell <= high + reach)
@@ -120,7 +120,3 @@ def _numbers(record: Record) -> Iterator[tuple[Key, float]]:
         for name, cell in row.items():
             if isinstance(cell, float) and cell and not column_of(name).is_exact:
                 yield (row["case"], name), cell
-
-
-def _is_cost(key: Key) -> bool:
-    return "cost" in column_of(key[1]).kinds

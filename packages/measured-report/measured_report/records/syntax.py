@@ -52,13 +52,9 @@ class Reader:
 
     def source(self) -> Source:
         nodes = list(ast.walk(self._tree))
-        return Source(
-            digest=hashlib.sha256(ast.dump(self._tree).encode()).hexdigest(),
-            modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
-            assets=_named_assets(nodes),
-            top=dict(self._top()),
-            imports=self._imports,
-        )
+        digest = hashlib.sha256(ast.dump(self._tree).encode()).hexdigest()
+        modules = tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node)))
+        return Source(digest, modules, _named_assets(nodes), dict(self._top()), self._imports)
 
     def definitions(self) -> Definitions:
         """Find the definitions, which most modules are never asked for, and which take longer than all else."""
@@ -76,14 +72,10 @@ class Reader:
 
     def _definition(self, node: ast.stmt, index: int) -> Definition:
         canonical = self.canonical(node)
-        decorators = (chain_of(getattr(child, "func", child)) for child in getattr(node, "decorator_list", ()))
-        return Definition(
-            tree=digest_of([canonical.form, index]),
-            names=tuple(canonical.gaps),
-            imports=self._imported(ast.walk(node)),
-            assets=_named_assets(ast.walk(node)),
-            decorators=tuple(name for name in decorators if name.partition(".")[0] in self._names),
-        )
+        called = (chain_of(getattr(child, "func", child)) for child in getattr(node, "decorator_list", ()))
+        decorators = tuple(name for name in called if name.partition(".")[0] in self._names)
+        imports, assets = self._imported(ast.walk(node)), _named_assets(ast.walk(node))
+        return Definition(digest_of([canonical.form, index]), tuple(canonical.gaps), imports, assets, decorators)
 
     def _top(self) -> Iterator[tuple[str, Any]]:
         for node in self._tree.body:

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from measured_report.files.config import cached_in_report, config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import REASON, column_of, is_number
+from measured_report.records.columns import REASON, column_of, is_cost, is_number
 from measured_report.records.record import Record
 from measured_report.values.noise import ROUNDED_SHARE, Estimate, Z, binomial_noise, discoveries, fenced, variance_of
 
@@ -31,11 +31,6 @@ Cells = Mapping[str, Any]
 def is_lost(row: Cells) -> bool:
     """Tell whether the run of a row was lost, which makes its numbers chance."""
     return any(row[name] for name in row if "failure" in column_of(name).kinds)
-
-
-def is_cost(column: str) -> bool:
-    """Tell whether a column's numbers are of the machine: times, rates, bytes."""
-    return "cost" in column_of(column).kinds
 
 
 def is_absolute(column: str) -> bool:

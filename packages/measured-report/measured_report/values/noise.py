@@ -157,11 +157,7 @@ class Estimate:
 def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
     """Return the standard errors of differences of two means, and their degrees of freedom, both in arrays.
 
-    Welch (1947), Biometrika 34, 28-35, for variances that need not be the same.
-
-    Args:
-        variances: Of the means, by difference and side.
-        freedoms: Degrees of freedom of each.
+    Welch (1947), Biometrika 34, 28-35, for variances of the means, by difference and side, that need not be the same.
     """
     import numpy as np
 

@@ -5,7 +5,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -58,12 +58,10 @@ class Row:
         lack = f"there are {count} rows of case {case}" if count > 1 else f"there is no single row of case {case}"
         self._lack = lack if index is None else ""
         self.source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
-        self._read: dict[str, Any] = {}  # a section asks for the same again and again
+        self._read = cache(self._cell)  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
-        if column not in self._read:
-            self._read[column] = self._cell(column)
-        return self._read[column]
+        return self._read(column)
 
     def _cell(self, column: str) -> Any:
         units, case = self._record.units, self.plain["case"]

@@ -105,11 +105,8 @@ def _deviations(ratios: Array, freedoms: Array, freedom: float) -> Array:
 def left_out(samples: Array, lent: Array, common: Array, least: Array) -> Array:
     """Return how far each number is from the mean of its row's others, in normal deviations; NaN with fewer than two.
 
-    Args:
-        samples: Numbers by row and measurement, NaN where there is none.
-        lent: Degrees of freedom that the column lends each row.
-        common: The column's variance for each row.
-        least: Differences that count as none, by row.
+    The ``samples`` are by row and measurement, NaN where there is none; all else is by row: degrees of freedom that are
+    ``lent`` by the column, its ``common`` variance, and differences of which the ``least`` counts as none.
     """
     present = ~np.isnan(samples)
     count = np.maximum(present.sum(axis=1, keepdims=True), 2)
