@@ -21,6 +21,7 @@ from measured_report.editions.release import Release
 from measured_report.editions.status import expected_packages, states_of
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import UsageError
+from measured_report.files.groups import grouped
 from measured_report.measuring import reach
 from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.batch import now
@@ -281,7 +282,5 @@ def _gone_columns(before: Record, after: Record) -> set[str]:
 
 
 def _rows(record: Record) -> dict[tuple[Any, ...], Mapping[str, Any]]:
-    rows_by_key = defaultdict[tuple[Any, ...], list[Mapping[str, Any]]](list)
-    for row in record.rows:
-        rows_by_key[key_of(row)].append(row)
+    rows_by_key = grouped((key_of(row), row) for row in record.rows)
     return {(key, index): row for key, rows in rows_by_key.items() for index, row in enumerate(rows)}

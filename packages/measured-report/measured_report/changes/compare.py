@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from measured_report.changes.moves import Move, cells_between, cost_terms
 from measured_report.files.config import Page, config
+from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapters, Releases
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
@@ -97,10 +98,7 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
 
 def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
     """Return the flips of which something moved that their tests read: others may flip when measured again."""
-    of_rows: dict[str, list[Move]] = {}
-    for move in compared:
-        for row in move.rows:
-            of_rows.setdefault(row.source, []).append(move)
+    of_rows = grouped((row.source, move) for move in compared for row in move.rows)
     backed_flips = []
     for flip in flips:
         read = {pointer for _, claim in flip.answers for pointer in claim.outcome.reads if Pointer(pointer).cell}

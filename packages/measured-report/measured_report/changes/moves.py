@@ -1,13 +1,13 @@
 """Moves: values that editions have differently, and whether beyond the noise of both."""
 
 import math
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 from measured_report.files.config import cached_in_report, config
+from measured_report.files.groups import single
 from measured_report.findings.chapters import Chapter
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
@@ -265,9 +265,8 @@ def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     """Return rows by what tells them apart; those that nothing does are left out, and repeats, which are the noise."""
     names = config().changes.keys
     rows = [row for row in chapter.results.rows if not (chapter.name == config().noise_section and "of" in row)]
-    keys = [tuple((name, row.plain[name]) for name in names if row.plain.get(name) is not None) for row in rows]
-    counts = Counter(keys)
-    return {key: row for key, row in zip(keys, rows, strict=True) if counts[key] == 1}
+    keys = (tuple((name, row.plain[name]) for name in names if row.plain.get(name) is not None) for row in rows)
+    return single(zip(keys, rows, strict=True))
 
 
 def _text(cell: Any) -> str:

@@ -9,6 +9,7 @@ from measured_report.editions.status import records_of
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
+from measured_report.files.groups import grouped
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.sections import outline_of
 from measured_report.measuring.accelerator import accelerator
@@ -123,7 +124,5 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
 
 def reasons_text(reasons: Mapping[str, str]) -> str:
     """Name sections by why they are left out."""
-    names: dict[str, list[str]] = {}
-    for name, reason in reasons.items():
-        names.setdefault(reason, []).append(name)
+    names = grouped((reason, name) for name, reason in reasons.items())
     return "; ".join(f"{reason} ({', '.join(sections)})" for reason, sections in names.items())

@@ -19,6 +19,7 @@ from typing import Any, TypeVar
 from measured_report.files import root
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
+from measured_report.files.groups import grouped
 from measured_report.records import syntax
 from measured_report.records.syntax import EFFECTS, Definition, Definitions, Reader, Source, digest_of
 
@@ -143,10 +144,8 @@ class Graph:
     def summary(self, name: str) -> tuple[str, dict[str, str], list[str]]:
         """Digest what may be run; with the digests by file of what lies there, and the assets that it names."""
         reached = self.reached(name)
-        by_file: dict[str, set[str]] = {}
-        for (file, _), digest in reached.items():
-            by_file.setdefault(self.name_of(file), set()).add(digest)
-        code = {file: digest_of(sorted(digests)) for file, digests in by_file.items()}
+        by_file = grouped((self.name_of(file), digest) for (file, _), digest in reached.items())
+        code = {file: digest_of(sorted(set(digests))) for file, digests in by_file.items()}
         named = {asset for node in reached for definition in self.definitions(node) for asset in definition.assets}
         return digest_of(sorted({*reached.values()})), code, sorted(named)
 

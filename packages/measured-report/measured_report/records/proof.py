@@ -17,6 +17,7 @@ from pathlib import Path, PurePosixPath
 from types import CodeType
 from typing import Any
 
+from measured_report.files.groups import grouped
 from measured_report.records.code import Graph, Node, roots_of
 from measured_report.records.syntax import EFFECTS, Canonical, Reader, bound_names, chain_of, is_text
 
@@ -111,10 +112,8 @@ class Code:
 
     def unexecuted(self, other: "Code", executed: Sequence[Set[Place]]) -> Iterator[str]:
         """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
-        pieces_by_text: dict[Any, list[Piece]] = {}
-        for piece in (inner for outer in other.changed for inner in outer.all()):
-            for text in piece.texts:
-                pieces_by_text.setdefault(text, []).append(piece)
+        others = (inner for outer in other.changed for inner in outer.all())
+        pieces_by_text = grouped((text, piece) for piece in others for text in piece.texts)
         compiled = {file: {*_places(compile(Path(file).read_bytes(), file, "exec"))} for file in self.spans}
         waiting = list(self.changed)
         while waiting:
@@ -191,10 +190,7 @@ def _parts(head: ast.AST) -> dict[tuple[ast.AST, ...], list[ast.AST]]:
                 parts |= dict.fromkeys(ast.walk(argument), (node.func, ast.Constant(place), argument))
         elif isinstance(node, ast.comprehension):
             parts |= dict.fromkeys(ast.walk(node.iter), (node.iter,))
-    nodes_by_part: dict[tuple[ast.AST, ...], list[ast.AST]] = {}
-    for node, part in parts.items():
-        nodes_by_part.setdefault(part, []).append(node)
-    return nodes_by_part
+    return grouped((part, node) for node, part in parts.items())
 
 
 def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:

@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from measured_report.changes.alarm import rate_values
 from measured_report.files.config import Page, config, report
+from measured_report.files.groups import grouped
 from measured_report.files.processes import forked
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.replicas import replica_files
@@ -177,9 +178,7 @@ class Site:
         # Of means of measurements it has those that are printed, or that other values are made of.
         derived = {name: dict(chapter.results.derived) for name, chapter in edition.chapters.items()}
         wanted = printed.union(*(value.sources for values in derived.values() for value in values.values()))
-        means: dict[str, list[str]] = {}
-        for values_file, _, name in (pointer.rpartition("/") for pointer in wanted):
-            means.setdefault(values_file, []).extend([name] if name.startswith(f"{MEANS}.") else [])
+        means = grouped(pointer.rpartition("/")[::2] for pointer in wanted if f"/{MEANS}." in pointer)
         for name, chapter in edition.chapters.items():
             derived[name] |= chapter.results.means(means.get(chapter.results.values_file, ()))
         if rates := rate_values(edition):  # how often it rings for nothing

@@ -7,7 +7,6 @@ itself.
 """
 
 import math
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from statistics import NormalDist, fmean, median
@@ -15,6 +14,7 @@ from typing import Any, NamedTuple
 
 from measured_report.files.config import cached_in_report, config
 from measured_report.files.errors import ReportError
+from measured_report.files.groups import grouped, single
 from measured_report.records.columns import REASON, column_of, is_cost, is_number
 from measured_report.records.record import Record
 from measured_report.values.noise import ROUNDED_SHARE, Estimate, Z, binomial_noise, discoveries, fenced, variance_of
@@ -69,10 +69,7 @@ Repeated = Mapping[str, Mapping[str, Repeats]]  # runs of one case, by case and 
 
 def repeats_of(rows: Iterable[Cells]) -> Repeated:
     """Gather the runs of one case of a record, by the case, as ``of`` says, and the column; outliers are fenced in."""
-    runs: dict[str, list[Cells]] = {}
-    for row in rows:
-        if "of" in row:
-            runs.setdefault(row["of"], []).append(row)
+    runs = grouped((row["of"], row) for row in rows if "of" in row)
     repeats: dict[str, dict[str, Repeats]] = {case: {} for case in runs}
     for case, column in ((case, column) for case, rows in runs.items() for column in rows[0]):
         numbers = fenced([row[column] for row in runs[case] if is_number(row.get(column))] or [0.0])
@@ -249,9 +246,7 @@ def scatters(column: str) -> bool:
 
 def _by_key(rows: Sequence[Cells]) -> dict[Key, Cells]:
     """Return rows by their keys, those that share one left out, and runs of one case."""
-    single = [(key_of(row), row) for row in rows if "of" not in row]
-    count = Counter(key for key, _ in single)
-    return {key: row for key, row in single if count[key] == 1}
+    return single((key_of(row), row) for row in rows if "of" not in row)
 
 
 def _ends_apart(rows: Sequence[Cells], lost: Sequence[bool]) -> bool:

@@ -2,7 +2,6 @@
 
 import operator
 import re
-from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, suggestion
+from measured_report.files.groups import single
 from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
@@ -161,9 +161,7 @@ class Results:
     @cached_property
     def row(self) -> Rows:
         """Return rows by case, those whose case is not unique left out."""
-        named = [(row.plain["case"], row) for row in self.rows]
-        count = Counter(case for case, _ in named)
-        return Rows({case: row for case, row in named if count[case] == 1}, self)
+        return Rows(single((row.plain["case"], row) for row in self.rows), self)
 
     def means(self, names: Iterable[str]) -> dict[str, Value]:
         """Return those of its numbers that are means of measurements and have these names among its values."""
