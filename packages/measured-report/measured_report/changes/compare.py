@@ -29,8 +29,7 @@ class Flip:
     name: str
     label: str
     page: Page
-    answers: Sequence[tuple[Sequence[str], Claim]]
-    """Neighbouring editions that agree, and the claim as one of them words it; oldest first."""
+    answers: Sequence[tuple[Sequence[str], Claim]]  # neighbours that agree, and the claim as one words it; oldest first
 
     @property
     def claim(self) -> str:

@@ -15,7 +15,6 @@ from measured_report.records.columns import changed_parameters, parameters
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value, local
 
-ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
 OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "profile")}
 
 
@@ -58,7 +57,7 @@ def _printed(project: Project, source: str) -> Iterator[str]:
     release = project.own_release or project.release
     for path in sorted((project.site if project.is_own else project.site / project.results.name).glob("*.html")):
         anchor = ""
-        for match in ANCHOR.finditer(path.read_text(encoding="utf-8")):
+        for match in re.finditer(' id="([^"]+)"| data-src="([^"]+)"', path.read_text(encoding="utf-8")):
             anchor = match[1] or anchor
             if match[2] and local(source, release) in match[2].split():
                 yield f"{path.name}#{anchor}"

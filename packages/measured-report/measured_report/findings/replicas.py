@@ -25,8 +25,7 @@ class Measurements:
     """Hold what all measurements of an edition say, by section."""
 
     evidence: Mapping[str, Evidence] = field(default_factory=dict)
-    kinds: Mapping[str, str] = field(default_factory=dict)
-    """On how many kinds of processor a section was measured, in words; empty for one."""
+    kinds: Mapping[str, str] = field(default_factory=dict)  # on how many kinds of processor, in words; empty for one
     digest: str = ""  # covers the replicas
     damaged: Sequence[str] = ()  # what is wrong with each replica that can't be read
     names: Sequence[str] = ()  # of the others

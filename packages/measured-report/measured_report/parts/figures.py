@@ -58,20 +58,15 @@ STYLE: dict[str, Any] = {
 
 NARROW_WIDTH = 3.6  # width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px
 LEAST_SIZE = 7.0  # size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px
-MOST_TICKS = 5  # steps between ticks along a narrow figure
 LONGEST_NAME, LONGEST_LINE = 18, 36  # characters of a name beside a narrow figure, and along it, before it is folded
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
     r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
 )  # pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either
-IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
-NAME = re.compile(r' id="([^"]+)"')
 PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")  # a hundredth of a point is enough for anything that is drawn
 UNWANTED = re.compile(r'(?s)<metadata>.*?</metadata>|<style.*?</style>|^.*?(?=<svg )|<!--.*?-->| font-family: [^;"]*;')
-BREAK = re.compile(r"\s*\n\s*")
-LETTER = re.compile(r"[^\W\d_]")
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
@@ -176,7 +171,7 @@ def _fit_narrow(drawing: Drawing) -> None:
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(fold(axes.get_title("left")), fontsize=9)
         if isinstance(axes.xaxis.get_major_locator(), ticker.AutoLocator):
-            axes.xaxis.set_major_locator(ticker.MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
+            axes.xaxis.set_major_locator(ticker.MaxNLocator(nbins=5, steps=(1, 2, 2.5, 5, 10)))
         for axis in (axes.xaxis, axes.yaxis):
             axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
     if drawing.get_supxlabel():
@@ -232,9 +227,9 @@ def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     renderer.finalize()
     svg = PIECE.sub(_Links(drawing, screen.sources).linked, UNWANTED.sub("", buffer.getvalue()))
     used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
-    svg = NAME.sub(lambda match: match[0] if match[1] in used else "", svg)
-    svg = BREAK.sub("\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
-    svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
+    svg = re.sub(r' id="([^"]+)"', lambda match: match[0] if match[1] in used else "", svg)
+    svg = re.sub(r"\s*\n\s*", "\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
+    svg = re.sub(r'( id="|xlink:href="#|url\(#)', rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     _, view, content = OPENING.split(svg, maxsplit=1)
@@ -290,7 +285,7 @@ class _Links:
 
     def _text(self, element: str) -> str:
         opening, _, text = element.removesuffix("</text>").partition(">")
-        if "tick" in self.groups and not LETTER.search(text):
+        if "tick" in self.groups and not re.search(r"[^\W\d_]", text):
             return element  # a number of an axis
         pointers, remainder = [], text
         for number, sources in self.sources.items():

@@ -29,7 +29,6 @@ HEADED = (ast.stmt, ast.ExceptHandler, ast.match_case)
 SILENT = (ast.Raise, ast.Assert, ast.JoinedStr)  # their texts are only printed
 UNEXECUTED, TIMED = "no run executes", "what is timed has changed"
 TYPES = ("annotation", "returns")
-NAME = re.compile(r"Name\(id='(\w+)'")
 
 
 @dataclass(frozen=True)
@@ -51,7 +50,7 @@ class Piece:
         return self.dump(syntax), self.forms.of(syntax)
 
     def dump(self, syntax: ast.AST) -> str:
-        return NAME.sub(lambda name: self.meanings.get(name[1], name[0]), ast.dump(syntax))
+        return re.sub(r"Name\(id='(\w+)'", lambda name: self.meanings.get(name[1], name[0]), ast.dump(syntax))
 
     def children(self) -> Iterator["Piece"]:
         head = self.context[:1]

@@ -17,8 +17,7 @@ from measured_report.records.record import BYTE_LIMIT, Record, read_record, reco
 FOLDER = "replicas"  # beside the records of the edition that was measured again
 SUMS = "SHA256SUMS"  # the file in it that seals all others
 WHOLE = 0.9  # chosen: so large a share of the numbers is there again; runs at an edge may be lost
-COPIED, NEAR = 0.9, 1e-6
-"""Chosen: a copy has so large a share of its numbers so near the others'; two measurements agree in up to 0.6."""
+COPIED, NEAR = 0.9, 1e-6  # chosen: so large a share of a copy's numbers is so near; two measurements agree in up to 0.6
 FAR, FAR_SHARE = 5.0, 0.05  # chosen: what is far outside is by more than so many ranges and such a share of a number
 Records = Mapping[str, Record]
 Key = tuple[str, str]

@@ -60,8 +60,7 @@ class Reader:
         """Find the definitions, which most modules are never asked for, and which take longer than all else."""
         definitions: dict[str, list[Definition]] = {}
         for node in self._statements:
-            names = list(dict.fromkeys(bound_names(node))) or [EFFECTS]
-            for index, name in enumerate(names):
+            for index, name in enumerate(dict.fromkeys(bound_names(node)) or [EFFECTS]):
                 definitions.setdefault(name, []).append(self._definition(node, index))
         return {name: tuple(group) for name, group in definitions.items()}
 

@@ -24,7 +24,6 @@ ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "for
 """Elements that run, hold another page, or change where links lead."""
 INLINE = ("a", "abbr", "b", "code", "em", "i", "span", "strong", "sub", "sup")  # none of which a browser closes itself
 DOUBLED = re.compile(r"</data>&nbsp;(\S+)\s+\1(?!\w)")
-PICTURES = {"svg", "img", "video", "canvas"}
 
 
 @dataclass
@@ -181,7 +180,7 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
     """Check the texts of drawings, and what pictures say to whoever can't see them."""
     for element in page.elements:
         label = element.attributes.get("aria-label") or element.attributes.get("alt")
-        if element.tag != "text" and not (element.tag in PICTURES and label):
+        if element.tag != "text" and not (element.tag in ("svg", "img", "video", "canvas") and label):
             continue
         remaining = text = element.text if element.tag == "text" else str(label)
         for source in element.attributes.get("data-src", "").split():

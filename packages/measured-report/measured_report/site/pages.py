@@ -32,10 +32,8 @@ from measured_report.values.results import MEANS
 
 FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # as OWASP has it
 POINTERS = re.compile(' data-src="([^"]+)"')
-ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 LOGO = "static/logo.svg"
-FIELD = re.compile(r"^(title|license): *(.+)$", re.MULTILINE)
 DrawnFigures = Mapping[tuple[str, str], Pictures]  # by release and id
 AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-names: *(.+)$", re.MULTILINE)
 
@@ -43,7 +41,7 @@ AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-n
 def citation() -> dict[str, Any]:
     """Read how the report is cited, ``CITATION.cff``, with names as people write them."""
     text = (report().root / "CITATION.cff").read_text(encoding="utf-8")
-    fields = {name: value.strip("\"' ") for name, value in FIELD.findall(text)}
+    fields = {name: value.strip("\"' ") for name, value in re.findall(r"(?m)^(title|license): *(.+)$", text)}
     people = ((name or f"{first_name} {last_name}") for name, last_name, first_name in AUTHOR.findall(text))
     return {"license": "", **fields, "authors": [name.strip("\"' ") for name in people]}
 
@@ -67,7 +65,7 @@ class Content:
     @property
     def ids(self) -> set[str]:
         """Collect the ids of its parts, but for the first, which is the page, and of what is in them."""
-        inner = {name for prose in self.parts for name in ID.findall(prose.body)}
+        inner = {name for prose in self.parts for name in re.findall(r' id="([^"]+)"', prose.body)}
         return inner | {figure.anchor for figure in self.figures} | {prose.anchor for prose in self.parts[1:]}
 
 

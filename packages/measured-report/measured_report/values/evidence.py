@@ -1,9 +1,8 @@
 """Evidence: all that was measured of the numbers of a section, and what that says of each.
 
 A measurement gives the truth, with a part of its host and card, one of its process and one of its run. What was
-measured more than once scatters by all of them. Absolute times have the part of their card in common, so that no more
-is known of it than there are cards. What was measured once has what runs of one case say of its column, or what it says
-itself.
+measured more than once scatters by all of them. Absolute times have the part of their card in common: no more is known
+of it than there are cards. What was measured once has what runs of one case say of its column, or what it says itself.
 """
 
 import math
@@ -116,8 +115,9 @@ class Evidence:
     repeats: Repeated = field(default_factory=dict)  # runs of one case, of the section on noise
     edges: frozenset[Key] = frozenset()  # rows that end in one of two ways, by chance
     edge_share: float = 0.0  # how often a row has ended otherwise in one measurement than in the others
-    changed: Sequence[tuple[int, int]] = ()
-    """How many numbers each measurement has, and how many of them changed against all other measurements."""
+    changed: Sequence[
+        tuple[int, int]
+    ] = ()  # numbers that each measurement has, and how many changed against all others
 
     def estimate(self, column: str, row: Cells) -> Estimate | None:
         """Return what is known of a number in ``row``; None where nobody knows its scatter."""

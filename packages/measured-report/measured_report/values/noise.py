@@ -13,8 +13,7 @@ from typing import Any
 
 SURE = 0.95  # chosen: so often the truth is within a printed number's noise
 FALSE_SHARE = 0.01  # chosen: so large a share of the changes that are told may be none
-PAIRS, CONFIDENCE = 0.999, 0.95
-"""Chosen: so many of all pairs of runs of one case differ by no more than the tolerance, and how sure that is."""
+PAIRS, CONFIDENCE = 0.999, 0.95  # chosen: so many pairs of runs of one case are within the tolerance, and how surely
 LEAST_RUNS = 4  # with fewer their spread says too little of a tolerance
 OUTLIER, LEAST_FENCED = 5.0, 6  # chosen: an outlier is so many deviations from the median, and of no fewer numbers
 NORMAL = NormalDist()
@@ -125,8 +124,7 @@ class Estimate:
     freedom: float = math.inf  # degrees of freedom of the variance
     count: float = 1.0  # measurements that the value is the mean of
     least: float = 0.0  # the least that it may be off, as by rounding
-    samples: Sequence[float | None] = ()
-    """The number in each measurement of the edition, None where it was not measured; empty where it is exact."""
+    samples: Sequence[float | None] = ()  # by measurement, None where it was not measured; empty where it is exact
     is_of_cards: bool = False  # set where the variance has the part that cards of one kind have
     is_again: bool = False  # set where it was measured more than once
     is_edge: bool = False  # set where chance decides in which of two ways it ends

@@ -126,8 +126,7 @@ class Results:
 
     record: Record
     path: Path
-    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)
-    """Results of the sections that stand before this one on the page."""
+    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)  # of sections before this one on the page
     derived: dict[str, Value] = field(default_factory=dict)  # every derived value by name, for the site's values file
     evidence: Evidence = field(default_factory=Evidence, repr=False)  # what all measurements of it say of its numbers
     label: str = ""  # name of the section in figures and tables
