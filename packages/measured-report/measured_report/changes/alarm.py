@@ -100,18 +100,10 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
     for flip in comparison.flips:
         before, after = (_claim_data(flip.section, claim, say) for claim in flip.ends)
         flips.append({"section": flip.section, "claim": flip.name, "before": before, "after": after})
-    return {
-        "a": comparison.releases[0],
-        "b": comparison.releases[1],
-        "faults": list(map(vars, comparison.faults)),
-        "flips": flips,
-        "settings": [*map(_move_data, comparison.settings)],
-        "alarms": [move.name for move in comparison.alarms],
-        "largest": largest(comparison),
-        "moved": _sums(comparison),
-        "moves": [*map(_move_data, comparison.moves)],
-        "notes": comparison.notes,
-    }
+    sides = {"a": comparison.releases[0], "b": comparison.releases[1], "faults": list(map(vars, comparison.faults))}
+    told = {"settings": [*map(_move_data, comparison.settings)], "alarms": [move.name for move in comparison.alarms]}
+    moved = {"largest": largest(comparison), "moved": _sums(comparison), "moves": [*map(_move_data, comparison.moves)]}
+    return {**sides, "flips": flips, **told, **moved, "notes": comparison.notes}
 
 
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
@@ -139,8 +131,7 @@ def largest(comparison: Comparison) -> list[str]:
     columns: dict[str, list[Move]] = {}
     for move in sorted(comparison.moves, key=_rank, reverse=True):
         is_setting = move.is_setting or column_of(move.column).is_setting  # which are told by themselves
-        is_lost = move.is_gone and move.after is None
-        if not is_setting and (move.share or is_lost or move.exceeds_threshold):
+        if not is_setting and (move.share or (move.is_gone and move.after is None) or move.exceeds_threshold):
             columns.setdefault(move.column, []).append(move)
     lines = []
     for lead, *more in list(columns.values())[:LINES]:

@@ -209,10 +209,8 @@ def _runs_of(codes: Mapping[str, Code], records: Mapping[str, Sequence[Record]],
                 places[section].add(tuple(place))
         for section, digests in note["work"].items():
             work[section] |= digests
-    return {
-        name: Run(code, records[name], executed[""] | executed[name], timed[""] | timed[name], work[name])
-        for name, code in codes.items()
-    }
+    noted = {name: (executed[""] | executed[name], timed[""] | timed[name]) for name in codes}
+    return {name: Run(code, records[name], *noted[name], work[name]) for name, code in codes.items()}
 
 
 def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str]:

@@ -95,8 +95,7 @@ class Move:
     @property
     def is_gone(self) -> bool:
         """Tell whether it is a number that was asked for in both editions and is there in one."""
-        is_one = (self.before is None) != (self.after is None)
-        return is_one and all(isinstance(side, Quantity) for side in self.sides)
+        return (self.before is None) != (self.after is None) and all(isinstance(side, Quantity) for side in self.sides)
 
     @property
     def direction(self) -> str:
@@ -257,8 +256,7 @@ def _may_differ(column: str) -> bool:
 
 def few(names: Sequence[str], count: int = NAMED) -> str:
     """Name no more than so many, and say how many more there are."""
-    more = f"; and {len(names) - count} more" if len(names) > count else ""
-    return "; ".join(names[:count]) + more
+    return "; ".join(names[:count]) + (f"; and {len(names) - count} more" if len(names) > count else "")
 
 
 def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:

@@ -99,12 +99,8 @@ def _stop_again(ignored: Any) -> None:
 def commands() -> dict[str, str]:
     """Find the module of each command by its name, the generator's first; none is imported, which takes long."""
     folders = {__package__: Path(__file__).parent, OWN: report().root.joinpath(*OWN.split("."))}
-    return {
-        path.stem: f"{package}.{path.stem}"
-        for package, folder in folders.items()
-        for path in sorted(folder.glob("*.py"))
-        if "\ndef run(" in path.read_text(encoding="utf-8")
-    }
+    modules = ((package, path) for package, folder in folders.items() for path in sorted(folder.glob("*.py")))
+    return {path.stem: f"{package}.{path.stem}" for package, path in modules if b"\ndef run(" in path.read_bytes()}
 
 
 def help_of(module: ModuleType) -> str:

@@ -53,8 +53,7 @@ def run(project: Project, arguments: Arguments) -> int:
             print(f"{config().edition} {release}: to be measured are {', '.join(names)}{time}", flush=True)
     after, before = (_measured(project, release, device, names) for release, names in unmeasured.items())
     compared = [*editions_of(project, among=[before.release, after.release]).values()]
-    timed = timed_in_turn([before, after], [base, arguments.release], device)
-    comparison = compare(compared[0], compared[1], timed)
+    comparison = compare(compared[0], compared[1], timed_in_turn([before, after], [base, arguments.release], device))
     absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
     comparison = replace(comparison, faults=[*absent, *comparison.faults])
     say = sentences_of(project)

@@ -125,12 +125,10 @@ class Project:
 
     def rerun(self, section: str, device: str | None = None) -> str:
         """Say the command that measures a section, on ``device`` if one is named, or on a CPU if these are of one."""
-        options = {
-            "SECTION": section,
-            "DEVICE": device or ("cpu" if self.named.machine == "cpu" else None),
-            config().option: None if self.is_own else self.asked,
-            "PROFILE": None if self.profile == "full" else self.profile,
-        }
+        device = device or ("cpu" if self.named.machine == "cpu" else "")
+        edition = "" if self.is_own else self.asked
+        profile = "" if self.profile == "full" else self.profile
+        options = {"SECTION": section, "DEVICE": device, config().option: edition, "PROFILE": profile}
         return " ".join(["make rerun", *(shlex.quote(f"{name}={value}") for name, value in options.items() if value)])
 
     @property

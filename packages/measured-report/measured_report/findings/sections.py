@@ -53,9 +53,8 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
     first, labels, reads = says.get("first", False), says.get("labels", {}), says.get("reads", ())
     if not (isinstance(labels, Mapping) and isinstance(reads, tuple | list) and isinstance(label, str)):
-        raise ReportError(
-            f'{name}: labels is a dict, as {{"case": "words"}}, and reads a tuple, as ("noise",), label text'
-        )
+        hint = 'labels is a dict, as {"case": "words"}, and reads a tuple, as ("noise",), label text'
+        raise ReportError(f"{name}: {hint}")
     if unknown := [read for read in reads if not file_of("report.sections", read)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
     source, compares = name.removesuffix("__init__.py"), says["derive"] > 1

@@ -33,8 +33,7 @@ def measure(
     """Measure the sections; return the report that has them, which is apart from that of another machine."""
     machine, options = machine_name(device), ["--profile", project.profile, "--aside", project.aside]
     if cluster:
-        python = python_of(release, expected_packages(project), project.root)
-        add_group("cluster", project.root, python, "extra")
+        add_group("cluster", project.root, python_of(release, expected_packages(project), project.root), "extra")
         options += ["--cluster", cluster]
     if device != "cpu":
         if cluster not in (None, "local"):

@@ -56,8 +56,7 @@ class Prose:
     @property
     def summary(self) -> Markup:
         """Return its first paragraph of words, which are not those of a figure."""
-        paragraph = next((each["words"] for each in PARAGRAPH.finditer(self.body)), "")
-        return _put_back(paragraph, self.printed)
+        return _put_back(next((each["words"] for each in PARAGRAPH.finditer(self.body)), ""), self.printed)
 
     @property
     def marks(self) -> list[str]:
@@ -120,8 +119,7 @@ class Templates:
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
             with _named(name, template):
-                context = template.new_context({**numbers, "printed": printed})
-                text = "".join(template.blocks[block](context))
+                text = "".join(template.blocks[block](template.new_context({**numbers, "printed": printed})))
             return _put_back(" ".join(text.split()), printed)
 
         tags: Any = self._prose

@@ -78,8 +78,7 @@ def mismatch(tracked: Record, replica: Record) -> str:
     sides = [(identity.config, identity.profile) for identity in (tracked.identity, replica.identity)]
     if sides[0] != sides[1] or tracked.codes.isdisjoint(replica.codes):
         return "other code"
-    is_whole = replica.number_count >= WHOLE * tracked.number_count
-    return "" if is_whole else "not all of it could be measured there"
+    return "" if replica.number_count >= WHOLE * tracked.number_count else "not all of it could be measured there"
 
 
 def is_copy(a: Record, b: Record) -> bool:
@@ -87,11 +86,10 @@ def is_copy(a: Record, b: Record) -> bool:
     is_alike = a.measured["seconds"] == b.measured["seconds"] and list(a.rows) == list(b.rows)
     if a.started == b.started and (is_alike or a.card.casefold() == b.card.casefold()):
         return True
-    sides = [
-        {key: cell for key, cell in _numbers(side) if side.machine["device"] != "cpu" or is_cost(key[1])}
-        for side in (a, b)
-    ]
-    same = [math.isclose(sides[0][key], sides[1][key], rel_tol=NEAR) for key in sides[0].keys() & sides[1].keys()]
+    mine, theirs = dict(_numbers(a)), dict(_numbers(b))
+    repeats = "cpu" in (a.machine["device"], b.machine["device"])  # to the last bit, but for costs
+    keys = [key for key in mine.keys() & theirs.keys() if is_cost(key[1]) or not repeats]
+    same = [math.isclose(mine[key], theirs[key], rel_tol=NEAR) for key in keys]
     return bool(same) and sum(same) >= COPIED * len(same)
 
 

@@ -287,8 +287,7 @@ class Canonical:
         targets = (child for clause in node.generators for child in ast.walk(clause.target))
         inner = self._within(scope, [child.id for child in targets if _is_bound(child)])
         first, *clauses = node.generators
-        values = [getattr(node, name, None) for name in ("elt", "key", "value")]
-        parts = [first.target, first.ifs, clauses, values]
+        parts = [first.target, first.ifs, clauses, [getattr(node, name, None) for name in ("elt", "key", "value")]]
         return type(node).__name__, self.plain(first.iter, scope), *(self.plain(piece, inner) for piece in parts)
 
     visit_ListComp = visit_SetComp = visit_DictComp = visit_GeneratorExp = _comprehension
@@ -316,8 +315,7 @@ class Canonical:
         if self._is_silent:
             return "Constant", repr("")
         # Python 3.12 and later put an empty text behind a nested format specification.
-        parts = [value for value in node.values if getattr(value, "value", None) != ""]
-        return "JoinedStr", self.plain(parts, scope)
+        return "JoinedStr", self.plain([value for value in node.values if getattr(value, "value", None) != ""], scope)
 
     def visit_Expr(self, node: ast.Expr, scope: Scope) -> Any:
         form = self.plain(node.value, scope)

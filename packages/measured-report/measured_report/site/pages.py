@@ -224,6 +224,5 @@ def _addresses(content: Content, contents: Sequence[Content], edition: WordedEdi
     addresses = {}
     for link in (mark for prose in content.parts for mark in prose.marks if mark.startswith("#")):
         file = files.get(link[1:], "")
-        elsewhere = f"{file}{link}" if file else lost or link
-        addresses[link] = link if file == content.page.file else elsewhere
+        addresses[link] = link if file == content.page.file else f"{file}{link}" if file else lost or link
     return addresses

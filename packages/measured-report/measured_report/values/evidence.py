@@ -144,10 +144,8 @@ class Evidence:
             for column, runs in columns.items():
                 key = MEAN, case, column
                 group = self.groups.get((column, MEAN) if is_absolute(column) else (MEAN,), {})
-                if cell := group.get(key):
-                    estimates[case, column] = cell.estimate(runs.mean, key in self.edges)
-                else:
-                    estimates[case, column] = Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
+                cell, once = group.get(key), Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
+                estimates[case, column] = cell.estimate(runs.mean, key in self.edges) if cell else once
         return estimates
 
     @property
@@ -202,7 +200,8 @@ def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidenc
     tracked, *replicas = measured
     if tracked is None or not any(replicas):
         return Evidence(repeats=repeats)
-    keyed = [_by_key(record.rows if record else ()) for record in measured]
+    # Rows that share a key are left out, and runs of one case.
+    keyed = [single((key_of(row), row) for row in (each.rows if each else ()) if "of" not in row) for each in measured]
     rows_by_key = {key: [rows.get(key, {}) for rows in keyed] for key in keyed[0]}
     lost = {key: [is_lost(row) for row in rows] for key, rows in rows_by_key.items()}
     edges = {key for key, rows in rows_by_key.items() if _ends_apart(rows, lost[key])}
@@ -242,11 +241,6 @@ def scatters(column: str) -> bool:
     """Tell whether a column's numbers may come out otherwise, and say something when they do."""
     about = column_of(column)
     return not (about.is_exact or "uncompared" in about.kinds or column.endswith(EDGES))
-
-
-def _by_key(rows: Sequence[Cells]) -> dict[Key, Cells]:
-    """Return rows by their keys, those that share one left out, and runs of one case."""
-    return single((key_of(row), row) for row in rows if "of" not in row)
 
 
 def _ends_apart(rows: Sequence[Cells], lost: Sequence[bool]) -> bool:
@@ -297,12 +291,10 @@ def _of_cards(group: Group, cards: Sequence[str]) -> dict[Key, Cell] | None:
     complete, means = ~np.isnan(by_card).any(axis=1), by_card.mean(axis=1)
     if not complete.any():
         return None
-    share = np.median(by_card[complete].var(axis=1, ddof=1) / means[complete] ** 2)
+    share = float(np.median(by_card[complete].var(axis=1, ddof=1) / means[complete] ** 2))
     scatter: dict[str, Any] = {"freedom": len(sides) - 1.0, "mean_count": float(len(sides)), "is_of_cards": True}
     rows = zip(group.items(), means.tolist(), complete, strict=True)
-    return {
-        key: Cell(cell.samples, mean, float(share) * mean**2, **scatter) for (key, cell), mean, is_so in rows if is_so
-    }
+    return {key: Cell(cell.samples, mean, share * mean**2, **scatter) for (key, cell), mean, is_so in rows if is_so}
 
 
 def with_cards(evidence: Mapping[str, Evidence]) -> Mapping[str, Evidence]:
