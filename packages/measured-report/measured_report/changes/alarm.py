@@ -120,8 +120,7 @@ def _move_data(move: Move) -> dict[str, Any]:
 def summary(comparison: Comparison) -> str:
     """Say how many numbers changed, and whether that matters."""
     count = sum(cell.chance is not None for cell in comparison.cells)
-    changed = sum(move.chance is not None for move in comparison.moves)
-    if not changed:
+    if not (changed := sum(move.chance is not None for move in comparison.moves)):
         return f"none of {count} numbers changed by more than the noise"
     return f"{changed} of {count} numbers changed; by more than its threshold: {len(comparison.alarms) or 'none'}"
 

@@ -58,13 +58,12 @@ Runs = tuple[Run, Run]
 
 def carried(project: Project, release: Release, names: Sequence[str], device: str) -> Iterator[tuple[str, str]]:
     """Carry the records of sections that are stale by code alone; yield each with why not, or else empty."""
-    states = {state.section: state for state in states_of(project) if state.section in names}
     records, after = {}, commit_here() or ""  # before a record that is written makes the tree another
-    for name, state in states.items():
+    for state in (state for state in states_of(project) if state.section in names):
         if state.record and state.kind == "stale" and all(note.startswith("code") for note in state.notes):
-            records[name] = state.record
+            records[state.section] = state.record
         elif state.kind != "fresh":
-            yield name, f"it is {state.summary}, which is not its code alone"
+            yield state.section, f"it is {state.summary}, which is not its code alone"
     with worktree(project.root) as tree:
         commits = commits_of(tree, records)
         for name in (name for name in records if name not in commits):

@@ -65,8 +65,7 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
         terms = {release: _terms_of(section, claim, releases[release]) for release, claim in answers.items()}
         page_terms = terms.get(page_release, next(iter(terms.values())))
         outcomes = {release: claim.outcome.name for release, claim in answers.items() if terms[release] == page_terms}
-        groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
-        if len(groups) > 1:
+        if len(groups := [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]) > 1:
             answered = [(group, answers[page_release if page_release in group else group[-1]]) for group in groups]
             chapter = releases[next(iter(answers))][section]
             yield Flip(section, name, chapter.results.label, chapter.page, answered)

@@ -78,8 +78,7 @@ class Query:
         alike = config().changes.equivalent_sections
         sections = (self.section, *(alike if self.section in alike else ()))
         rows = (self._row(chapters[section].results) for section in sections if section in chapters)
-        row = next(filter(None, rows), None)
-        if row and self.column in row:
+        if (row := next(filter(None, rows), None)) and self.column in row:
             return row[self.column]
         edition = f" with {config().name_of(release)}" if release else ""
         return absent(self.unit, f"{self.section} has not been measured so{edition}")

@@ -30,9 +30,8 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         text = f"{' '.join(message.split()):.300}; see {self.prog} --help"
         if os.environ.get("MAKELEVEL") == "1":
-            command = self.prog.rpartition(" ")[2]
             text = re.sub("--([a-z-]+)", lambda flag: f"{flag[1].upper().replace('-', '_')}=", text.partition(";")[0])
-            text = f"make {command}: {text}; make help says what it takes"
+            text = f"make {self.prog.rpartition(' ')[2]}: {text}; make help says what it takes"
         raise UsageError(text)
 
 

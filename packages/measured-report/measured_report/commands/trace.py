@@ -76,9 +76,8 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
         row = record.rows[index]
         changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
         changes = f" ({config().baseline}{f', but for {changed}' if changed else ''})" if parameters() else ""
-        case = f"{row['case']}{changes}"
         number = _cell({chapter.results.source: chapter}, cell)
-        yield f"  row {index}, case {case}: {column} = {_text(number) if number else row[column]}"
+        yield f"  row {index}, case {row['case']}{changes}: {column} = {_text(number) if number else row[column]}"
     release, commit = record.origin.release, record.measured["commit"]
     measured = f"{record.machine_text}, {record.time_text}, {config().edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"

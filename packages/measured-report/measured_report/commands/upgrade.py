@@ -144,8 +144,7 @@ def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in comparison.flips]
     query, why = Query(config().changes.explanation, is_claim=True), "the sections that were measured do not say"
-    given = [move for move in comparison.moves if move.is_setting or "computed" in column_of(move.column).kinds]
-    if given:
+    if given := [move for move in comparison.moves if move.is_setting or "computed" in column_of(move.column).kinds]:
         why = f"what it is set to changed: {few([f'{move.name} {move.ends}' for move in given])}"
     if (cause := query.claim(after.chapters)) and cause.outcome == HOLDS:
         why = say(query.section, cause)

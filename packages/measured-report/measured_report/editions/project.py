@@ -142,8 +142,7 @@ def own_release(root: Path | None = None) -> str:
     """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
     requirement = config().requirement_of(config().edition)
     text = ((root or report().root) / "pyproject.toml").read_text(encoding="utf-8")
-    match = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
-    if not match:
+    if not (match := re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)):
         line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
         raise ReportError(f"pyproject.toml has no line {line}")
     return full_version(match[1])

@@ -32,8 +32,7 @@ class Measurements:
 
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims say by how many measurements they are decided, where there are several."""
-        count = self.evidence[name].count if name in self.evidence else 1
-        if count < 2:
+        if (count := self.evidence[name].count if name in self.evidence else 1) < 2:
             return section
         text, claims = f"by {count} measurements{self.kinds.get(name, '')}", []
         for claim in section.claims:

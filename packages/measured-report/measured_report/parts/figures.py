@@ -165,8 +165,7 @@ def _fit_narrow(drawing: Drawing) -> None:
         # To ask for labels lays the axis out, which takes long; those of numbers are never long.
         is_named = not isinstance(axes.yaxis.get_major_formatter(), ticker.ScalarFormatter)
         names = [label.get_text() for label in axes.get_yticklabels()] if is_named else []
-        is_long = any(len(name) > LONGEST_NAME for name in names)
-        if is_long:
+        if is_long := any(len(name) > LONGEST_NAME for name in names):
             axes.set_yticks(axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names])
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(fold(axes.get_title("left")), fontsize=9)

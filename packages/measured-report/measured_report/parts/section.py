@@ -119,8 +119,7 @@ class Figure:
         from matplotlib.figure import Figure as Drawing
 
         assert self.draw
-        drawing = self.draw()
-        if not isinstance(drawing, Drawing):
+        if not isinstance(drawing := self.draw(), Drawing):
             kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
             raise ReportError(f"it draws a {kind}, and not a new_figure()")
         assert any(axes.has_data() for axes in drawing.axes), "it draws nothing"
@@ -141,8 +140,7 @@ class Figure:
 
     def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
         """Show the figure, where anything of it exists; drawings that are files are at ``address``."""
-        pointers = [source.source for source in self.sources if source.value is not None]
-        if not pointers:
+        if not (pointers := [source.source for source in self.sources if source.value is not None]):
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
             return macros().left_out("A figure is left out here", reasons[0])
         files: dict[str, None] = {}

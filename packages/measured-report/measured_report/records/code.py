@@ -127,8 +127,7 @@ class Graph:
     @cached_method
     def reached(self, name: str) -> dict[Node, str]:
         """Digest what may be run when what has this dotted name is, and what importing its files does."""
-        nodes = self.resolve(name)
-        if isinstance(nodes, str):
+        if isinstance(nodes := self.resolve(name), str):
             raise ReportError(f"there is no {name}")
         loaded = {file for first in {file for file, _ in nodes} for file in self.closure(first, CARRIED)}
         waiting = [*nodes, *(node for file in loaded for node in self._effects(file))]
@@ -163,10 +162,9 @@ class Graph:
     @cached_method
     def digest(self, node: Node, rounds: int = ROUNDS) -> str:
         """Digest what defines a name, and what the names in it mean."""
-        trees = [definition.tree for definition in self.definitions(node)]
         meanings = self.meanings(node) if rounds else []
         forms = [ref if isinstance(ref, str) else [self.digest(node, rounds - 1) for node in ref] for ref in meanings]
-        return digest_of([trees, forms])
+        return digest_of([[definition.tree for definition in self.definitions(node)], forms])
 
     @cached_method
     def meanings(self, node: Node) -> list[list[Node] | str]:

@@ -85,8 +85,7 @@ BYTE_LIMIT = 1 << 30  # of a file that is digested: wheels have hundreds of MiB
 
 def package_versions() -> dict[str, str]:
     """Return the version of each package here; of the first with its code, where that is not an index's."""
-    versions = files().versions
-    if not versions:
+    if not (versions := files().versions):
         versions |= dict.fromkeys(config().packages, MISSING)
         for package in versions:
             with suppress(metadata.PackageNotFoundError):
@@ -121,8 +120,7 @@ def _source() -> str:
 def checkout_source(folder: Path) -> str:
     """Name the commit that a checkout is at, with ``.edited.`` and the digest of its code if that differs."""
     module, code = config().edition.replace("-", "_"), code_in(folder)
-    commit = git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]
-    if not commit:
+    if not (commit := git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]):
         return f"x{code}"
     is_edited = git(folder, "status", "--porcelain", "--", module, f"src/{module}")
     return f"g{commit}{EDITED}.{code}" if is_edited else f"g{commit}"

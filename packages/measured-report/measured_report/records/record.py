@@ -241,8 +241,7 @@ def read_record(content: bytes, path: Path) -> Record:
 
 def _plain(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     """Make an object of JSON, in which each key stands once: of two, a reader would see either."""
-    fields = dict(pairs)
-    if len(fields) < len(pairs):
+    if len(fields := dict(pairs)) < len(pairs):
         keys = [key for key, _ in pairs]
         raise ValueError(f"{max(keys, key=keys.count)!r:.80} is there twice")
     for key, value in pairs:

@@ -152,11 +152,9 @@ class Data:
 
 def check_numbers(page: PageReader, data: Data) -> list[str]:
     """Say what is wrong with the numbers of a page, a line each."""
-    problems = [*_check_written(page, data), *_check_drawn(page, data)]
-    for cell in page.of("td"):
-        if number := _unnamed(cell.text, data):
-            problems.append(f"the number {number} leads nowhere in the cell: {cell.text.strip()}")
-    return problems
+    cells = ((cell.text.strip(), _unnamed(cell.text, data)) for cell in page.of("td"))
+    unnamed = [f"the number {number} leads nowhere in the cell: {text}" for text, number in cells if number]
+    return [*_check_written(page, data), *_check_drawn(page, data), *unnamed]
 
 
 def _check_written(page: PageReader, data: Data) -> Iterator[str]:

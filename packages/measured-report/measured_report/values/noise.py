@@ -132,8 +132,7 @@ class Estimate:
     @property
     def note(self) -> str:
         """Say what it is the mean of; nothing where it was measured once."""
-        present = [sample for sample in self.samples if sample is not None]
-        if len(present) < 2:
+        if len(present := [sample for sample in self.samples if sample is not None]) < 2:
             return ""
         least, largest = min(present), max(present)
         several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"

@@ -319,8 +319,7 @@ def _unit_of(function: Callable[..., float], quantities: Sequence[Quantity]) -> 
     if function in (operator.mul, operator.truediv):
         a, b = (quantity.unit for quantity in quantities)
         return _product_unit(a, b, 1 if function is operator.mul else -1)
-    units = {quantity.unit: quantity for quantity in quantities if quantity.value is not None}
-    if len(units) > 1:
+    if len(units := {quantity.unit: quantity for quantity in quantities if quantity.value is not None}) > 1:
         raise ReportError("{} and {} have no unit in common: derive them in one".format(*units.values()))
     return next(iter(units), quantities[0].unit if quantities else PLAIN)
 
@@ -336,8 +335,7 @@ def _product_unit(a: str, b: str, power: int) -> str:
 
 
 def _evaluated(function: Callable[..., float], sources: Sequence[Any]) -> tuple[float | None, str]:
-    reasons = [source.reason for source in sources if source.value is None]
-    if reasons:
+    if reasons := [source.reason for source in sources if source.value is None]:
         return None, reasons[0]
     try:
         value = function(*(source.value for source in sources))
