@@ -68,8 +68,7 @@ def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) 
     low, high, skipped = 0, len(points) - 1, set[int]()
     while inner := [index for index in range(low + 1, high) if index not in skipped]:
         middle = inner[len(inner) // 2]
-        is_old = is_first(points[middle])
-        if is_old is None:
+        if (is_old := is_first(points[middle])) is None:
             skipped.add(middle)
         elif is_old:
             low = middle

@@ -214,8 +214,7 @@ def _estimates_of(move: Move, estimates: Estimates) -> tuple[list[Estimate], flo
     """Return what is known of both sides, the least difference that counts, and whether nobody knows any of that."""
     bare = [each or Estimate(end) for each, end in zip(estimates, (move.before, move.after), strict=True)]
     size, resolution = max(abs(each.value) for each in bare), column_of(move.column).resolution
-    teacher = max(filter(None, estimates), key=lambda each: each.is_again, default=None)
-    if teacher is None:
+    if (teacher := max(filter(None, estimates), key=lambda each: each.is_again, default=None)) is None:
         return bare, max(resolution, CHOSEN_SHARE * size), True
     sides = [
         side if each and each.is_again >= teacher.is_again else Estimate(side.value, teacher.variance, teacher.freedom)

@@ -101,8 +101,7 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
         return project
     if named.machine not in ("", machine):
         raise UsageError(f"{option} has the results of {named.machine}, and this is {machine}")
-    machines = dict.fromkeys(machines_besides(project, machine))
-    if not machines or named.machine:
+    if not (machines := dict.fromkeys(machines_besides(project, machine))) or named.machine:
         return project
     edition = project.of(str(replace(named, machine=machine)))
     print(f"{option} has results of {', '.join(machines)}; those of this machine are {edition.release}")

@@ -112,8 +112,7 @@ def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
             body = _rendered(render, printed, lambda items: are_met and not any(map(_is_lost, items)))
         stands = body is not None
         if otherwise:
-            alternative = _rendered(otherwise, printed, lambda _: not stands)
-            if alternative is not None:
+            if (alternative := _rendered(otherwise, printed, lambda _: not stands)) is not None:
                 return alternative
         elif is_measured and not stands:  # what was not measured is listed on the page: no other answer
             sentences = [claim.html(need.section) for need, claim in measured.items()]

@@ -90,8 +90,7 @@ class WordTags(Extension):
         kind, name, parts = tag.value, parser.stream.expect("name").value, PARTS[tag.value]
         ends = [*(part for part in parts if part != "caption"), f"end{kind}"]
         part, line, blocks = "caption", tag.lineno, {}
-        worded = vars(parser).setdefault("worded", set())
-        if (kind, name) in worded:
+        if (kind, name) in (worded := vars(parser).setdefault("worded", set())):
             parser.fail(f"{kind} {name} is worded twice", line)
         worded.add((kind, name))
         while part != ends[-1]:

@@ -203,8 +203,7 @@ def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:
                 ast.literal_eval(getattr(node, "value", node))
                 yield ast.unparse(node)
         if isinstance(node, ast.arguments):
-            names = [*node.posonlyargs, *node.args]
-            pairs = [*zip(names[::-1], node.defaults[::-1], strict=False)]
+            pairs = [*zip([*node.posonlyargs, *node.args][::-1], node.defaults[::-1], strict=False)]
             pairs += [(arg, value) for arg, value in zip(node.kwonlyargs, node.kw_defaults, strict=True) if value]
             yield from (f"{arg.arg}={ast.unparse(default)}" for arg, default in pairs if _is_number(default))
         for name, value in ast.iter_fields(node):

@@ -169,8 +169,7 @@ class Evidence:
             return Estimate(value, least=rounding, samples=(value,))
         length = row.get(about.grows_with)
         runs = [columns[column] for columns in self.repeats.values() if column in columns]
-        noisiest = max(runs, key=lambda run: run.variance_at(value, length), default=None)
-        if noisiest is None:
+        if (noisiest := max(runs, key=lambda run: run.variance_at(value, length), default=None)) is None:
             return None
         variance = noisiest.variance_at(value, length)
         least = about.resolution or (0.0 if variance else rounding)
@@ -191,8 +190,9 @@ def _by_itself(column: str, row: Cells) -> Estimate | None:
     return Estimate(value, deviation**2, count=max(1, row.get("repeat_count") or 1), samples=(value,))
 
 
-Far = tuple[Key, list[float]]
-"""A row, and how far each of its measurements is from the others, in normal deviations, of one column; NaN for none."""
+Far = tuple[
+    Key, list[float]
+]  # of a column a row, and its measurements' normal deviations from the others; NaN for none
 
 
 def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidence:

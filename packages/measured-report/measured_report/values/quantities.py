@@ -228,11 +228,8 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     if None in noises:
         return None
-    alone = (
-        [[*values[:index], values[index] + by, *values[index + 1 :]] for by in (change, -change)]
-        for index, change in enumerate(noises)
-        if change
-    )
+    noisy = [(at, by) for at, by in enumerate(noises) if by]
+    alone = ([[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)] for at, by in noisy)
     noise, middle = _moved(function, values, alone), function(*values)
     rows = [row for row in _measurements(sources) if None not in row]
     by_source = [*zip(*rows, strict=True)]
