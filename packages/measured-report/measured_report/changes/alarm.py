@@ -38,17 +38,17 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
     """Return what an edition says, each claim once, as text, markdown or json."""
     faults = faults_of(edition)
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
-    reasons = {state.section: state.words or "it was not measured" for state in edition.left_out}
+    absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     if form == "json":
         said = [{"section": name, "claim": claim.name, **_claim_data(name, claim, say)} for name, claim in claims]
-        absent = [{"section": section, "reason": reason} for section, reason in reasons.items()]
-        parts = {"faults": list(map(vars, faults)), "claims": said, "absent": absent}
+        reasons = [{"section": section, "reason": reason} for section, reason in absent]
+        parts = {"faults": list(map(vars, faults)), "claims": said, "absent": reasons}
         return _json("check", bool(faults), {config().edition: edition.project.release, **parts})
     lines = [fault.text for fault in faults]
     for section, claim in claims:
         confirmed = f" ({claim.confirmed})" if claim.confirmed else ""
         lines.append(f"{claim.outcome.answer:12} {section}.{claim.name}: {say(section, claim)}{confirmed}")
-    lines += [f"{'absent':12} {section}: {reason}" for section, reason in reasons.items()]
+    lines += [f"{'absent':12} {section}: {reason}" for section, reason in absent]
     return _lines(lines, form)
 
 
