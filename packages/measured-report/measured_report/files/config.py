@@ -20,6 +20,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 FILE = "report.toml"
+ROOMS = ("experiments", "report")  # packages that every report has of its own, by the same names
 T = TypeVar("T")
 Address = Annotated[str, Meta(pattern="^$|^https?://")]
 ClassName = Annotated[str, Meta(pattern="^$|:")]
@@ -215,7 +216,7 @@ class Report:
         """Put its root and modules in the place of another's, which are kept for when that is entered again."""
         if self is former:
             return
-        names = [name for name in sys.modules if name.partition(".")[0] in ("experiments", "report")]  # all have these
+        names = [name for name in sys.modules if name.partition(".")[0] in ROOMS]
         former._path, former._modules = sys.path[:], {name: sys.modules.pop(name) for name in names}
         # The other's root would be found first, where a package here has no __init__.py.
         paths = (path for path in sys.path if Path(path).resolve() != former.root)

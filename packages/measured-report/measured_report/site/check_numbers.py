@@ -91,6 +91,7 @@ def _is_active(element: Element) -> bool:
 
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
+RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 
 
 class Data:
@@ -128,11 +129,7 @@ class Data:
     @cached_property
     def typed(self) -> re.Pattern[str]:
         """Match numbers in drawings and in their words that are names and formulas."""
-        edition = (
-            [re.escape(config().edition_name) + r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"]
-            if config().edition_name
-            else []
-        )
+        edition = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
         return re.compile("|".join([*config().formulas, *edition]) or "(?!)")
 
     @cached_property

@@ -190,9 +190,7 @@ def _by_itself(column: str, row: Cells) -> Estimate | None:
     return Estimate(value, deviation**2, count=max(1, row.get("repeat_count") or 1), samples=(value,))
 
 
-Far = tuple[
-    Key, list[float]
-]  # of a column a row, and its measurements' normal deviations from the others; NaN for none
+Far = tuple[Key, list[float]]  # of a column: a row, and normal deviations of its measurements from the others, or NaN
 
 
 def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidence:

@@ -61,9 +61,8 @@ class Quantity:
     source: str  # pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for
     reason: str = ""  # why there is no number, where there is none
     origins: frozenset[Origin] = frozenset()  # releases and machines that measured it; none for what was not measured
-    noise: float | None = (
-        None  # how far off the truth may be, in its unit; None where nobody knows, 0 for what is exact
-    )
+    noise: float | None = None
+    """How far the truth may be from it, in its unit; None where nobody knows, 0 for what is exact."""
     formula: str = ""  # words for how it is computed; of what was measured more than once between what
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
     """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""

@@ -104,7 +104,7 @@ def left_out(samples: Array, lent: Array, common: Array, least: Array) -> Array:
     """Return how far each number is from the mean of its row's others, in normal deviations; NaN with fewer than two.
 
     The ``samples`` are by row and measurement, NaN where there is none; all else is by row: degrees of freedom that are
-    ``lent`` by the column, its ``common`` variance, and differences of which the ``least`` counts as none.
+    ``lent`` by the column, its ``common`` variance, and ``least``, the differences that count as none.
     """
     present = ~np.isnan(samples)
     count = np.maximum(present.sum(axis=1, keepdims=True), 2)
