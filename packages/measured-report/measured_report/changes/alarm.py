@@ -14,7 +14,7 @@ from measured_report.parts.claim import Claim
 from measured_report.records.columns import column_of
 from measured_report.records.replicas import FOLDER
 from measured_report.values.format import format_share
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value
+from measured_report.values.quantities import VALUES_FILE, Value
 
 SCHEMA = 1
 LINES = 5  # chosen: so many of the largest moves are told
@@ -40,15 +40,10 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     if form == "json":
-        parts = {
-            config().edition: edition.project.release,
-            "faults": list(map(vars, faults)),
-            "claims": [
-                {"section": name, "claim": claim.name, **_claim_data(name, claim, say)} for name, claim in claims
-            ],
-            "absent": [{"section": section, "reason": reason} for section, reason in absent],
-        }
-        return _json("check", bool(faults), parts)
+        said = [{"section": name, "claim": claim.name, **_claim_data(name, claim, say)} for name, claim in claims]
+        reasons = [{"section": section, "reason": reason} for section, reason in absent]
+        parts = {"faults": list(map(vars, faults)), "claims": said, "absent": reasons}
+        return _json("check", bool(faults), {config().edition: edition.project.release, **parts})
     lines = [fault.text for fault in faults]
     for section, claim in claims:
         confirmed = f" ({claim.confirmed})" if claim.confirmed else ""
@@ -61,15 +56,10 @@ def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
     """Return the comparison as text, markdown or json; beside what it counts stands the ``rate`` of false alarms."""
     if form == "json":
         return _json("diff", comparison.is_alarm, {"false_alarms": rate, **_diff_data(comparison, say)})
-    counts: dict[str, Sequence[Any]] = {
-        "can't be trusted": comparison.faults,
-        "what matters": comparison.alarms,
-        "claims that flipped": comparison.flips,
-        "values that changed": comparison.moves,
-    }
     editions = " → ".join(f"{config().edition} {release}" for release in comparison.releases)
-    count_texts = [f"{label}: {len(items)}" for label, items in counts.items()]
-    lines = [f"{editions}: {summary(comparison)}", "; ".join([*count_texts, f"false alarms: {rate}"])]
+    counts = f"can't be trusted: {len(comparison.faults)}; what matters: {len(comparison.alarms)}"
+    counts += f"; claims that flipped: {len(comparison.flips)}; values that changed: {len(comparison.moves)}"
+    lines = [f"{editions}: {summary(comparison)}", f"{counts}; false alarms: {rate}"]
     lines += [fault.text for fault in comparison.faults[:NAMED]]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
     lines += [f"smallest change that would have been seen: {power(comparison)}", *_details(comparison, say)]
@@ -110,18 +100,10 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
     for flip in comparison.flips:
         before, after = (_claim_data(flip.section, claim, say) for claim in flip.ends)
         flips.append({"section": flip.section, "claim": flip.name, "before": before, "after": after})
-    return {
-        "a": comparison.releases[0],
-        "b": comparison.releases[1],
-        "faults": list(map(vars, comparison.faults)),
-        "flips": flips,
-        "settings": [_move_data(move) for move in comparison.settings],
-        "alarms": [move.name for move in comparison.alarms],
-        "largest": largest(comparison),
-        "moved": _sums(comparison),
-        "moves": [_move_data(move) for move in comparison.moves],
-        "notes": comparison.notes,
-    }
+    sides = {"a": comparison.releases[0], "b": comparison.releases[1], "faults": list(map(vars, comparison.faults))}
+    told = {"settings": [*map(_move_data, comparison.settings)], "alarms": [move.name for move in comparison.alarms]}
+    moved = {"largest": largest(comparison), "moved": _sums(comparison), "moves": [*map(_move_data, comparison.moves)]}
+    return {**sides, "flips": flips, **told, **moved, "notes": comparison.notes}
 
 
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
@@ -130,35 +112,26 @@ def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
 
 
 def _move_data(move: Move) -> dict[str, Any]:
-    before = move.sides[0]
-    return {
-        "section": move.section,
-        **move.place,
-        "column": move.column,
-        "before": move.before,
-        "after": move.after,
-        "unit": before.unit if isinstance(before, Quantity) else None,
-        "noise": move.noise,
-        "noise_is_chosen": move.is_chosen,
-        "verdict": move.direction,
-    }
+    unit = getattr(move.sides[0], "unit", None)
+    ends = {"section": move.section, **move.place, "column": move.column, "before": move.before, "after": move.after}
+    return ends | {"unit": unit, "noise": move.noise, "noise_is_chosen": move.is_chosen, "verdict": move.direction}
 
 
 def summary(comparison: Comparison) -> str:
     """Say how many numbers changed, and whether that matters."""
     count = sum(cell.chance is not None for cell in comparison.cells)
-    changed = sum(move.chance is not None for move in comparison.moves)
-    if not changed:
+    if not (changed := sum(move.chance is not None for move in comparison.moves)):
         return f"none of {count} numbers changed by more than the noise"
-    matters = len(comparison.alarms) or "none"
-    return f"{changed} of {count} numbers changed; by more than its threshold: {matters}"
+    return f"{changed} of {count} numbers changed; by more than its threshold: {len(comparison.alarms) or 'none'}"
 
 
 def largest(comparison: Comparison) -> list[str]:
     """Tell the largest changes in a line each, one of each column and in how many rows it changed; alarms first."""
     columns: dict[str, list[Move]] = {}
-    for move in sorted(filter(_may_lead, comparison.moves), key=_rank, reverse=True):
-        columns.setdefault(move.column, []).append(move)
+    for move in sorted(comparison.moves, key=_rank, reverse=True):
+        is_setting = move.is_setting or column_of(move.column).is_setting  # which are told by themselves
+        if not is_setting and (move.share or (move.is_gone and move.after is None) or move.exceeds_threshold):
+            columns.setdefault(move.column, []).append(move)
     lines = []
     for lead, *more in list(columns.values())[:LINES]:
         share = "" if lead.share is None or math.isinf(lead.share) else f", {format_share(lead.share, '+')}"
@@ -167,13 +140,6 @@ def largest(comparison: Comparison) -> list[str]:
         text = f"{'alarm: ' if lead.exceeds_threshold else ''}{column_of(lead.column).words} {lead.ends}{share}"
         lines.append(f"{text} {lead.direction}".rstrip() + f" ({location})")
     return lines
-
-
-def _may_lead(move: Move) -> bool:
-    """Tell whether it may lead: a number that changed or is gone, or an alarm; settings are told by themselves."""
-    is_setting = move.is_setting or column_of(move.column).is_setting
-    is_lost = move.is_gone and move.after is None
-    return not is_setting and bool(move.share or is_lost or move.exceeds_threshold)
 
 
 def _rank(move: Move) -> tuple[bool, bool, bool, bool, float]:
@@ -223,15 +189,11 @@ def rate_values(edition: Edition) -> dict[str, Value]:
     """Return the counts for a page, by name; none where there was nothing to compare."""
     prefix = f"{config().edition_folder(edition.project.release)}/{VALUES_FILE}#/{FOLDER}"
     formula = "each measurement left out in turn and compared with the others: "
-    return {
-        name: Value(count, "1", f"{prefix}/{name}", noise=0.0, formula=formula + name)
-        for name, count in rate_of(edition).items()
-    }
+    counts = rate_of(edition).items()
+    return {name: Value(count, "1", f"{prefix}/{name}", noise=0.0, formula=formula + name) for name, count in counts}
 
 
 def rate_text(rate: Mapping[str, int]) -> str:
     """Say how often nothing had changed and a change was told."""
-    if not rate:
-        return "not known: no section has been measured three times"
     text = "in {told} of {comparisons} comparisons in which nothing changed, and of {moves} of {numbers} numbers"
-    return text.format_map(rate)
+    return text.format_map(rate) if rate else "not known: no section has been measured three times"

@@ -12,8 +12,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError, suggestion
 from measured_report.findings.editions import editions_of
 from measured_report.measuring.measure import measure
-from measured_report.records.identity import MISSING, git
-from measured_report.records.identity import sections as all_sections
+from measured_report.records.identity import MISSING, git, sections
 from measured_report.records.record import load_record
 
 ASIDE = "bisect"  # the folder below `results` of what a search measured
@@ -28,34 +27,34 @@ class Bisection:
     def answer(self, release: Release) -> Answer | None:
         """Return what a release answers, measured unless it has records of that."""
         answer, noise = self._measured(release, [self.query.section]), config().noise_section
-        if answer is None and noise in all_sections(self.project.root):  # without which most differences can't be told
+        if answer is None and noise in sections(self.project.root):  # without which most differences can't be told
             answer = self._measured(release, [self.query.section, noise])
         print(f"{release}: {self.query.text} {answer_text(answer)}", flush=True)
         return answer
 
-    def _measured(self, release: Release, sections: Sequence[str]) -> Answer | None:
+    def _measured(self, release: Release, names: Sequence[str]) -> Answer | None:
         """Ask what a release has of these sections, by itself; what has no record is measured, and kept apart."""
-        side = self._side(release, sections)
-        if lacking := _lacking(side, sections):
+        side = self._side(release, names)
+        if lacking := _lacking(side, names):
             side = measure(side, release, lacking, self.device)
         edition = editions_of(side, among=[side.release])[side.release]
-        names = [*self.query.names(edition.chapters)]
-        if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in names:
-            raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, names)}")
+        claims = [*self.query.names(edition.chapters)]
+        if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in claims:
+            raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, claims)}")
         return self.query.answer(edition.chapters)
 
-    def _side(self, release: Release, sections: Sequence[str]) -> Project:
+    def _side(self, release: Release, names: Sequence[str]) -> Project:
         side = self.project.of(str(release))
-        return replace(side, aside=ASIDE) if _lacking(side, sections) else side
+        return replace(side, aside=ASIDE) if _lacking(side, names) else side
 
     def packages(self, release: Release) -> Mapping[str, str]:
         section = self.query.section
         return load_record(self._side(release, [section]).record_path(section)).identity.packages
 
 
-def _lacking(project: Project, sections: Sequence[str]) -> list[str]:
+def _lacking(project: Project, names: Sequence[str]) -> list[str]:
     """Name those without a record of what would be measured; of older code one will do that took hours."""
-    states = (state for state in states_of(project) if state.section in sections)
+    states = (state for state in states_of(project) if state.section in names)
     parts = "stale" if project.aside else "packages"
     return [state.section for state in states if not state.record or parts in state.summary]
 
@@ -69,8 +68,7 @@ def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) 
     low, high, skipped = 0, len(points) - 1, set[int]()
     while inner := [index for index in range(low + 1, high) if index not in skipped]:
         middle = inner[len(inner) // 2]
-        is_old = is_first(points[middle])
-        if is_old is None:
+        if (is_old := is_first(points[middle])) is None:
             skipped.add(middle)
         elif is_old:
             low = middle

@@ -21,23 +21,23 @@ from measured_report.editions.release import Release
 from measured_report.editions.status import expected_packages, states_of
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import UsageError
+from measured_report.files.groups import grouped
 from measured_report.measuring import reach
 from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.batch import now
 from measured_report.measuring.machine import commit as commit_here
 from measured_report.measuring.measure import MODULE
 from measured_report.records.code import Graph, roots_of
-from measured_report.records.columns import REASON, column_of, columns_of, is_number
+from measured_report.records.columns import REASON, column_of, columns_of, is_cost, is_number
 from measured_report.records.identity import git, identity_of
 from measured_report.records.proof import TIMED, UNEXECUTED, Code, Place
 from measured_report.records.record import Carried, Record, load_record, write_record
-from measured_report.values.evidence import is_cost, key_of
+from measured_report.values.evidence import key_of
 from measured_report.values.noise import chance_of, discoveries, welch
 
 ASIDE = "carry"  # the folder below `results` of the quick runs of the new code
 REPEAT_COUNT = 3  # chosen: runs of each code on a GPU, where these execute what a CPU does not
 SHORT = 12  # characters of a commit, as those of `commit_here`
-GONE = ()  # stands for a cell that is not there
 COMMIT_LIMIT = 200  # so many commits back an old code is looked for
 
 
@@ -58,13 +58,12 @@ Runs = tuple[Run, Run]
 
 def carried(project: Project, release: Release, names: Sequence[str], device: str) -> Iterator[tuple[str, str]]:
     """Carry the records of sections that are stale by code alone; yield each with why not, or else empty."""
-    states = {state.section: state for state in states_of(project) if state.section in names}
     records, after = {}, commit_here() or ""  # before a record that is written makes the tree another
-    for name, state in states.items():
+    for state in (state for state in states_of(project) if state.section in names):
         if state.record and state.kind == "stale" and all(note.startswith("code") for note in state.notes):
-            records[name] = state.record
+            records[state.section] = state.record
         elif state.kind != "fresh":
-            yield name, f"it is {state.summary}, which is not its code alone"
+            yield state.section, f"it is {state.summary}, which is not its code alone"
     with worktree(project.root) as tree:
         commits = commits_of(tree, records)
         for name in (name for name in records if name not in commits):
@@ -94,31 +93,24 @@ def carried(project: Project, release: Release, names: Sequence[str], device: st
 
 def _kept(project: Project, record: Record, runs: Runs, commits: tuple[str, str], reasons: Sequence[str]) -> str:
     """Write a record as one of the new code where there are no reasons against it, else sum these up."""
-    elsewhere = _release_with_proof(project, record) if any(why.startswith(UNEXECUTED) for why in reasons) else ""
+    identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
+    is_open = any(why.startswith(UNEXECUTED) for why in reasons)
+    elsewhere = _release_with_proof(project, record, identity.code) if is_open else ""
     if reasons := [reason for reason in reasons if not (elsewhere and reason.startswith(UNEXECUTED))]:
         return few(reasons, 2)
     before, after = (run.records[0] for run in runs)
     gone = _gone_columns(before, after)  # which are left out
     rows = [{name: cell for name, cell in row.items() if name not in gone} for row in record.rows]
-    identity = identity_of(record.section, project.profile, project.root, record.identity.packages)
-    change = Carried(
-        code=record.identity.code,
-        before=commits[0],
-        after=commits[1],
-        date=now().isoformat(timespec="seconds"),
-        row_count=len(after.rows),
-        cell_count=sum(map(len, after.rows)),
-        executed_in=elsewhere,
-    )
+    date, cell_count = now().isoformat(timespec="seconds"), sum(map(len, after.rows))
+    change = Carried(record.identity.code, *commits, date, len(after.rows), cell_count, elsewhere)
     units = {name: unit for name, unit in record.units.items() if name not in gone}
     record = replace(record, identity=identity, rows=rows, units=units, carried=(*record.carried, change))
     write_record(project.record_path(record.section), record)
     return ""
 
 
-def _release_with_proof(project: Project, record: Record) -> str:
+def _release_with_proof(project: Project, record: Record, code: str) -> str:
     """Name a release with packages that execute what those of this one do not: it was carried over the same change."""
-    code = identity_of(record.section, project.profile, project.root, record.identity.packages).code
     for release in project.releases:
         with suppress(RecordError):
             other = load_record(project.of(release).record_path(record.section))
@@ -216,10 +208,8 @@ def _runs_of(codes: Mapping[str, Code], records: Mapping[str, Sequence[Record]],
                 places[section].add(tuple(place))
         for section, digests in note["work"].items():
             work[section] |= digests
-    return {
-        name: Run(code, records[name], executed[""] | executed[name], timed[""] | timed[name], work[name])
-        for name, code in codes.items()
-    }
+    noted = {name: (executed[""] | executed[name], timed[""] | timed[name]) for name in codes}
+    return {name: Run(code, records[name], *noted[name], work[name]) for name, code in codes.items()}
 
 
 def _reasons(runs: Runs, record: Record, beside: Runs | None = None) -> list[str]:
@@ -257,7 +247,7 @@ def first_difference(before: Sequence[Record], after: Sequence[Record]) -> str:
         for column in {*old[0][key], *new[0][key]} - gone:
             if not column_of(column.removesuffix(REASON)).kinds.isdisjoint(("cost", "uncompared")):
                 continue
-            sides = [[rows[key].get(column, GONE) for rows in side] for side in (old, new)]
+            sides = [[rows[key].get(column, ()) for rows in side] for side in (old, new)]  # () is no cell
             if len({(type(cell), cell) for side in sides for cell in side}) > 1:
                 if len(before) == 1 or not all(is_number(cell) for side in sides for cell in side):
                     return f"{case}.{column}: {sides[0][0]!r} → {sides[1][0]!r}"
@@ -289,7 +279,5 @@ def _gone_columns(before: Record, after: Record) -> set[str]:
 
 
 def _rows(record: Record) -> dict[tuple[Any, ...], Mapping[str, Any]]:
-    rows_by_key = defaultdict[tuple[Any, ...], list[Mapping[str, Any]]](list)
-    for row in record.rows:
-        rows_by_key[key_of(row)].append(row)
+    rows_by_key = grouped((key_of(row), row) for row in record.rows)
     return {(key, index): row for key, rows in rows_by_key.items() for index, row in enumerate(rows)}

@@ -10,13 +10,13 @@ from markupsafe import Markup
 
 from measured_report.changes.moves import Move, cells_between, cost_terms
 from measured_report.files.config import Page, config
+from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapters, Releases
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
-from measured_report.records.columns import UNBELIEVED
+from measured_report.records.columns import UNBELIEVED, is_cost
 from measured_report.records.record import Record
-from measured_report.values.evidence import is_cost
 from measured_report.values.noise import FALSE_SHARE, discoveries
 from measured_report.values.quantities import Pointer
 
@@ -29,8 +29,7 @@ class Flip:
     name: str
     label: str
     page: Page
-    answers: Sequence[tuple[Sequence[str], Claim]]
-    """Neighbouring editions that agree, and the claim as one of them words it; oldest first."""
+    answers: Sequence[tuple[Sequence[str], Claim]]  # neighbours that agree, and the claim as one words it; oldest first
 
     @property
     def claim(self) -> str:
@@ -66,8 +65,7 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
         terms = {release: _terms_of(section, claim, releases[release]) for release, claim in answers.items()}
         page_terms = terms.get(page_release, next(iter(terms.values())))
         outcomes = {release: claim.outcome.name for release, claim in answers.items() if terms[release] == page_terms}
-        groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
-        if len(groups) > 1:
+        if len(groups := [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]) > 1:
             answered = [(group, answers[page_release if page_release in group else group[-1]]) for group in groups]
             chapter = releases[next(iter(answers))][section]
             yield Flip(section, name, chapter.results.label, chapter.page, answered)
@@ -98,10 +96,7 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
 
 def backed(flips: Sequence[Flip], compared: Sequence[Move]) -> list[Flip]:
     """Return the flips of which something moved that their tests read: others may flip when measured again."""
-    of_rows: dict[str, list[Move]] = {}
-    for move in compared:
-        for row in move.rows:
-            of_rows.setdefault(row.source, []).append(move)
+    of_rows = grouped((row.source, move) for move in compared for row in move.rows)
     backed_flips = []
     for flip in flips:
         read = {pointer for _, claim in flip.answers for pointer in claim.outcome.reads if Pointer(pointer).cell}
@@ -203,13 +198,10 @@ def compare(before: Edition, after: Edition, timed: Sequence[Edition] = ()) -> C
     chances = [cell.chance for cell in compared if cell.chance is not None]
     limit = max(discoveries(chances), FALSE_SHARE / max(1, len(chances)))
     compared = [replace(cell, limit=limit) if (cell.chance or 0.0) <= FALSE_SHARE else cell for cell in compared]
-    return Comparison(
-        releases=(before.project.release, after.project.release),
-        faults=list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)])),
-        flips=backed(flips_between(*sides), compared),
-        cells=compared,
-        notes=[*_uncompared(before, after)],
-    )
+    releases = before.project.release, after.project.release
+    faults = list(dict.fromkeys([*_faults_between(before, after), *faults_of(before), *faults_of(after)]))
+    flips = backed(flips_between(*sides), compared)
+    return Comparison(releases, faults, flips, compared, [*_uncompared(before, after)])
 
 
 def _uncompared(before: Edition, after: Edition) -> Iterator[str]:

@@ -1,13 +1,13 @@
 """Moves: values that editions have differently, and whether beyond the noise of both."""
 
 import math
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 from measured_report.files.config import cached_in_report, config
+from measured_report.files.groups import single
 from measured_report.findings.chapters import Chapter
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
@@ -59,16 +59,12 @@ class Move:
     @cached_property
     def is_real(self) -> bool:
         """Tell whether the values differ, numbers beyond the noise."""
-        if self.is_setting or self.chance is None:
-            return self.before != self.after
-        return self.chance <= self.limit
+        return self.before != self.after if self.is_setting or self.chance is None else self.chance <= self.limit
 
     @property
     def noise(self) -> float | None:
         """Return the least difference that would count; None for what is no number."""
-        if self.chance is None:
-            return None
-        return self.least + t_quantile(1 - self.limit, self.freedom) * self.error
+        return None if self.chance is None else self.least + t_quantile(1 - self.limit, self.freedom) * self.error
 
     @property
     def share(self) -> float | None:
@@ -99,8 +95,7 @@ class Move:
     @property
     def is_gone(self) -> bool:
         """Tell whether it is a number that was asked for in both editions and is there in one."""
-        is_one = (self.before is None) != (self.after is None)
-        return is_one and all(isinstance(side, Quantity) for side in self.sides)
+        return (self.before is None) != (self.after is None) and all(isinstance(side, Quantity) for side in self.sides)
 
     @property
     def direction(self) -> str:
@@ -149,9 +144,8 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
                 moves.append(Move("value", *values, section=before.name, place=row_key))
             continue
         # Where repeats of a run end in different classes it is chance which one the row is about.
-        if key_of(a.plain) in edges or any(
-            len(set(row.plain[rules.endings].split(", "))) > 1 for row in (a, b) if rules.endings in row
-        ):
+        endings = [row.plain[rules.endings].split(", ") for row in (a, b) if rules.endings in row]
+        if key_of(a.plain) in edges or any(len(set(classes)) > 1 for classes in endings):
             continue
         for column in _comparable((a.plain, b.plain), records):
             ends = a.plain[column], b.plain[column]
@@ -220,8 +214,7 @@ def _estimates_of(move: Move, estimates: Estimates) -> tuple[list[Estimate], flo
     """Return what is known of both sides, the least difference that counts, and whether nobody knows any of that."""
     bare = [each or Estimate(end) for each, end in zip(estimates, (move.before, move.after), strict=True)]
     size, resolution = max(abs(each.value) for each in bare), column_of(move.column).resolution
-    teacher = max(filter(None, estimates), key=lambda each: each.is_again, default=None)
-    if teacher is None:
+    if (teacher := max(filter(None, estimates), key=lambda each: each.is_again, default=None)) is None:
         return bare, max(resolution, CHOSEN_SHARE * size), True
     sides = [
         side if each and each.is_again >= teacher.is_again else Estimate(side.value, teacher.variance, teacher.freedom)
@@ -262,17 +255,15 @@ def _may_differ(column: str) -> bool:
 
 def few(names: Sequence[str], count: int = NAMED) -> str:
     """Name no more than so many, and say how many more there are."""
-    more = f"; and {len(names) - count} more" if len(names) > count else ""
-    return "; ".join(names[:count]) + more
+    return "; ".join(names[:count]) + (f"; and {len(names) - count} more" if len(names) > count else "")
 
 
 def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     """Return rows by what tells them apart; those that nothing does are left out, and repeats, which are the noise."""
     names = config().changes.keys
     rows = [row for row in chapter.results.rows if not (chapter.name == config().noise_section and "of" in row)]
-    keys = [tuple((name, row.plain[name]) for name in names if row.plain.get(name) is not None) for row in rows]
-    counts = Counter(keys)
-    return {key: row for key, row in zip(keys, rows, strict=True) if counts[key] == 1}
+    keys = (tuple((name, row.plain[name]) for name in names if row.plain.get(name) is not None) for row in rows)
+    return single(zip(keys, rows, strict=True))
 
 
 def _text(cell: Any) -> str:

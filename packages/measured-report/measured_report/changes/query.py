@@ -78,8 +78,7 @@ class Query:
         alike = config().changes.equivalent_sections
         sections = (self.section, *(alike if self.section in alike else ()))
         rows = (self._row(chapters[section].results) for section in sections if section in chapters)
-        row = next(filter(None, rows), None)
-        if row and self.column in row:
+        if (row := next(filter(None, rows), None)) and self.column in row:
             return row[self.column]
         edition = f" with {config().name_of(release)}" if release else ""
         return absent(self.unit, f"{self.section} has not been measured so{edition}")
@@ -267,10 +266,9 @@ def gaps(edition: Edition) -> list[str]:
         exact = (tuple(item for item in row.items() if not isinstance(item[1], float)) for row in rows)
         doubles = dict.fromkeys(dict(cells)["case"] for cells, count in Counter(exact).items() if count > 1)
         lines += [f"{name}: several rows of case {case}, which nothing tells apart" for case in doubles]
-        for row in rows:
-            texts = ((column, str(cell)) for column, cell in row.items())
-            lost = [f"{column.removesuffix(REASON)}: {text}" for column, text in texts if text.startswith(UNBELIEVED)]
-            lines += [f"{name}: {row['case']} has no {text}" for text in lost]
+        texts = ((row["case"], column.removesuffix(REASON), str(cell)) for row in rows for column, cell in row.items())
+        lost = ((case, column, text) for case, column, text in texts if text.startswith(UNBELIEVED))
+        lines += [f"{name}: {case} has no {column}: {text}" for case, column, text in lost]
         claims, figures = chapter.section.claims, chapter.section.figures.items()
         lines += [f"{name}: the figure {key} has no sources" for key, figure in figures if not figure.sources]
         unread = ((claim.name, number) for claim in claims for number in claim.unread)

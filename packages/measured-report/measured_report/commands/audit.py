@@ -196,8 +196,7 @@ class Audit:
     def _of_word(self, line: int, start: int, before: str, mark: dict[str, str]) -> Finding:
         yes, no, left, sign, right = (mark[name] for name in ("yes", "no", "left", "sign", "right"))
         before = re.sub(rf"{CLOSING}\Z", "", before)
-        words = [word for word in (yes, no) if re.search(rf"(?<!\w){re.escape(word)}\Z", before)]
-        if not words:
+        if not (words := [word for word in (yes, no) if re.search(rf"(?<!\w){re.escape(word)}\Z", before)]):
             raise ReportError(f"neither {yes} nor {no} stands right before the mark")
         word, difference = max(words, key=len), self._quantity(f"( {left} ) - ( {right} )", "")
         holds = difference.number < 0 if sign == "<" else difference.number > 0

@@ -17,5 +17,4 @@ def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     edition = editions_of(project)[project.release]
     print(check_text(edition, arguments.format, sentences_of(project)))
-    damaged = say_damage(edition.left_out)
-    return int(damaged or (arguments.strict and bool(faults_of(edition))))
+    return int(say_damage(edition.left_out) or (arguments.strict and bool(faults_of(edition))))

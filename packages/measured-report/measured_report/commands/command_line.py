@@ -30,9 +30,8 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         text = f"{' '.join(message.split()):.300}; see {self.prog} --help"
         if os.environ.get("MAKELEVEL") == "1":
-            command = self.prog.rpartition(" ")[2]
             text = re.sub("--([a-z-]+)", lambda flag: f"{flag[1].upper().replace('-', '_')}=", text.partition(";")[0])
-            text = f"make {command}: {text}; make help says what it takes"
+            text = f"make {self.prog.rpartition(' ')[2]}: {text}; make help says what it takes"
         raise UsageError(text)
 
 
@@ -99,12 +98,8 @@ def _stop_again(ignored: Any) -> None:
 def commands() -> dict[str, str]:
     """Find the module of each command by its name, the generator's first; none is imported, which takes long."""
     folders = {__package__: Path(__file__).parent, OWN: report().root.joinpath(*OWN.split("."))}
-    return {
-        path.stem: f"{package}.{path.stem}"
-        for package, folder in folders.items()
-        for path in sorted(folder.glob("*.py"))
-        if "\ndef run(" in path.read_text(encoding="utf-8")
-    }
+    modules = ((package, path) for package, folder in folders.items() for path in sorted(folder.glob("*.py")))
+    return {path.stem: f"{package}.{path.stem}" for package, path in modules if b"\ndef run(" in path.read_bytes()}
 
 
 def help_of(module: ModuleType) -> str:

@@ -15,8 +15,7 @@ def run(project: Project, arguments: Arguments) -> int:
     sides = (replace(project, profile=profile) for profile in PROFILES)
     projects = [side.of(release) for side in sides for release in side.releases]
     newest = max((edition.named for edition in projects), key=lambda release: release.order)
-    releases = releases_of(package)
-    if not releases:
+    if not (releases := releases_of(package)):
         raise ReportError(f"the index says of no release of {package}; this takes the network")
     new = [(str(releases[-1]), "")] if releases[-1].order > newest.order else []
     for partner, *_ in config().changes.package_groups:

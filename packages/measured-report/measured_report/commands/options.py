@@ -13,11 +13,10 @@ from measured_report.measuring.accelerator import kinds
 from measured_report.records.identity import sections
 
 Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
-SCHEDULER = re.compile(r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}")
 
 
 def read_cluster(cluster: str) -> str:
-    if cluster != "local" and not SCHEDULER.fullmatch(cluster):
+    if cluster != "local" and not re.fullmatch(r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}", cluster):
         raise UsageError(f"CLUSTER={cluster:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
     return cluster
 

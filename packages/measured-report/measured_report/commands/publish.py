@@ -46,8 +46,7 @@ def publish(site: Path, target: str) -> str:
     try:
         (site.parent / ASIDE).mkdir(exist_ok=True)
         with staging_folder(site.parent / ASIDE / "copy") as folder:  # what a killed one has left goes now
-            copy = _checked_copy(site, folder / "site")
-            return without_secrets(TARGETS[scheme](copy, location, site))
+            return without_secrets(TARGETS[scheme](_checked_copy(site, folder / "site"), location, site))
     except OSError as error:
         raise UsageError(f"{option}: {error.strerror or ' '.join(str(error).split())}") from None
 

@@ -17,8 +17,7 @@ OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    device = device_of(project, arguments)
-    if not device:
+    if not (device := device_of(project, arguments)):
         refuse_unmeasured(project, arguments.release.asked)
     stale_sections = [state.section for state in states_of(project) if state.kind != "fresh"]
     is_done = True

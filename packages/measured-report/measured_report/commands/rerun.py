@@ -18,8 +18,7 @@ def run(project: Project, arguments: Arguments) -> int:
     section, names = arguments.section, sections()
     if section not in names:
         raise UsageError(f"SECTION={section} is no section{suggestion(section, names)}; use one of: {', '.join(names)}")
-    device = device_of(project, arguments) if needs_device(section, project.root) else "cpu"
-    if not device:
+    if not (device := device_of(project, arguments) if needs_device(section, project.root) else "cpu"):
         raise UsageError(lacks())
     project = measure(project, arguments.release, [section], device, arguments.cluster)
     return int(build_site(project, arguments.address)[0])

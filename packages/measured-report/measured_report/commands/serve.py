@@ -69,8 +69,7 @@ class Server(ThreadingHTTPServer):
         threading.Thread(target=self.serve_forever, daemon=True).start()
         before = None
         while True:
-            now = stamp(folders)
-            if now != before:
+            if (now := stamp(folders)) != before:
                 before = now  # as it was when the build began: what changes meanwhile is seen the next time
                 build()
             time.sleep(0.5)

@@ -15,7 +15,6 @@ from measured_report.records.columns import changed_parameters, parameters
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value, local
 
-ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
 OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "profile")}
 
 
@@ -36,9 +35,8 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     quantity = next((answer for answer in answers if isinstance(answer, Quantity) and answer.source), None)
     if quantity is None:
         fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
-        raise UsageError(
-            f"{fault}; all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
-        )
+        hint = f"all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
+        raise UsageError(f"{fault}; {hint}")
     lines = [f"{name}: {_text(quantity)}"]
     if isinstance(quantity, Value):
         lines.append(f"  is          {quantity.formula}")
@@ -59,7 +57,7 @@ def _printed(project: Project, source: str) -> Iterator[str]:
     release = project.own_release or project.release
     for path in sorted((project.site if project.is_own else project.site / project.results.name).glob("*.html")):
         anchor = ""
-        for match in ANCHOR.finditer(path.read_text(encoding="utf-8")):
+        for match in re.finditer(' id="([^"]+)"| data-src="([^"]+)"', path.read_text(encoding="utf-8")):
             anchor = match[1] or anchor
             if match[2] and local(source, release) in match[2].split():
                 yield f"{path.name}#{anchor}"
@@ -78,9 +76,8 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
         row = record.rows[index]
         changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
         changes = f" ({config().baseline}{f', but for {changed}' if changed else ''})" if parameters() else ""
-        case = f"{row['case']}{changes}"
         number = _cell({chapter.results.source: chapter}, cell)
-        yield f"  row {index}, case {case}: {column} = {_text(number) if number else row[column]}"
+        yield f"  row {index}, case {row['case']}{changes}: {column} = {_text(number) if number else row[column]}"
     release, commit = record.origin.release, record.measured["commit"]
     measured = f"{record.machine_text}, {record.time_text}, {config().edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"

@@ -27,8 +27,7 @@ from measured_report.measuring.measure import kept_by
 from measured_report.pages.editions import sentences_of
 from measured_report.parts.claim import HOLDS
 from measured_report.records.columns import column_of
-from measured_report.records.identity import package_changes
-from measured_report.records.identity import sections as all_sections
+from measured_report.records.identity import package_changes, sections
 from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.site.build import build
 from measured_report.values.evidence import is_absolute
@@ -47,17 +46,14 @@ def run(project: Project, arguments: Arguments) -> int:
     # What may not install goes first: a base would be measured for nothing.
     sides = {arguments.release: True, base: False}
     unmeasured = {release: _unmeasured(project.of(str(release)), device, renews) for release, renews in sides.items()}
-    for release, sections in unmeasured.items():
-        if sections:
-            took = sum(record.measured["seconds"] for record in records_of(project) if record.section in sections)
+    for release, names in unmeasured.items():
+        if names:
+            took = sum(record.measured["seconds"] for record in records_of(project) if record.section in names)
             time = f", about {took:.0f} s of a processor as last time" if took else ""
-            print(f"{config().edition} {release}: to be measured are {', '.join(sections)}{time}", flush=True)
-    after, before = (_measured(project, release, device, sections) for release, sections in unmeasured.items())
-    names = [before.release, after.release]
-    editions = editions_of(project, among=names)
-    compared = [editions[name] for name in names]
-    timed = timed_in_turn([before, after], [base, arguments.release], device)
-    comparison = compare(compared[0], compared[1], timed)
+            print(f"{config().edition} {release}: to be measured are {', '.join(names)}{time}", flush=True)
+    after, before = (_measured(project, release, device, names) for release, names in unmeasured.items())
+    compared = [*editions_of(project, among=[before.release, after.release]).values()]
+    comparison = compare(compared[0], compared[1], timed_in_turn([before, after], [base, arguments.release], device))
     absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
     comparison = replace(comparison, faults=[*absent, *comparison.faults])
     say = sentences_of(project)
@@ -99,19 +95,19 @@ def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device:
 
     How fast a machine is, what else it does and which card it has is then the same for both.
     """
-    rules, measurable = config().changes, all_sections(sides[0].root)
+    rules, measurable = config().changes, sections(sides[0].root)
     named = dict.fromkeys(name.partition(".")[0] for name in rules.thresholds if is_absolute(name.rpartition(".")[2]))
-    if not device or not (sections := [name for name in named if name in measurable]):
+    if not device or not (names := [name for name in named if name in measurable]):
         return []
     timed = [replace(side, aside=TIMED) for side in sides]
     for again in (False, True):
         for index, release in enumerate(releases):
-            print(f"{config().edition} {release}: timing {', '.join(sections)}, in turn", flush=True)
-            timed[index], is_done = measure_what_can(timed[index], release, sections, device)
+            print(f"{config().edition} {release}: timing {', '.join(names)}, in turn", flush=True)
+            timed[index], is_done = measure_what_can(timed[index], release, names, device)
             if not is_done:
                 return []
             if not again:
-                records = [record for record in records_of(timed[index]) if record.section in sections]
+                records = [record for record in records_of(timed[index]) if record.section in names]
                 with atomic_file(timed[index].results / FOLDER / "first.tgz") as temporary:
                     temporary.write_bytes(archive_of(records))
     return list(map(derive_edition, timed))
@@ -119,7 +115,7 @@ def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device:
 
 def upgrade_sections(project: Project) -> Sequence[str]:
     """Name the sections that tell most of an edition: those that report.toml names, or else all."""
-    return config().changes.upgrade_sections or all_sections(project.root)
+    return config().changes.upgrade_sections or sections(project.root)
 
 
 def base_of(project: Project) -> str | None:
@@ -148,8 +144,7 @@ def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in comparison.flips]
     query, why = Query(config().changes.explanation, is_claim=True), "the sections that were measured do not say"
-    given = [move for move in comparison.moves if move.is_setting or "computed" in column_of(move.column).kinds]
-    if given:
+    if given := [move for move in comparison.moves if move.is_setting or "computed" in column_of(move.column).kinds]:
         why = f"what it is set to changed: {few([f'{move.name} {move.ends}' for move in given])}"
     if (cause := query.claim(after.chapters)) and cause.outcome == HOLDS:
         why = say(query.section, cause)

@@ -135,8 +135,7 @@ def _make(folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str]
 def _run(arguments: Sequence[str], name: str) -> None:
     """Run uv, which may take a while; UsageError, one line, with the cause where it fails."""
     tools = report().root / ".venv.tools" / "bin"  # where the Makefile has put it, on a host that has none
-    uv = shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{tools}")
-    if not uv:
+    if not (uv := shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{tools}")):
         raise UsageError(f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it")
     if sys.stdout.isatty():  # a log has the one line that says why it failed
         print(f"{name}: uv {' '.join(arguments[:2])} …", flush=True)

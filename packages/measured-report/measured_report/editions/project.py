@@ -8,8 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-import msgspec
-from msgspec import Struct
+from msgspec import Struct, convert
 
 from measured_report.editions.release import Release, read_label
 from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
@@ -42,7 +41,7 @@ def read_manifest(results: Path) -> Manifest | None:
         fields = tomllib.loads(content.decode("utf-8"))
         if any(name_problem(str(text)) for text in (*fields.values(), *fields.get("sections", ()))):
             raise ValueError("it has a text with what can't be printed")
-        return msgspec.convert({"asked": fields.pop(config().edition), **fields}, Manifest)
+        return convert({"asked": fields.pop(config().edition), **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
@@ -126,12 +125,10 @@ class Project:
 
     def rerun(self, section: str, device: str | None = None) -> str:
         """Say the command that measures a section, on ``device`` if one is named, or on a CPU if these are of one."""
-        options = {
-            "SECTION": section,
-            "DEVICE": device or ("cpu" if self.named.machine == "cpu" else None),
-            config().option: None if self.is_own else self.asked,
-            "PROFILE": None if self.profile == "full" else self.profile,
-        }
+        device = device or ("cpu" if self.named.machine == "cpu" else "")
+        edition = "" if self.is_own else self.asked
+        profile = "" if self.profile == "full" else self.profile
+        options = {"SECTION": section, "DEVICE": device, config().option: edition, "PROFILE": profile}
         return " ".join(["make rerun", *(shlex.quote(f"{name}={value}") for name, value in options.items() if value)])
 
     @property
@@ -145,8 +142,7 @@ def own_release(root: Path | None = None) -> str:
     """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
     requirement = config().requirement_of(config().edition)
     text = ((root or report().root) / "pyproject.toml").read_text(encoding="utf-8")
-    match = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
-    if not match:
+    if not (match := re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)):
         line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
         raise ReportError(f"pyproject.toml has no line {line}")
     return full_version(match[1])

@@ -26,7 +26,6 @@ WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-
 REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
 SECRET = re.compile(r"https?://[^/]*@|://[^/@]*:[^/@]*@|://.*[?#]")  # in an address that says what opens it
-OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
 INDEX = "https://pypi.org/simple"
 
 
@@ -150,7 +149,7 @@ def _commit(address: str, reference: str, spec: str, option: str) -> Release:
 
 
 def _own_version(project: str, spec: str, option: str) -> str:
-    match, package = OWN_VERSION.search(project), config().edition
+    match, package = re.search(r'^version = "([^"]+)"', project, re.MULTILINE), config().edition
     if not match or f'name = "{package}"' not in project or not VERSION.fullmatch(match[1]):
         lacking = f"its pyproject.toml names no {package} with a version"
         raise UsageError(f"{option}={spec} is no checkout of {config().edition_name}: {lacking}")

@@ -9,6 +9,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.release import folder_at
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
+from measured_report.files.groups import grouped
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import EDITED, MISSING, changes, code_in, identity_of, package_versions, sections
 from measured_report.records.record import Record, load_record
@@ -34,11 +35,9 @@ class State:
     @property
     def words(self) -> str:
         """Write its notes in one line, with each kind, as code, said once."""
-        kinds: dict[str, list[str]] = {}
-        for note in self.notes:
-            kind, _, subject = note.partition(": ")
-            kinds.setdefault(kind, []).extend([subject] if subject else [])
-        return "; ".join(f"{kind}: {', '.join(subjects)}" if subjects else kind for kind, subjects in kinds.items())
+        kinds = grouped(note.partition(": ")[::2] for note in self.notes)
+        texts = {kind: ", ".join(filter(None, subjects)) for kind, subjects in kinds.items()}
+        return "; ".join(f"{kind}: {text}" if text else kind for kind, text in texts.items())
 
 
 def states_of(project: Project) -> list[State]:
@@ -96,10 +95,7 @@ def status_matrix(project: Project) -> str:
 
 def changes_text(states: Sequence[State]) -> str:
     """Say each change since a measurement once, with the sections that it is of."""
-    sections_of: dict[str, list[str]] = {}
-    for state in states:
-        for note in state.notes:
-            sections_of.setdefault(note, []).append(state.section)
+    sections_of = grouped((note, state.section) for state in states for note in state.notes)
     return "\n".join(f"{note} ({', '.join(names)})" for note, names in sorted(sections_of.items()))
 
 

@@ -15,8 +15,7 @@ from typing import Any
 def _is_ours(folder: Path) -> bool:
     """Tell whether nobody else may write in a folder, and say where somebody may: what is read there is executed."""
     info = folder.stat()
-    is_ours = info.st_uid == os.geteuid() and not info.st_mode & 0o022
-    if not is_ours:
+    if not (is_ours := info.st_uid == os.geteuid() and not info.st_mode & 0o022):
         print(f"nothing is kept in {folder.name}/ of the cache: others may write there", file=sys.stderr)
     return is_ours
 

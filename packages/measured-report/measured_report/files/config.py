@@ -10,8 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Annotated, Any, Literal, TypeVar
 
-import msgspec
-from msgspec import Meta
+from msgspec import Meta, ValidationError, convert
 
 from measured_report.files import root
 from measured_report.files.errors import ReportError, suggestion
@@ -186,7 +185,7 @@ class Report:
                 for name in table if isinstance(table, dict) else ():
                     if name not in names:
                         raise ValueError(f"there is no setting {table_name}{name}{suggestion(name, names)}")
-            config = msgspec.convert(settings, Config)
+            config = convert(settings, Config)
             for pattern in (*(table.pattern for table in config.columns), *config.formulas):
                 re.compile(pattern)
             if not all(table.names or table.pattern for table in config.columns):
@@ -198,7 +197,7 @@ class Report:
         except re.error as error:
             raise ReportError(f"{FILE}: {error.pattern!r} is no regular expression: {error}") from None
         except (OSError, ValueError, TypeError) as error:  # which msgspec's are
-            hint = "; REFERENCE.md says what it takes" if isinstance(error, msgspec.ValidationError) else ""
+            hint = "; REFERENCE.md says what it takes" if isinstance(error, ValidationError) else ""
             raise ReportError(f"{FILE}: {' '.join(str(error).split())}{hint}") from None
         if not (package := config.edition):
             return config

@@ -44,9 +44,8 @@ def suggestion(name: str, names: Iterable[str]) -> str:
 
 def bug_of(error: BaseException) -> str:
     """Write an error of a report's own code in one line: file and line of what raised it there, kind and text."""
-    generator = Path(__file__).parents[1]
     frames = [(Path(frame.filename), frame.lineno) for frame in extract_tb(error.__traceback__)]
-    installed = (generator, Path(sys.base_prefix), Path(sys.prefix))
+    installed = (Path(__file__).parents[1], Path(sys.base_prefix), Path(sys.prefix))
     files = [(file, line) for file, line in frames if file.suffix == ".py"]  # a dataclass is made in a <string>
     own_frames = [(file, line) for file, line in files if not any(map(file.is_relative_to, installed))]
     kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "

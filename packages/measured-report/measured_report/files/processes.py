@@ -41,8 +41,7 @@ _task: list[Callable[[int], Any]] = []  # what forks of this process are asked t
 def forked(make: Callable[[int], T], count: int) -> list[T]:
     """Return what ``make`` makes of each number below ``count``, on every processor that there is."""
     # A fork is safe on Linux alone, and a single piece is made here.
-    process_count = min(len(os.sched_getaffinity(0)), count) if sys.platform == "linux" else 1
-    if process_count < 2:
+    if (process_count := min(len(os.sched_getaffinity(0)), count) if sys.platform == "linux" else 1) < 2:
         return [*map(make, range(count))]
     _task[:] = [make]
     with workers(process_count, "fork", gc.disable) as pool:  # all that a process makes fits into memory together

@@ -54,8 +54,7 @@ class DerivedCache:
         if self.root is None:
             return make()
         digest = digest_of([*inputs, self.code(code)])
-        cached = Cache(self.root).get(name, digest)
-        if cached is None:
+        if (cached := Cache(self.root).get(name, digest)) is None:
             cached = (make(),)  # which may be None
             Cache(self.root).put(name, digest, cached)
         return cached[0]

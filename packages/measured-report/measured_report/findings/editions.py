@@ -55,8 +55,7 @@ class Edition:
     def derive(self, state: State, results: Results, chapters: Chapters, releases: Releases | None = None) -> Chapter:
         """Derive a section of its results and of chapters before it that it reads; one that compares takes releases."""
         outline = outline_of(state.section)
-        names = chapters if outline.compares else outline.reads
-        read = {name: chapters[name] for name in names if name in chapters}
+        read = {name: chapters[name] for name in (chapters if outline.compares else outline.reads) if name in chapters}
         others = Read(outline, {name: chapter.results for name, chapter in read.items()})
         _ = [others.get(name) for name in outline.reads]  # which refuses one that stands after it, read or not
         results = replace(results, others=others, label=outline.label, labels=outline.labels)
@@ -128,7 +127,6 @@ def derive_edition(project: Project, cache: DerivedCache | None = None) -> Editi
 
 
 def _compared(edition: Edition, releases: Releases) -> Edition:
-
     def derive(state: State, chapters: Chapters) -> Chapter:
         return edition.derive(state, chapters[state.section].results, before(state.section, chapters), releases)
 

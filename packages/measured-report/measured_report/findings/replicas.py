@@ -9,6 +9,7 @@ from measured_report.editions.status import records_of
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
+from measured_report.files.groups import grouped
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.sections import outline_of
 from measured_report.measuring.accelerator import accelerator
@@ -24,17 +25,14 @@ class Measurements:
     """Hold what all measurements of an edition say, by section."""
 
     evidence: Mapping[str, Evidence] = field(default_factory=dict)
-    kinds: Mapping[str, str] = field(default_factory=dict)
-    """On how many kinds of processor a section was measured, in words; empty for one."""
-    digest: str = ""
-    """Covers the replicas."""
+    kinds: Mapping[str, str] = field(default_factory=dict)  # on how many kinds of processor, in words; empty for one
+    digest: str = ""  # covers the replicas
     damaged: Sequence[str] = ()  # what is wrong with each replica that can't be read
     names: Sequence[str] = ()  # of the others
 
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims say by how many measurements they are decided, where there are several."""
-        count = self.evidence[name].count if name in self.evidence else 1
-        if count < 2:
+        if (count := self.evidence[name].count if name in self.evidence else 1) < 2:
             return section
         text, claims = f"by {count} measurements{self.kinds.get(name, '')}", []
         for claim in section.claims:
@@ -124,7 +122,5 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
 
 def reasons_text(reasons: Mapping[str, str]) -> str:
     """Name sections by why they are left out."""
-    names: dict[str, list[str]] = {}
-    for name, reason in reasons.items():
-        names.setdefault(reason, []).append(name)
+    names = grouped((reason, name) for name, reason in reasons.items())
     return "; ".join(f"{reason} ({', '.join(sections)})" for reason, sections in names.items())

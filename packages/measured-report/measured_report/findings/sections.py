@@ -36,8 +36,7 @@ class Outline:
 
 def outline_of(section: str) -> Outline:
     """Read what a section's module says; ReportError, one line, where that is not what it must be, or there is none."""
-    file = file_of("report.sections", section)
-    if file is None:
+    if (file := file_of("report.sections", section)) is None:
         raise ReportError(f"there is no report/sections/{section}.py, nor a folder of that name")
     name = file.relative_to(file.parents[3 if file.name == "__init__.py" else 2]).as_posix()
     says = files().source(file, name).top
@@ -53,9 +52,8 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
     first, labels, reads = says.get("first", False), says.get("labels", {}), says.get("reads", ())
     if not (isinstance(labels, Mapping) and isinstance(reads, tuple | list) and isinstance(label, str)):
-        raise ReportError(
-            f'{name}: labels is a dict, as {{"case": "words"}}, and reads a tuple, as ("noise",), label text'
-        )
+        hint = 'labels is a dict, as {"case": "words"}, and reads a tuple, as ("noise",), label text'
+        raise ReportError(f"{name}: {hint}")
     if unknown := [read for read in reads if not file_of("report.sections", read)]:
         raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
     source, compares = name.removesuffix("__init__.py"), says["derive"] > 1
@@ -83,17 +81,11 @@ class Read(Mapping[str, Results]):
         return len(self.results)
 
 
-def labels_of(section: str) -> Mapping[str, str]:
-    """Return what people call the cases of a record; nothing where it is of no section."""
-    return outline_of(section).labels if file_of("report.sections", section) else {}
-
-
 def file_of(package: str, name: str) -> Path | None:
     """Return the file of a module of a package, of which a folder may be made as well; None where there is none."""
     folders = import_module(package).__path__
     paths = (Path(folder) / path for folder in folders for path in (f"{name}/__init__.py", f"{name}.py"))
-    modules = [path for path in paths if path.is_file()]
-    if len(modules) > 1 and modules[0].stem != modules[1].stem:
+    if len(modules := [path for path in paths if path.is_file()]) > 1 and modules[0].stem != modules[1].stem:
         raise ReportError(f"{name} in {package.replace('.', '/')}/ is a file and a folder: one of them is never read")
     return modules[0] if modules else None
 

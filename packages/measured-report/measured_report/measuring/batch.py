@@ -96,7 +96,6 @@ def is_out_of_memory(error: BaseException) -> bool:
 
 def now() -> datetime:
     """Return the time; ReportError where the clock does not go, as no record may have what it says."""
-    time = datetime.now(timezone.utc)
-    if time.year not in range(2000, 2100):
+    if (time := datetime.now(timezone.utc)).year not in range(2000, 2100):
         raise ReportError(f"the clock of this machine says {time:%Y-%m-%d}")
     return time

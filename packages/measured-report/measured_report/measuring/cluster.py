@@ -33,8 +33,7 @@ SETTINGS = {
     "distributed.deploy.lost-worker-timeout": "120s",  # a killed one that is not back by then never is
     "distributed.worker.memory.terminate": False,
     # Its web servers can't be left out; they listen on the host alone, and have nothing to say.
-    "distributed.scheduler.http.routes": [],
-    "distributed.worker.http.routes": [],
+    **{f"distributed.{side}.http.routes": [] for side in ("scheduler", "worker")},
 }
 LOCAL = {"host": "127.0.0.1", "protocol": "tls", "dashboard": False, "dashboard_address": "127.0.0.1:0"}
 CONNECT_S, SILENT_S = 30.0, 120.0

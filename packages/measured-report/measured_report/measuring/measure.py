@@ -33,8 +33,7 @@ def measure(
     """Measure the sections; return the report that has them, which is apart from that of another machine."""
     machine, options = machine_name(device), ["--profile", project.profile, "--aside", project.aside]
     if cluster:
-        python = python_of(release, expected_packages(project), project.root)
-        add_group("cluster", project.root, python, "extra")
+        add_group("cluster", project.root, python_of(release, expected_packages(project), project.root), "extra")
         options += ["--cluster", cluster]
     if device != "cpu":
         if cluster not in (None, "local"):
@@ -102,8 +101,7 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
         return project
     if named.machine not in ("", machine):
         raise UsageError(f"{option} has the results of {named.machine}, and this is {machine}")
-    machines = dict.fromkeys(machines_besides(project, machine))
-    if not machines or named.machine:
+    if not (machines := dict.fromkeys(machines_besides(project, machine))) or named.machine:
         return project
     edition = project.of(str(replace(named, machine=machine)))
     print(f"{option} has results of {', '.join(machines)}; those of this machine are {edition.release}")

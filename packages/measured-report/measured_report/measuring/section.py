@@ -113,8 +113,7 @@ class Loop:
             section.advance()
         with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
             while self._submit():
-                finished = wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done
-                if not finished:
+                if not (finished := wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done):
                     self.shared.check()
                 for future in finished:
                     self._take(future, *self.running.pop(future))

@@ -18,8 +18,7 @@ from functools import partial
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
-import jinja2
-from jinja2 import nodes
+from jinja2 import nodes, pass_context
 from jinja2.ext import Extension
 from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
@@ -102,7 +101,7 @@ def _attribute(parser: Parser, name: str) -> str:
 def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
     """Make what says the passages of a template of the claims that ``find`` finds by section and name."""
 
-    @jinja2.pass_context
+    @pass_context
     def passage(context: Context, text: str, answer: str, is_inline: bool, otherwise: Any, caller: Any) -> str:
         printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
         measured = {need: claim for need, claim in claims.items() if claim}
@@ -113,8 +112,7 @@ def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
             body = _rendered(render, printed, lambda items: are_met and not any(map(_is_lost, items)))
         stands = body is not None
         if otherwise:
-            alternative = _rendered(otherwise, printed, lambda _: not stands)
-            if alternative is not None:
+            if (alternative := _rendered(otherwise, printed, lambda _: not stands)) is not None:
                 return alternative
         elif is_measured and not stands:  # what was not measured is listed on the page: no other answer
             sentences = [claim.html(need.section) for need, claim in measured.items()]

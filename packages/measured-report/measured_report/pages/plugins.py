@@ -11,8 +11,7 @@ from measured_report.files.config import module_of
 class Plugins:
     """Show what one edition has besides."""
 
-    picture = ""
-    """Address of the picture that others show with a link to its pages, seen from them; empty where there is none."""
+    picture = ""  # address of the picture that others show with a link to its pages, seen from them; empty: none
 
     def __init__(self, edition: Any):  # an Edition, whose module reads this one
         self.edition = edition

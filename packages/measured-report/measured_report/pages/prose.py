@@ -18,6 +18,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, references
+from measured_report.parts.macros import environment
 from measured_report.parts.section import Figure
 from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_numbers, token, with_formulas
 from measured_report.records.identity import sources
@@ -55,8 +56,7 @@ class Prose:
     @property
     def summary(self) -> Markup:
         """Return its first paragraph of words, which are not those of a figure."""
-        paragraph = next((each["words"] for each in PARAGRAPH.finditer(self.body)), "")
-        return _put_back(paragraph, self.printed)
+        return _put_back(next((each["words"] for each in PARAGRAPH.finditer(self.body)), ""), self.printed)
 
     @property
     def marks(self) -> list[str]:
@@ -101,9 +101,7 @@ class Templates:
     def __init__(self, folder: Path):
         project, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
         self._loader = jinja2.ChoiceLoader([project, base, jinja2.PrefixLoader({"layout": base})])
-        self._layout = jinja2.Environment(
-            loader=self._loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
-        )
+        self._layout = environment(loader=self._loader)
         self._prose = self._layout.overlay(finalize=_as_token)
         self.references = references(folder)
         self._layout.globals |= {"references": self.references, "config": config(), "sources": sources()}
@@ -121,8 +119,7 @@ class Templates:
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
             with _named(name, template):
-                context = template.new_context({**numbers, "printed": printed})
-                text = "".join(template.blocks[block](context))
+                text = "".join(template.blocks[block](template.new_context({**numbers, "printed": printed})))
             return _put_back(" ".join(text.split()), printed)
 
         tags: Any = self._prose

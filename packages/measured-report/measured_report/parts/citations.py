@@ -4,8 +4,7 @@
 
 ``templates/sources.toml`` has a table for each name: ``url`` with a ``title``, or ``package``, ``version``, ``file``
 below its folder, ``line``, and an ``excerpt`` that this line must hold. Its table ``packages`` has the address of a
-package's files, with ``{version}``, ``{file}`` and ``{line}``. A page numbers its statements and lists their sources at
-its end.
+package's files, with ``{version}``, ``{file}`` and ``{line}``. A page numbers its statements; their sources end it.
 """
 
 from collections.abc import Callable, Mapping

@@ -205,8 +205,7 @@ def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     """Return the opposite for a difference beyond the noise; what is only little more, either way, can't tell."""
     _refuse_units(difference, noise)
-    outcome = _absent(difference, noise)
-    if not outcome:
+    if not (outcome := _absent(difference, noise)):
         assert noise.number >= 0, f"{noise} is no noise, which is never below 0"
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
         reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")

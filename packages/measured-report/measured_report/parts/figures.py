@@ -11,10 +11,9 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
-from matplotlib import style, ticker
+from matplotlib import rcParams, style, ticker
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_mixed import MixedModeRenderer
@@ -59,22 +58,15 @@ STYLE: dict[str, Any] = {
 
 NARROW_WIDTH = 3.6  # width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px
 LEAST_SIZE = 7.0  # size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px
-MOST_TICKS = 5  # steps between ticks along a narrow figure
 LONGEST_NAME, LONGEST_LINE = 18, 36  # characters of a name beside a narrow figure, and along it, before it is folded
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
     r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
-)
-"""Pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either."""
-IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
+)  # pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
-NAME = re.compile(r' id="([^"]+)"')
 PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")  # a hundredth of a point is enough for anything that is drawn
-FONTS = re.compile(r" font-family: [^;\"]*;")
-UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
-COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
-LETTER = re.compile(r"[^\W\d_]")
+UNWANTED = re.compile(r'(?s)<metadata>.*?</metadata>|<style.*?</style>|^.*?(?=<svg )|<!--.*?-->| font-family: [^;"]*;')
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
@@ -95,7 +87,6 @@ class LogLabels(ticker.LogFormatter):
     def __call__(self, value: float, position: int | None = None) -> str:
         if not super().__call__(value, position):
             return ""
-        assert self.axis
         low, high = self.axis.get_view_interval()
         exponent = round(math.log10(value))
         if (low < 1e-4 or high > 1e5) and math.isclose(value, 10.0**exponent):
@@ -174,13 +165,12 @@ def _fit_narrow(drawing: Drawing) -> None:
         # To ask for labels lays the axis out, which takes long; those of numbers are never long.
         is_named = not isinstance(axes.yaxis.get_major_formatter(), ticker.ScalarFormatter)
         names = [label.get_text() for label in axes.get_yticklabels()] if is_named else []
-        is_long = any(len(name) > LONGEST_NAME for name in names)
-        if is_long:
+        if is_long := any(len(name) > LONGEST_NAME for name in names):
             axes.set_yticks(axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names])
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(fold(axes.get_title("left")), fontsize=9)
         if isinstance(axes.xaxis.get_major_locator(), ticker.AutoLocator):
-            axes.xaxis.set_major_locator(ticker.MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
+            axes.xaxis.set_major_locator(ticker.MaxNLocator(nbins=5, steps=(1, 2, 2.5, 5, 10)))
         for axis in (axes.xaxis, axes.yaxis):
             axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
     if drawing.get_supxlabel():
@@ -227,7 +217,7 @@ class _Vectors(RendererSVG):
 def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     buffer = io.StringIO()
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
-    inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
+    inches, dpi = drawing.get_size_inches(), rcParams["figure.dpi"]
     vectors = _Vectors(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
     renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
     # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
@@ -236,14 +226,13 @@ def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     renderer.finalize()
     svg = PIECE.sub(_Links(drawing, screen.sources).linked, UNWANTED.sub("", buffer.getvalue()))
     used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
-    svg = NAME.sub(lambda match: match[0] if match[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
-    svg = BREAK.sub("\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
-    svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
+    svg = re.sub(r' id="([^"]+)"', lambda match: match[0] if match[1] in used else "", svg)
+    svg = re.sub(r"\s*\n\s*", "\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
+    svg = re.sub(r'( id="|xlink:href="#|url\(#)', rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
-    opening = OPENING.search(svg)
-    assert opening, "Matplotlib writes an svg element"
-    return Picture(screen.kind, opening[1], Markup(svg[opening.end() :].rstrip().removesuffix("</svg>")))
+    _, view, content = OPENING.split(svg, maxsplit=1)
+    return Picture(screen.kind, view, Markup(content.rstrip().removesuffix("</svg>")))
 
 
 def _trimmed(drawing: Drawing) -> Drawing:
@@ -295,7 +284,7 @@ class _Links:
 
     def _text(self, element: str) -> str:
         opening, _, text = element.removesuffix("</text>").partition(">")
-        if "tick" in self.groups and not LETTER.search(text):
+        if "tick" in self.groups and not re.search(r"[^\W\d_]", text):
             return element  # a number of an axis
         pointers, remainder = [], text
         for number, sources in self.sources.items():

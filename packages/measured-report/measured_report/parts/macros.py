@@ -1,6 +1,6 @@
 """Macros: the HTML of what a section prints, ``pages/layout/parts.html.j2``; and a drawing as they show it."""
 
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -8,16 +8,14 @@ import jinja2
 from markupsafe import Markup
 
 FILE = Path(__file__).parents[1] / "pages" / "layout" / "parts.html.j2"
+RULES: dict[str, Any] = {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True}
+environment = partial(jinja2.Environment, undefined=jinja2.StrictUndefined, **RULES)
 
 
 @cache
 def macros(file: Path = FILE) -> Any:
     """Compile the macros of a template, which are the names of what is returned."""
-    loader = jinja2.FileSystemLoader(file.parent)
-    environment = jinja2.Environment(
-        loader=loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
-    )
-    return environment.get_template(file.name).module
+    return environment(loader=jinja2.FileSystemLoader(file.parent)).get_template(file.name).module
 
 
 class Picture(NamedTuple):

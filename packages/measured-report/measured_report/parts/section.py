@@ -21,11 +21,8 @@ if TYPE_CHECKING:  # these take long to import, and what is kept from before nee
     from matplotlib.figure import Figure as Drawing
 
 Pictures = Sequence[Picture | Markup]  # a figure as drawn for broad screens and for narrow ones
-AXIS = re.compile(r"\[([^\[\]]+)\]$")  # the unit at the end of what an axis is called
-TAG = re.compile("<[^>]*>")
 UNDRAWN = "This cannot be drawn from what was measured"  # said in the place of a figure
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"  # as wide as a digit and as a point; the stylesheet puts them there
-FRACTION = re.compile(r"\.(\d*)$")
 SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')  # finds the source of each number that there is
 
 
@@ -78,7 +75,7 @@ class _Column:
 
 
 def _place_count(number: Quantity) -> int:
-    match = FRACTION.search(number.written if number.source else "")
+    match = re.search(r"\.(\d*)$", number.written if number.source else "")
     return len(match[1]) if match else 0
 
 
@@ -122,8 +119,7 @@ class Figure:
         from matplotlib.figure import Figure as Drawing
 
         assert self.draw
-        drawing = self.draw()
-        if not isinstance(drawing, Drawing):
+        if not isinstance(drawing := self.draw(), Drawing):
             kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
             raise ReportError(f"it draws a {kind}, and not a new_figure()")
         assert any(axes.has_data() for axes in drawing.axes), "it draws nothing"
@@ -131,7 +127,7 @@ class Figure:
         tables = (source.value for source in self.sources if isinstance(source, Series))
         units |= {column_of(column).unit for table in tables if table is not None for column in table}
         labels = [label for axes in drawing.axes for label in (axes.get_xlabel(), axes.get_ylabel()) if label]
-        matches = {label: AXIS.search(label) for label in labels}
+        matches = {label: re.search(r"\[([^\[\]]+)\]$", label) for label in labels}  # the unit at its end
         unsaid = sorted(units - {match[1] for match in matches.values() if match}) if PLAIN not in units else []
         for label, match in matches.items():
             if match and " " not in match[1] and not is_unit(match[1]):
@@ -144,8 +140,7 @@ class Figure:
 
     def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
         """Show the figure, where anything of it exists; drawings that are files are at ``address``."""
-        pointers = [source.source for source in self.sources if source.value is not None]
-        if not pointers:
+        if not (pointers := [source.source for source in self.sources if source.value is not None]):
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
             return macros().left_out("A figure is left out here", reasons[0])
         files: dict[str, None] = {}
@@ -164,7 +159,7 @@ class Figure:
         if not drawn:  # what is said in its place
             return Markup("").join(picture for picture in pictures if not isinstance(picture, Picture))
         text = self.wording("alt", self.numbers)
-        alt, sources = Markup(TAG.sub("", text)).unescape().replace("\xa0", " "), SOURCE.findall(text)
+        alt, sources = Markup(re.sub("<[^>]*>", "", text)).unescape().replace("\xa0", " "), SOURCE.findall(text)
         if address:
             return macros().picture(address, *(picture.size for picture in drawn), alt, sources)
         return Markup("").join(macros().drawing(picture, alt, sources) for picture in drawn)
@@ -214,12 +209,10 @@ class Section:
             if not hasattr(item, "wording"):
                 return item
             wordings[kind, name].refuse_unknown(f"{kind} {name}", item.numbers)
-            item = replace(item, wording=wordings[kind, name])
             for part in wordings[kind, name].blocks:  # those as well that are not said now: with other numbers they are
                 wordings[kind, name](part, item.numbers)
-            if kind == "figure":
-                item = replace(item, anchor=f"{anchor}-{name}")
-            return item
+            own = {"anchor": f"{anchor}-{name}"} if kind == "figure" else {}
+            return replace(item, wording=wordings[kind, name], **own)
 
         worded = {kind: {name: fill(kind, name, item) for name, item in group.items()} for kind, group in items.items()}
         return replace(self, claims=list(worded["claim"].values()), figures=worded["figure"], tables=worded["table"])

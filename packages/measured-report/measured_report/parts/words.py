@@ -35,7 +35,6 @@ from measured_report.files.errors import ReportError
 # The parts of each kind; `caption` is what follows the opening tag, the others have a tag of their own.
 CLAIM = ("holds", "fails", "opposite", "asks", "because")
 PARTS = {"claim": CLAIM, "figure": ("caption", "alt"), "table": ("caption",)}
-OPTIONAL = {"opposite", "because"}
 # The token has a part that nobody can know before, so that no text of a record can be one.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 
@@ -91,8 +90,7 @@ class WordTags(Extension):
         kind, name, parts = tag.value, parser.stream.expect("name").value, PARTS[tag.value]
         ends = [*(part for part in parts if part != "caption"), f"end{kind}"]
         part, line, blocks = "caption", tag.lineno, {}
-        worded = vars(parser).setdefault("worded", set())
-        if (kind, name) in worded:
+        if (kind, name) in (worded := vars(parser).setdefault("worded", set())):
             parser.fail(f"{kind} {name} is worded twice", line)
         worded.add((kind, name))
         while part != ends[-1]:
@@ -105,7 +103,7 @@ class WordTags(Extension):
                 parser.fail(f"{kind} {name}: what it says belongs behind one of its tags", line)
             token = next(parser.stream)
             part, line = token.value, token.lineno
-        optional = OPTIONAL | ({"fails"} if "opposite" in blocks else set())
+        optional = {"opposite", "because"} | ({"fails"} if "opposite" in blocks else set())
         if missing := [part for part in parts if part not in optional | blocks.keys()]:
             parser.fail(f"{kind} {name} has no {{% {missing[0]} %}}", tag.lineno)
         if any(MARKDOWN.search(text.data) for block in blocks.values() for text in block.find_all(nodes.TemplateData)):

@@ -19,6 +19,7 @@ from typing import Any, TypeVar
 from measured_report.files import root
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
+from measured_report.files.groups import grouped
 from measured_report.records import syntax
 from measured_report.records.syntax import EFFECTS, Definition, Definitions, Reader, Source, digest_of
 
@@ -126,8 +127,7 @@ class Graph:
     @cached_method
     def reached(self, name: str) -> dict[Node, str]:
         """Digest what may be run when what has this dotted name is, and what importing its files does."""
-        nodes = self.resolve(name)
-        if isinstance(nodes, str):
+        if isinstance(nodes := self.resolve(name), str):
             raise ReportError(f"there is no {name}")
         loaded = {file for first in {file for file, _ in nodes} for file in self.closure(first, CARRIED)}
         waiting = [*nodes, *(node for file in loaded for node in self._effects(file))]
@@ -143,10 +143,8 @@ class Graph:
     def summary(self, name: str) -> tuple[str, dict[str, str], list[str]]:
         """Digest what may be run; with the digests by file of what lies there, and the assets that it names."""
         reached = self.reached(name)
-        by_file: dict[str, set[str]] = {}
-        for (file, _), digest in reached.items():
-            by_file.setdefault(self.name_of(file), set()).add(digest)
-        code = {file: digest_of(sorted(digests)) for file, digests in by_file.items()}
+        by_file = grouped((self.name_of(file), digest) for (file, _), digest in reached.items())
+        code = {file: digest_of(sorted(set(digests))) for file, digests in by_file.items()}
         named = {asset for node in reached for definition in self.definitions(node) for asset in definition.assets}
         return digest_of(sorted({*reached.values()})), code, sorted(named)
 
@@ -164,10 +162,9 @@ class Graph:
     @cached_method
     def digest(self, node: Node, rounds: int = ROUNDS) -> str:
         """Digest what defines a name, and what the names in it mean."""
-        trees = [definition.tree for definition in self.definitions(node)]
         meanings = self.meanings(node) if rounds else []
         forms = [ref if isinstance(ref, str) else [self.digest(node, rounds - 1) for node in ref] for ref in meanings]
-        return digest_of([trees, forms])
+        return digest_of([[definition.tree for definition in self.definitions(node)], forms])
 
     @cached_method
     def meanings(self, node: Node) -> list[list[Node] | str]:

@@ -19,7 +19,6 @@ PLAIN = "1"  # the unit of a number whose column names none
 LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}  # units of numbers that have no sign
-PERCENTILE = re.compile(r"_p[0-9]+$")
 REASON = "_reason"
 UNBELIEVED = "the measurement gave "  # begins the reason of a number that no record may hold, as one that is not finite
 TEXT_LIMIT = 4096
@@ -66,7 +65,7 @@ def column_of(name: str) -> Column:
     declared = [table for table in config().columns if name in table.names or re.fullmatch(table.pattern, name)]
     if len({table.better for table in declared if name in table.names} - {""}) > 1:
         raise ReportError(f"{FILE}: of {name} both less and more is better, by two tables of columns")
-    pieces = PERCENTILE.sub("", name).split("_")
+    pieces = re.sub("_p[0-9]+$", "", name).split("_")
     ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
     unit = next((units()[end] for end in ends if end in units()), PLAIN)
     largest = LARGEST.get(unit, 1e18)
@@ -86,6 +85,11 @@ def parameters() -> Mapping[str, Any]:
     if module and not is_dataclass(case):
         raise ReportError(f"{FILE}: case = {config().case!r}: there is no such dataclass")
     return {field.name: field.default for field in fields(case)} if case else {}
+
+
+def is_cost(column: str) -> bool:
+    """Tell whether a column's numbers are of the machine: times, rates, bytes."""
+    return "cost" in column_of(column).kinds
 
 
 def is_unit(text: str) -> bool:

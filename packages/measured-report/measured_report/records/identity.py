@@ -24,7 +24,6 @@ from measured_report.records.syntax import digest_of
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
 FileName = Annotated[str, Meta(pattern=r"\A(?!.*\.\.)[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
 Version = Annotated[str, Meta(pattern=r"\A(missing|[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?)\Z", max_length=64)]
-Profile = Annotated[str, Meta(pattern=r"\A(full|quick)\Z")]
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ class Identity:
     code: Digest
     config: Digest  # digest of the profile and of the assets that these name
     packages: Mapping[str, Version]
-    profile: Profile = "full"
+    profile: Annotated[str, Meta(pattern=r"\A(full|quick)\Z")] = "full"
     files: Mapping[FileName, Digest] = field(default_factory=dict)
     """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
 
@@ -86,13 +85,11 @@ BYTE_LIMIT = 1 << 30  # of a file that is digested: wheels have hundreds of MiB
 
 def package_versions() -> dict[str, str]:
     """Return the version of each package here; of the first with its code, where that is not an index's."""
-    versions = files().versions
-    if not versions:
-        for package in config().packages:
-            try:
+    if not (versions := files().versions):
+        versions |= dict.fromkeys(config().packages, MISSING)
+        for package in versions:
+            with suppress(metadata.PackageNotFoundError):
                 versions[package] = full_version(metadata.version(package))
-            except metadata.PackageNotFoundError:
-                versions[package] = MISSING
         if versions[config().edition] != MISSING and (source := _source()):
             versions[config().edition] += f"+{source}"
     return dict(versions)
@@ -117,16 +114,13 @@ def _source() -> str:
     path = Path(unquote(urlparse(address).path))
     if "dir_info" in origin:
         return checkout_source(path)
-    if address.startswith("file:"):
-        return wheel_source(path)
-    return ""
+    return wheel_source(path) if address.startswith("file:") else ""
 
 
 def checkout_source(folder: Path) -> str:
     """Name the commit that a checkout is at, with ``.edited.`` and the digest of its code if that differs."""
     module, code = config().edition.replace("-", "_"), code_in(folder)
-    commit = git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]
-    if not commit:
+    if not (commit := git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]):
         return f"x{code}"
     is_edited = git(folder, "status", "--porcelain", "--", module, f"src/{module}")
     return f"g{commit}{EDITED}.{code}" if is_edited else f"g{commit}"

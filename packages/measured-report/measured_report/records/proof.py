@@ -17,6 +17,7 @@ from pathlib import Path, PurePosixPath
 from types import CodeType
 from typing import Any
 
+from measured_report.files.groups import grouped
 from measured_report.records.code import Graph, Node, roots_of
 from measured_report.records.syntax import EFFECTS, Canonical, Reader, bound_names, chain_of, is_text
 
@@ -25,11 +26,9 @@ Place = tuple[Any, ...]  # file, and line, last line, column and last column, as
 BODIES = ("body", "orelse", "finalbody", "handlers", "cases")
 HEADLESS = ("name", "returns", *BODIES)  # of a definition neither its name counts nor what type it returns
 HEADED = (ast.stmt, ast.ExceptHandler, ast.match_case)
-FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SILENT = (ast.Raise, ast.Assert, ast.JoinedStr)  # their texts are only printed
 UNEXECUTED, TIMED = "no run executes", "what is timed has changed"
 TYPES = ("annotation", "returns")
-NAME = re.compile(r"Name\(id='(\w+)'")
 
 
 @dataclass(frozen=True)
@@ -51,7 +50,7 @@ class Piece:
         return self.dump(syntax), self.forms.of(syntax)
 
     def dump(self, syntax: ast.AST) -> str:
-        return NAME.sub(lambda name: self.meanings.get(name[1], name[0]), ast.dump(syntax))
+        return re.sub(r"Name\(id='(\w+)'", lambda name: self.meanings.get(name[1], name[0]), ast.dump(syntax))
 
     def children(self) -> Iterator["Piece"]:
         head = self.context[:1]
@@ -60,8 +59,7 @@ class Piece:
         for name, value in ast.iter_fields(self.syntax):
             before: Text = ("", "")
             for child in value if isinstance(value, list) else [value]:
-                # An assertion that held has not read its message.
-                if isinstance(child, ast.AST) and name != "msg":
+                if isinstance(child, ast.AST) and name != "msg":  # an assertion that held has not read its message
                     yield replace(self, syntax=child, context=(*head, (name, name), before) if name in BODIES else head)
                     before = before if is_text(child) else self.text(child)
 
@@ -113,10 +111,8 @@ class Code:
 
     def unexecuted(self, other: "Code", executed: Sequence[Set[Place]]) -> Iterator[str]:
         """Say what changed, has instructions of which none was executed, and is not in ``other`` as well."""
-        pieces_by_text: dict[Any, list[Piece]] = {}
-        for piece in (inner for outer in other.changed for inner in outer.all()):
-            for text in piece.texts:
-                pieces_by_text.setdefault(text, []).append(piece)
+        others = (inner for outer in other.changed for inner in outer.all())
+        pieces_by_text = grouped((text, piece) for piece in others for text in piece.texts)
         compiled = {file: {*_places(compile(Path(file).read_bytes(), file, "exec"))} for file in self.spans}
         waiting = list(self.changed)
         while waiting:
@@ -193,10 +189,7 @@ def _parts(head: ast.AST) -> dict[tuple[ast.AST, ...], list[ast.AST]]:
                 parts |= dict.fromkeys(ast.walk(argument), (node.func, ast.Constant(place), argument))
         elif isinstance(node, ast.comprehension):
             parts |= dict.fromkeys(ast.walk(node.iter), (node.iter,))
-    nodes_by_part: dict[tuple[ast.AST, ...], list[ast.AST]] = {}
-    for node, part in parts.items():
-        nodes_by_part.setdefault(part, []).append(node)
-    return nodes_by_part
+    return grouped((part, node) for node, part in parts.items())
 
 
 def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:
@@ -210,8 +203,7 @@ def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:
                 ast.literal_eval(getattr(node, "value", node))
                 yield ast.unparse(node)
         if isinstance(node, ast.arguments):
-            names = [*node.posonlyargs, *node.args]
-            pairs = [*zip(names[::-1], node.defaults[::-1], strict=False)]
+            pairs = [*zip([*node.posonlyargs, *node.args][::-1], node.defaults[::-1], strict=False)]
             pairs += [(arg, value) for arg, value in zip(node.kwonlyargs, node.kw_defaults, strict=True) if value]
             yield from (f"{arg.arg}={ast.unparse(default)}" for arg, default in pairs if _is_number(default))
         for name, value in ast.iter_fields(node):
@@ -219,7 +211,7 @@ def _literals(node: ast.AST, is_top: bool = True) -> Iterator[str]:
                 continue  # which place of a few is no number that was chosen
             for child in value if isinstance(value, list) else [value]:
                 if isinstance(child, ast.AST):
-                    yield from _literals(child, is_top and not isinstance(node, FUNCTIONS))
+                    yield from _literals(child, is_top and not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef))
 
 
 def _is_number(node: ast.AST | None) -> bool:

@@ -10,8 +10,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import msgspec
-from msgspec import Meta, Struct
+from msgspec import Meta, Struct, convert, to_builtins
 
 from measured_report.files.atomic import RecordError, put_record, read_own_file, short_path
 from measured_report.files.config import config
@@ -181,7 +180,7 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
 
 
 def record_text(record: Record) -> str:
-    data = {"schema": SCHEMA, **msgspec.to_builtins(replace(record, rows=[]))}  # which would copy every cell
+    data = {"schema": SCHEMA, **to_builtins(replace(record, rows=[]))}  # which would copy every cell
     for name in ("rows",) if record.carried else ("rows", "carried"):
         del data[name]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
@@ -217,15 +216,15 @@ def read_record(content: bytes, path: Path) -> Record:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
         if data.pop("seal", None) is not None and text != _sealed(text[: text.rfind(',\n "seal": ')]):
             raise ValueError("it is not as it was sealed")  # one of before there were seals has none
-        record = msgspec.convert(data, Record)
+        record = convert(data, Record)
         identity = data["identity"]
         names = {*Record.__match_args__}, {*Identity.__match_args__}, {*config().packages}
         for table, allowed in zip((data, identity, identity["packages"]), names, strict=True):
             if unknown := table.keys() - allowed:
                 raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
-        msgspec.convert(record.machine, _Machine)
-        measured = msgspec.convert(record.measured, _Measured)
-        msgspec.convert(record.rows, list[_Row])
+        convert(record.machine, _Machine)
+        measured = convert(record.measured, _Measured)
+        convert(record.rows, list[_Row])
         ends = (measured.started or measured.date, measured.ended or measured.date, measured.date)
         began, ended, _ = times = [*map(datetime.fromisoformat, ends)]
         if began > ended or max(times) > datetime.now(timezone.utc) + timedelta(days=1):
@@ -233,7 +232,7 @@ def read_record(content: bytes, path: Path) -> Record:
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")
         refuse_mixed(record.rows, record.units)
-    except (ValueError, OverflowError, RecursionError, msgspec.ValidationError) as error:
+    except (ValueError, OverflowError, RecursionError) as error:
         # In one line, without characters that could do anything to whoever reads it.
         message = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
         raise RecordError(f"{short_path(path)} is no whole record: {message:.300}") from None
@@ -242,8 +241,7 @@ def read_record(content: bytes, path: Path) -> Record:
 
 def _plain(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     """Make an object of JSON, in which each key stands once: of two, a reader would see either."""
-    fields = dict(pairs)
-    if len(fields) < len(pairs):
+    if len(fields := dict(pairs)) < len(pairs):
         keys = [key for key, _ in pairs]
         raise ValueError(f"{max(keys, key=keys.count)!r:.80} is there twice")
     for key, value in pairs:

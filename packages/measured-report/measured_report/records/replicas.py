@@ -11,14 +11,13 @@ from hashlib import sha256
 from pathlib import Path
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path, sums
-from measured_report.records.columns import column_of
+from measured_report.records.columns import column_of, is_cost
 from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
 
 FOLDER = "replicas"  # beside the records of the edition that was measured again
 SUMS = "SHA256SUMS"  # the file in it that seals all others
 WHOLE = 0.9  # chosen: so large a share of the numbers is there again; runs at an edge may be lost
-COPIED, NEAR = 0.9, 1e-6
-"""Chosen: a copy has so large a share of its numbers so near the others'; two measurements agree in up to 0.6."""
+COPIED, NEAR = 0.9, 1e-6  # chosen: so large a share of a copy's numbers is so near; two measurements agree in up to 0.6
 FAR, FAR_SHARE = 5.0, 0.05  # chosen: what is far outside is by more than so many ranges and such a share of a number
 Records = Mapping[str, Record]
 Key = tuple[str, str]
@@ -79,8 +78,7 @@ def mismatch(tracked: Record, replica: Record) -> str:
     sides = [(identity.config, identity.profile) for identity in (tracked.identity, replica.identity)]
     if sides[0] != sides[1] or tracked.codes.isdisjoint(replica.codes):
         return "other code"
-    is_whole = replica.number_count >= WHOLE * tracked.number_count
-    return "" if is_whole else "not all of it could be measured there"
+    return "" if replica.number_count >= WHOLE * tracked.number_count else "not all of it could be measured there"
 
 
 def is_copy(a: Record, b: Record) -> bool:
@@ -88,11 +86,10 @@ def is_copy(a: Record, b: Record) -> bool:
     is_alike = a.measured["seconds"] == b.measured["seconds"] and list(a.rows) == list(b.rows)
     if a.started == b.started and (is_alike or a.card.casefold() == b.card.casefold()):
         return True
-    sides = [
-        {key: cell for key, cell in _numbers(side) if side.machine["device"] != "cpu" or _is_cost(key)}
-        for side in (a, b)
-    ]
-    same = [math.isclose(sides[0][key], sides[1][key], rel_tol=NEAR) for key in sides[0].keys() & sides[1].keys()]
+    mine, theirs = dict(_numbers(a)), dict(_numbers(b))
+    repeats = "cpu" in (a.machine["device"], b.machine["device"])  # to the last bit, but for costs
+    keys = [key for key in mine.keys() & theirs.keys() if is_cost(key[1]) or not repeats]
+    same = [math.isclose(mine[key], theirs[key], rel_tol=NEAR) for key in keys]
     return bool(same) and sum(same) >= COPIED * len(same)
 
 
@@ -107,7 +104,7 @@ def is_far(record: Record, measured: Sequence[Record | None]) -> bool:
     is_outside: dict[str, list[bool]] = {}
     for key, cell in dict(_numbers(record)).items():  # of rows of one case the last
         numbers = [side[key] for side in sides if key in side]
-        if len(numbers) > 1 and not _is_cost(key):
+        if len(numbers) > 1 and not is_cost(key[1]):
             low, high = min(numbers), max(numbers)
             reach = FAR * (high - low) + FAR_SHARE * max(abs(low), abs(high))
             is_outside.setdefault(key[1], []).append(not low - reach <= cell <= high + reach)
@@ -120,7 +117,3 @@ def _numbers(record: Record) -> Iterator[tuple[Key, float]]:
         for name, cell in row.items():
             if isinstance(cell, float) and cell and not column_of(name).is_exact:
                 yield (row["case"], name), cell
-
-
-def _is_cost(key: Key) -> bool:
-    return "cost" in column_of(key[1]).kinds

@@ -52,20 +52,15 @@ class Reader:
 
     def source(self) -> Source:
         nodes = list(ast.walk(self._tree))
-        return Source(
-            digest=hashlib.sha256(ast.dump(self._tree).encode()).hexdigest(),
-            modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
-            assets=_named_assets(nodes),
-            top=dict(self._top()),
-            imports=self._imports,
-        )
+        digest = hashlib.sha256(ast.dump(self._tree).encode()).hexdigest()
+        modules = tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node)))
+        return Source(digest, modules, _named_assets(nodes), dict(self._top()), self._imports)
 
     def definitions(self) -> Definitions:
         """Find the definitions, which most modules are never asked for, and which take longer than all else."""
         definitions: dict[str, list[Definition]] = {}
         for node in self._statements:
-            names = list(dict.fromkeys(bound_names(node))) or [EFFECTS]
-            for index, name in enumerate(names):
+            for index, name in enumerate(dict.fromkeys(bound_names(node)) or [EFFECTS]):
                 definitions.setdefault(name, []).append(self._definition(node, index))
         return {name: tuple(group) for name, group in definitions.items()}
 
@@ -76,14 +71,10 @@ class Reader:
 
     def _definition(self, node: ast.stmt, index: int) -> Definition:
         canonical = self.canonical(node)
-        decorators = (chain_of(getattr(child, "func", child)) for child in getattr(node, "decorator_list", ()))
-        return Definition(
-            tree=digest_of([canonical.form, index]),
-            names=tuple(canonical.gaps),
-            imports=self._imported(ast.walk(node)),
-            assets=_named_assets(ast.walk(node)),
-            decorators=tuple(name for name in decorators if name.partition(".")[0] in self._names),
-        )
+        called = (chain_of(getattr(child, "func", child)) for child in getattr(node, "decorator_list", ()))
+        decorators = tuple(name for name in called if name.partition(".")[0] in self._names)
+        imports, assets = self._imported(ast.walk(node)), _named_assets(ast.walk(node))
+        return Definition(digest_of([canonical.form, index]), tuple(canonical.gaps), imports, assets, decorators)
 
     def _top(self) -> Iterator[tuple[str, Any]]:
         for node in self._tree.body:
@@ -167,11 +158,9 @@ def chain_of(node: ast.AST) -> str:
     return ".".join([node.id, *reversed(attributes)]) if isinstance(node, ast.Name) else ""
 
 
-SAID = {"print", "warnings.warn", "tqdm.tqdm.write", "tqdm.auto.tqdm.write"}
+SAID = {"print", "warnings.warn", "tqdm.tqdm.write", "tqdm.auto.tqdm.write"}  # functions whose texts are only printed
 LEVELS = ("debug", "info", "warning", "error", "exception", "critical")
 SAID |= {f"{logger}.{level}" for logger in ("logging", "logger") for level in LEVELS}
-"""Functions whose texts are only printed."""
-BARS = {"tqdm.tqdm", "tqdm.auto.tqdm"}  # progress bars: what they go through counts, and not how they show it
 PARSERS = {"ArgumentParser", "add_argument", "add_parser", "add_subparsers"}
 HELP = {"help", "metavar", "description", "epilog", "usage", "prog"}
 NOTHING = ("nothing",)  # stands for a statement that only prints texts
@@ -298,8 +287,7 @@ class Canonical:
         targets = (child for clause in node.generators for child in ast.walk(clause.target))
         inner = self._within(scope, [child.id for child in targets if _is_bound(child)])
         first, *clauses = node.generators
-        values = [getattr(node, name, None) for name in ("elt", "key", "value")]
-        parts = [first.target, first.ifs, clauses, values]
+        parts = [first.target, first.ifs, clauses, [getattr(node, name, None) for name in ("elt", "key", "value")]]
         return type(node).__name__, self.plain(first.iter, scope), *(self.plain(piece, inner) for piece in parts)
 
     visit_ListComp = visit_SetComp = visit_DictComp = visit_GeneratorExp = _comprehension
@@ -327,8 +315,7 @@ class Canonical:
         if self._is_silent:
             return "Constant", repr("")
         # Python 3.12 and later put an empty text behind a nested format specification.
-        parts = [value for value in node.values if getattr(value, "value", None) != ""]
-        return "JoinedStr", self.plain(parts, scope)
+        return "JoinedStr", self.plain([value for value in node.values if getattr(value, "value", None) != ""], scope)
 
     def visit_Expr(self, node: ast.Expr, scope: Scope) -> Any:
         form = self.plain(node.value, scope)
@@ -340,7 +327,7 @@ class Canonical:
             pieces = chain(*(arg.values if isinstance(arg, ast.JoinedStr) else [arg] for arg in node.args))
             form = self.plain([piece for piece in pieces if not _is_string(piece)], scope)
             return ("Said", called, form) if form else NOTHING
-        if called in BARS:
+        if called in ("tqdm.tqdm", "tqdm.auto.tqdm"):  # what a bar goes through counts, and not how it shows that
             through = [keyword for keyword in keywords if keyword.arg in (None, "iterable")]
             return self._fields(node, scope, args=self.plain(node.args[:1], scope), keywords=self.plain(through, scope))
         if called.rpartition(".")[2] in PARSERS:

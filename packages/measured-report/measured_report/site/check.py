@@ -10,7 +10,6 @@ from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import SCRIPT, Data, PageReader, check_numbers
 
 SCHEMES = {"", "http", "https", "mailto"}  # a page may lead anywhere, but nothing that it leads to may run in it
-BLANK = re.compile("[\x00-\x20\x7f-\x9f]")
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 
@@ -44,9 +43,8 @@ def _problems_of(site: Path) -> Iterator[str]:
     for path in sorted(site.rglob("*.js")):
         if path.read_text(encoding="utf-8", errors="replace") not in allowed:
             yield f"{path.relative_to(site)} is not the project's script"
-    for path in sorted(site.rglob("*.css")):
-        if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
-            yield f"{path.relative_to(site)} fetches something"
+    styles = (path for path in sorted(site.rglob("*.css")) if FETCHING_STYLE.search(path.read_text(encoding="utf-8")))
+    yield from (f"{path.relative_to(site)} fetches something" for path in styles)
     if not (site / "index.html").is_file():
         yield "there is no index.html"
 
@@ -76,6 +74,6 @@ def _is_elsewhere(address: str) -> bool:
 def _parts(address: str) -> SplitResult:
     """Read an address as browsers do, which pass over blanks and control characters, and take \\ for /."""
     try:
-        return urlsplit(BLANK.sub("", address).replace("\\", "/"))
+        return urlsplit(re.sub("[\x00-\x20\x7f-\x9f]", "", address).replace("\\", "/"))
     except ValueError:
         return SplitResult("unreadable", "", "", "", "")

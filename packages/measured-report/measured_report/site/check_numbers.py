@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import config
-from measured_report.findings.sections import labels_of
+from measured_report.findings.sections import file_of, outline_of
 from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.evidence import Evidence, Repeated, evidence_of, repeats_of
@@ -24,7 +24,6 @@ ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "for
 """Elements that run, hold another page, or change where links lead."""
 INLINE = ("a", "abbr", "b", "code", "em", "i", "span", "strong", "sub", "sup")  # none of which a browser closes itself
 DOUBLED = re.compile(r"</data>&nbsp;(\S+)\s+\1(?!\w)")
-PICTURES = {"svg", "img", "video", "canvas"}
 
 
 @dataclass
@@ -139,7 +138,8 @@ class Data:
         names: set[str] = set()
         for path in self.folder.glob("*/*.json"):
             if path.name != VALUES_FILE:
-                rows, labels = self.file(str(path.relative_to(self.folder)))["rows"], labels_of(path.stem)
+                rows = self.file(str(path.relative_to(self.folder)))["rows"]
+                labels = outline_of(path.stem).labels if file_of("report.sections", path.stem) else {}
                 names |= {" ".join(cell.split()) for row in rows for cell in row.values() if isinstance(cell, str)}
                 for label in (label_of(row["case"], labels) for row in rows if "case" in row):
                     names |= {label, *label.split(", ")}
@@ -149,11 +149,9 @@ class Data:
 
 def check_numbers(page: PageReader, data: Data) -> list[str]:
     """Say what is wrong with the numbers of a page, a line each."""
-    problems = [*_check_written(page, data), *_check_drawn(page, data)]
-    for cell in page.of("td"):
-        if number := _unnamed(cell.text, data):
-            problems.append(f"the number {number} leads nowhere in the cell: {cell.text.strip()}")
-    return problems
+    cells = ((cell.text.strip(), _unnamed(cell.text, data)) for cell in page.of("td"))
+    unnamed = [f"the number {number} leads nowhere in the cell: {text}" for text, number in cells if number]
+    return [*_check_written(page, data), *_check_drawn(page, data), *unnamed]
 
 
 def _check_written(page: PageReader, data: Data) -> Iterator[str]:
@@ -177,7 +175,7 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
     """Check the texts of drawings, and what pictures say to whoever can't see them."""
     for element in page.elements:
         label = element.attributes.get("aria-label") or element.attributes.get("alt")
-        if element.tag != "text" and not (element.tag in PICTURES and label):
+        if element.tag != "text" and not (element.tag in ("svg", "img", "video", "canvas") and label):
             continue
         remaining = text = element.text if element.tag == "text" else str(label)
         for source in element.attributes.get("data-src", "").split():

@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from measured_report.changes.alarm import rate_values
 from measured_report.files.config import Page, config, report
+from measured_report.files.groups import grouped
 from measured_report.files.processes import forked
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.replicas import replica_files
@@ -31,10 +32,8 @@ from measured_report.values.results import MEANS
 
 FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # as OWASP has it
 POINTERS = re.compile(' data-src="([^"]+)"')
-ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 LOGO = "static/logo.svg"
-FIELD = re.compile(r"^(title|license): *(.+)$", re.MULTILINE)
 DrawnFigures = Mapping[tuple[str, str], Pictures]  # by release and id
 AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-names: *(.+)$", re.MULTILINE)
 
@@ -42,7 +41,7 @@ AUTHOR = re.compile(r"^ +(?:- )?name: *(.+)$|^ +- family-names: *(.+)\n +given-n
 def citation() -> dict[str, Any]:
     """Read how the report is cited, ``CITATION.cff``, with names as people write them."""
     text = (report().root / "CITATION.cff").read_text(encoding="utf-8")
-    fields = {name: value.strip("\"' ") for name, value in FIELD.findall(text)}
+    fields = {name: value.strip("\"' ") for name, value in re.findall(r"(?m)^(title|license): *(.+)$", text)}
     people = ((name or f"{first_name} {last_name}") for name, last_name, first_name in AUTHOR.findall(text))
     return {"license": "", **fields, "authors": [name.strip("\"' ") for name in people]}
 
@@ -66,7 +65,7 @@ class Content:
     @property
     def ids(self) -> set[str]:
         """Collect the ids of its parts, but for the first, which is the page, and of what is in them."""
-        inner = {name for prose in self.parts for name in ID.findall(prose.body)}
+        inner = {name for prose in self.parts for name in re.findall(r' id="([^"]+)"', prose.body)}
         return inner | {figure.anchor for figure in self.figures} | {prose.anchor for prose in self.parts[1:]}
 
 
@@ -88,7 +87,11 @@ class Site:
         if history := series_page(releases, self.templates):
             contents[self.shown].append(Content(SERIES, [history], []))
         pictures = _draw(contents, self.cache)
-        self._write_once()
+        self._write("404.html", self.templates.layout("404.html.j2", {"address": self.address}))
+        if (report().root / "LICENSE").is_file():
+            self._write("license.txt", report().root / "LICENSE")
+        self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
+        self._write(".gitkeep", "")
         origins = {}
         for results in (chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()):
             release = config().name_of(results.record.origin.release)
@@ -114,18 +117,11 @@ class Site:
     def _write_pages(self, edition: WordedEdition, pictures: DrawnFigures, names: Mapping[str, Any]) -> None:
         root, folder, chapters = edition.project.root, edition.folder, edition.chapters.values()
         icon = root / "assets" / ICON
-        shared = {
-            "edition": edition,
-            "measurable": sections(root),
-            "site_address": self.address,
-            "address": self.address and f"{self.address}{folder}",
-            "root": edition.root,
-            "folder": self.editions[self.shown].project.results.name,
-            "icon": ICON if icon.is_file() else "",
-            "logo": LOGO if (root / LOGO).is_file() else "",
-            "citation": citation(),
-            **names,
-        }
+        about = {"edition": edition, "measurable": sections(root), "citation": citation()}
+        addresses = {"site_address": self.address, "address": self.address and f"{self.address}{folder}"}
+        folders = {"root": edition.root, "folder": self.editions[self.shown].project.results.name}
+        images = {"icon": ICON if icon.is_file() else "", "logo": LOGO if (root / LOGO).is_file() else ""}
+        shared = {**about, **addresses, **folders, **images, **names}
         pages = dict(edition.plugins.pages(self.templates))
         for content in names["contents"]:
             figures = self._drawn(content, edition, pictures)
@@ -165,13 +161,6 @@ class Site:
         (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
         (self.folder / name).write_bytes(data.encode() if isinstance(data, str) else data)
 
-    def _write_once(self) -> None:
-        self._write("404.html", self.templates.layout("404.html.j2", {"address": self.address}))
-        if (report().root / "LICENSE").is_file():
-            self._write("license.txt", report().root / "LICENSE")
-        self._write("data/README.txt", self.templates.layout("data.txt.j2", {"editions": self.editions}))
-        self._write(".gitkeep", "")
-
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"
         files: dict[str, Path | bytes] = {f"{folder}{source.name}": source for source in edition.plugins.data}
@@ -187,9 +176,7 @@ class Site:
         # Of means of measurements it has those that are printed, or that other values are made of.
         derived = {name: dict(chapter.results.derived) for name, chapter in edition.chapters.items()}
         wanted = printed.union(*(value.sources for values in derived.values() for value in values.values()))
-        means: dict[str, list[str]] = {}
-        for values_file, _, name in (pointer.rpartition("/") for pointer in wanted):
-            means.setdefault(values_file, []).extend([name] if name.startswith(f"{MEANS}.") else [])
+        means = grouped(pointer.rpartition("/")[::2] for pointer in wanted if f"/{MEANS}." in pointer)
         for name, chapter in edition.chapters.items():
             derived[name] |= chapter.results.means(means.get(chapter.results.values_file, ()))
         if rates := rate_values(edition):  # how often it rings for nothing
@@ -237,6 +224,5 @@ def _addresses(content: Content, contents: Sequence[Content], edition: WordedEdi
     addresses = {}
     for link in (mark for prose in content.parts for mark in prose.marks if mark.startswith("#")):
         file = files.get(link[1:], "")
-        elsewhere = f"{file}{link}" if file else lost or link
-        addresses[link] = link if file == content.page.file else elsewhere
+        addresses[link] = link if file == content.page.file else f"{file}{link}" if file else lost or link
     return addresses

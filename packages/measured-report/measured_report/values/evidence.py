@@ -1,13 +1,11 @@
 """Evidence: all that was measured of the numbers of a section, and what that says of each.
 
 A measurement gives the truth, with a part of its host and card, one of its process and one of its run. What was
-measured more than once scatters by all of them. Absolute times have the part of their card in common, so that no more
-is known of it than there are cards. What was measured once has what runs of one case say of its column, or what it says
-itself.
+measured more than once scatters by all of them. Absolute times have the part of their card in common: no more is known
+of it than there are cards. What was measured once has what runs of one case say of its column, or what it says itself.
 """
 
 import math
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from statistics import NormalDist, fmean, median
@@ -15,15 +13,15 @@ from typing import Any, NamedTuple
 
 from measured_report.files.config import cached_in_report, config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import REASON, column_of, is_number
+from measured_report.files.groups import grouped, single
+from measured_report.records.columns import REASON, column_of, is_cost, is_number
 from measured_report.records.record import Record
 from measured_report.values.noise import ROUNDED_SHARE, Estimate, Z, binomial_noise, discoveries, fenced, variance_of
 
 REPEATED_SHARE = 1e-3  # chosen: what repeats to the last bit here may round otherwise elsewhere, by this share
 EDGES = ("_p5", "_p95")  # ends of columns that say how far the numbers spread of which a column has the median
 MEDIAN = math.sqrt(math.pi / 2)  # ratio of the spreads of the median of many numbers and of their mean
-AT_EDGE = 4.4
-"""Chosen: a number so many normal deviations from all others is no chance, of which there is one in 100,000."""
+AT_EDGE = 4.4  # chosen: a number so many normal deviations from all others, which is one in 100,000, is no chance
 MEAN = "mean of"  # begins the key of what the section on noise has many runs of
 Key = tuple[Any, ...]
 Cells = Mapping[str, Any]
@@ -32,11 +30,6 @@ Cells = Mapping[str, Any]
 def is_lost(row: Cells) -> bool:
     """Tell whether the run of a row was lost, which makes its numbers chance."""
     return any(row[name] for name in row if "failure" in column_of(name).kinds)
-
-
-def is_cost(column: str) -> bool:
-    """Tell whether a column's numbers are of the machine: times, rates, bytes."""
-    return "cost" in column_of(column).kinds
 
 
 def is_absolute(column: str) -> bool:
@@ -75,10 +68,7 @@ Repeated = Mapping[str, Mapping[str, Repeats]]  # runs of one case, by case and 
 
 def repeats_of(rows: Iterable[Cells]) -> Repeated:
     """Gather the runs of one case of a record, by the case, as ``of`` says, and the column; outliers are fenced in."""
-    runs: dict[str, list[Cells]] = {}
-    for row in rows:
-        if "of" in row:
-            runs.setdefault(row["of"], []).append(row)
+    runs = grouped((row["of"], row) for row in rows if "of" in row)
     repeats: dict[str, dict[str, Repeats]] = {case: {} for case in runs}
     for case, column in ((case, column) for case, rows in runs.items() for column in rows[0]):
         numbers = fenced([row[column] for row in runs[case] if is_number(row.get(column))] or [0.0])
@@ -121,13 +111,13 @@ class Evidence:
     """Holds what all measurements of a section say of its numbers."""
 
     count: int = 1
-    groups: Mapping[Key, Group] = field(default_factory=dict)
-    """By column and engine, those of which there is more than one measurement."""
+    groups: Mapping[Key, Group] = field(default_factory=dict)  # by column and engine, what was measured more than once
     repeats: Repeated = field(default_factory=dict)  # runs of one case, of the section on noise
     edges: frozenset[Key] = frozenset()  # rows that end in one of two ways, by chance
     edge_share: float = 0.0  # how often a row has ended otherwise in one measurement than in the others
-    changed: Sequence[tuple[int, int]] = ()
-    """How many numbers each measurement has, and how many of them changed against all other measurements."""
+    changed: Sequence[
+        tuple[int, int]
+    ] = ()  # numbers that each measurement has, and how many changed against all others
 
     def estimate(self, column: str, row: Cells) -> Estimate | None:
         """Return what is known of a number in ``row``; None where nobody knows its scatter."""
@@ -154,10 +144,8 @@ class Evidence:
             for column, runs in columns.items():
                 key = MEAN, case, column
                 group = self.groups.get((column, MEAN) if is_absolute(column) else (MEAN,), {})
-                if cell := group.get(key):
-                    estimates[case, column] = cell.estimate(runs.mean, key in self.edges)
-                else:
-                    estimates[case, column] = Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
+                cell, once = group.get(key), Estimate(runs.mean, runs.variance, runs.run_count - 1, runs.run_count)
+                estimates[case, column] = cell.estimate(runs.mean, key in self.edges) if cell else once
         return estimates
 
     @property
@@ -181,8 +169,7 @@ class Evidence:
             return Estimate(value, least=rounding, samples=(value,))
         length = row.get(about.grows_with)
         runs = [columns[column] for columns in self.repeats.values() if column in columns]
-        noisiest = max(runs, key=lambda run: run.variance_at(value, length), default=None)
-        if noisiest is None:
+        if (noisiest := max(runs, key=lambda run: run.variance_at(value, length), default=None)) is None:
             return None
         variance = noisiest.variance_at(value, length)
         least = about.resolution or (0.0 if variance else rounding)
@@ -203,8 +190,7 @@ def _by_itself(column: str, row: Cells) -> Estimate | None:
     return Estimate(value, deviation**2, count=max(1, row.get("repeat_count") or 1), samples=(value,))
 
 
-Far = tuple[Key, list[float]]
-"""A row, and how far each of its measurements is from the others, in normal deviations, of one column; NaN for none."""
+Far = tuple[Key, list[float]]  # of a column: a row, and normal deviations of its measurements from the others, or NaN
 
 
 def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidence:
@@ -212,7 +198,8 @@ def evidence_of(measured: Sequence[Record | None], repeats: Repeated) -> Evidenc
     tracked, *replicas = measured
     if tracked is None or not any(replicas):
         return Evidence(repeats=repeats)
-    keyed = [_by_key(record.rows if record else ()) for record in measured]
+    # Rows that share a key are left out, and runs of one case.
+    keyed = [single((key_of(row), row) for row in (each.rows if each else ()) if "of" not in row) for each in measured]
     rows_by_key = {key: [rows.get(key, {}) for rows in keyed] for key in keyed[0]}
     lost = {key: [is_lost(row) for row in rows] for key, rows in rows_by_key.items()}
     edges = {key for key, rows in rows_by_key.items() if _ends_apart(rows, lost[key])}
@@ -252,13 +239,6 @@ def scatters(column: str) -> bool:
     """Tell whether a column's numbers may come out otherwise, and say something when they do."""
     about = column_of(column)
     return not (about.is_exact or "uncompared" in about.kinds or column.endswith(EDGES))
-
-
-def _by_key(rows: Sequence[Cells]) -> dict[Key, Cells]:
-    """Return rows by their keys, those that share one left out, and runs of one case."""
-    single = [(key_of(row), row) for row in rows if "of" not in row]
-    count = Counter(key for key, _ in single)
-    return {key: row for key, row in single if count[key] == 1}
 
 
 def _ends_apart(rows: Sequence[Cells], lost: Sequence[bool]) -> bool:
@@ -309,12 +289,10 @@ def _of_cards(group: Group, cards: Sequence[str]) -> dict[Key, Cell] | None:
     complete, means = ~np.isnan(by_card).any(axis=1), by_card.mean(axis=1)
     if not complete.any():
         return None
-    share = np.median(by_card[complete].var(axis=1, ddof=1) / means[complete] ** 2)
+    share = float(np.median(by_card[complete].var(axis=1, ddof=1) / means[complete] ** 2))
     scatter: dict[str, Any] = {"freedom": len(sides) - 1.0, "mean_count": float(len(sides)), "is_of_cards": True}
     rows = zip(group.items(), means.tolist(), complete, strict=True)
-    return {
-        key: Cell(cell.samples, mean, float(share) * mean**2, **scatter) for (key, cell), mean, is_so in rows if is_so
-    }
+    return {key: Cell(cell.samples, mean, share * mean**2, **scatter) for (key, cell), mean, is_so in rows if is_so}
 
 
 def with_cards(evidence: Mapping[str, Evidence]) -> Mapping[str, Evidence]:

@@ -146,8 +146,7 @@ def _format_noise(noise: float, value: float) -> str:
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:
-    step = Decimal(1).scaleb(exact.adjusted() + 1 - digits)
-    return _format_decimal(exact.quantize(step, rounding).normalize())
+    return _format_decimal(exact.quantize(Decimal(1).scaleb(exact.adjusted() + 1 - digits), rounding).normalize())
 
 
 def _format_decimal(number: Decimal) -> str:

@@ -13,16 +13,14 @@ from typing import Any
 
 SURE = 0.95  # chosen: so often the truth is within a printed number's noise
 FALSE_SHARE = 0.01  # chosen: so large a share of the changes that are told may be none
-PAIRS, CONFIDENCE = 0.999, 0.95
-"""Chosen: so many of all pairs of runs of one case differ by no more than the tolerance, and how sure that is."""
+PAIRS, CONFIDENCE = 0.999, 0.95  # chosen: so many pairs of runs of one case are within the tolerance, and how surely
 LEAST_RUNS = 4  # with fewer their spread says too little of a tolerance
 OUTLIER, LEAST_FENCED = 5.0, 6  # chosen: an outlier is so many deviations from the median, and of no fewer numbers
 NORMAL = NormalDist()
 Z = NORMAL.inv_cdf((1 + SURE) / 2)  # deviations that `SURE` of a normal distribution is within
 MOST_T, MOST_FREEDOM, TINY = 1e6, 1e9, 1e-300
 WRITTEN_SHARE = 5e-4  # chosen: no number is written to a smaller share of it, however well it is known
-ROUNDED_SHARE = 1e-6
-"""Chosen: no difference is smaller than this share of a number, as single precision makes of a few sums."""
+ROUNDED_SHARE = 1e-6  # chosen: no difference is a smaller share of a number, as single precision makes of a few sums
 
 
 @cache
@@ -126,8 +124,7 @@ class Estimate:
     freedom: float = math.inf  # degrees of freedom of the variance
     count: float = 1.0  # measurements that the value is the mean of
     least: float = 0.0  # the least that it may be off, as by rounding
-    samples: Sequence[float | None] = ()
-    """The number in each measurement of the edition, None where it was not measured; empty where it is exact."""
+    samples: Sequence[float | None] = ()  # by measurement, None where it was not measured; empty where it is exact
     is_of_cards: bool = False  # set where the variance has the part that cards of one kind have
     is_again: bool = False  # set where it was measured more than once
     is_edge: bool = False  # set where chance decides in which of two ways it ends
@@ -135,8 +132,7 @@ class Estimate:
     @property
     def note(self) -> str:
         """Say what it is the mean of; nothing where it was measured once."""
-        present = [sample for sample in self.samples if sample is not None]
-        if len(present) < 2:
+        if len(present := [sample for sample in self.samples if sample is not None]) < 2:
             return ""
         least, largest = min(present), max(present)
         several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
@@ -158,11 +154,7 @@ class Estimate:
 def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
     """Return the standard errors of differences of two means, and their degrees of freedom, both in arrays.
 
-    Welch (1947), Biometrika 34, 28-35, for variances that need not be the same.
-
-    Args:
-        variances: Of the means, by difference and side.
-        freedoms: Degrees of freedom of each.
+    Welch (1947), Biometrika 34, 28-35, for variances of the means, by difference and side, that need not be the same.
     """
     import numpy as np
 

@@ -60,8 +60,7 @@ class Quantity:
     unit: str
     source: str  # pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for
     reason: str = ""  # why there is no number, where there is none
-    origins: frozenset[Origin] = frozenset()
-    """Releases and machines that it was measured with; none for what was not measured."""
+    origins: frozenset[Origin] = frozenset()  # releases and machines that measured it; none for what was not measured
     noise: float | None = None
     """How far the truth may be from it, in its unit; None where nobody knows, 0 for what is exact."""
     formula: str = ""  # words for how it is computed; of what was measured more than once between what
@@ -228,11 +227,8 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     if None in noises:
         return None
-    alone = (
-        [[*values[:index], values[index] + by, *values[index + 1 :]] for by in (change, -change)]
-        for index, change in enumerate(noises)
-        if change
-    )
+    noisy = [(at, by) for at, by in enumerate(noises) if by]
+    alone = ([[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)] for at, by in noisy)
     noise, middle = _moved(function, values, alone), function(*values)
     rows = [row for row in _measurements(sources) if None not in row]
     by_source = [*zip(*rows, strict=True)]
@@ -319,8 +315,7 @@ def _unit_of(function: Callable[..., float], quantities: Sequence[Quantity]) -> 
     if function in (operator.mul, operator.truediv):
         a, b = (quantity.unit for quantity in quantities)
         return _product_unit(a, b, 1 if function is operator.mul else -1)
-    units = {quantity.unit: quantity for quantity in quantities if quantity.value is not None}
-    if len(units) > 1:
+    if len(units := {quantity.unit: quantity for quantity in quantities if quantity.value is not None}) > 1:
         raise ReportError("{} and {} have no unit in common: derive them in one".format(*units.values()))
     return next(iter(units), quantities[0].unit if quantities else PLAIN)
 
@@ -336,8 +331,7 @@ def _product_unit(a: str, b: str, power: int) -> str:
 
 
 def _evaluated(function: Callable[..., float], sources: Sequence[Any]) -> tuple[float | None, str]:
-    reasons = [source.reason for source in sources if source.value is None]
-    if reasons:
+    if reasons := [source.reason for source in sources if source.value is None]:
         return None, reasons[0]
     try:
         value = function(*(source.value for source in sources))

@@ -2,16 +2,16 @@
 
 import operator
 import re
-from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, suggestion
+from measured_report.files.groups import single
 from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
@@ -23,8 +23,6 @@ from measured_report.values.quantities import VALUES_FILE, Quantity, Value, abse
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd
 
-
-UNNAMEABLE = re.compile(r"[\s/~#]")
 MEANS = "rows"  # begins the names of values that are means of several measurements of a row
 
 
@@ -60,12 +58,10 @@ class Row:
         lack = f"there are {count} rows of case {case}" if count > 1 else f"there is no single row of case {case}"
         self._lack = lack if index is None else ""
         self.source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
-        self._read: dict[str, Any] = {}  # a section asks for the same again and again
+        self._read = cache(self._cell)  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
-        if column not in self._read:
-            self._read[column] = self._cell(column)
-        return self._read[column]
+        return self._read(column)
 
     def _cell(self, column: str) -> Any:
         units, case = self._record.units, self.plain["case"]
@@ -130,8 +126,7 @@ class Results:
 
     record: Record
     path: Path
-    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)
-    """Results of the sections that stand before this one on the page."""
+    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)  # of sections before this one on the page
     derived: dict[str, Value] = field(default_factory=dict)  # every derived value by name, for the site's values file
     evidence: Evidence = field(default_factory=Evidence, repr=False)  # what all measurements of it say of its numbers
     label: str = ""  # name of the section in figures and tables
@@ -165,9 +160,7 @@ class Results:
     @cached_property
     def row(self) -> Rows:
         """Return rows by case, those whose case is not unique left out."""
-        named = [(row.plain["case"], row) for row in self.rows]
-        count = Counter(case for case, _ in named)
-        return Rows({case: row for case, row in named if count[case] == 1}, self)
+        return Rows(single((row.plain["case"], row) for row in self.rows), self)
 
     def means(self, names: Iterable[str]) -> dict[str, Value]:
         """Return those of its numbers that are means of measurements and have these names among its values."""
@@ -207,7 +200,7 @@ class Results:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
         if isinstance(function, Quantity):
             unit, sources, function = function.unit, (function,), operator.pos
-        if UNNAMEABLE.search(name):
+        if re.search(r"[\s/~#]", name):
             raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
         assert formula.strip(), f"the value {name} has no words for how it is computed, or why it was chosen"
         if not is_unit(unit):

@@ -64,8 +64,7 @@ def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Prior:
     by_chance = trigamma(freedoms / 2).mean()
     usual = USUAL_ROWS * (by_chance + trigamma(USUAL_FREEDOM / 2))
     unlike = (((residuals - residuals.mean()) ** 2).sum() + usual) / (len(residuals) - 1 + USUAL_ROWS) - by_chance
-    strongest = trigamma(MOST_FREEDOM / 2)
-    freedom = MOST_FREEDOM if unlike <= strongest else 2 * trigamma_inverse(unlike)
+    freedom = MOST_FREEDOM if unlike <= trigamma(MOST_FREEDOM / 2) else 2 * trigamma_inverse(unlike)
     return Prior(float(np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))), slope, freedom)
 
 
@@ -89,8 +88,7 @@ def moderated(variances: Array, freedoms: Array, sizes: Array, usual: float = 0.
         return Moderated((lent * common + freedoms * clipped) / (lent + freedoms), lent + freedoms, lent, common)
     prior = prior_of(clipped[scatters], freedoms[scatters], sizes[scatters])
     # Where most agree to the last bit, those that do are not of the few that don't.
-    agrees = ~scatters & (scatters.mean() < 0.5)
-    common = np.where(agrees, floors, prior.level * sizes**prior.slope)
+    common = np.where(~scatters & (scatters.mean() < 0.5), floors, prior.level * sizes**prior.slope)
     lent = np.where(_deviations(clipped / common, freedoms, prior.freedom) > WILD, 0.0, prior.freedom)
     together = (lent * common + freedoms * variances) / (lent + freedoms)
     return Moderated(np.maximum(together, floors), lent + freedoms, lent, common)
@@ -105,11 +103,8 @@ def _deviations(ratios: Array, freedoms: Array, freedom: float) -> Array:
 def left_out(samples: Array, lent: Array, common: Array, least: Array) -> Array:
     """Return how far each number is from the mean of its row's others, in normal deviations; NaN with fewer than two.
 
-    Args:
-        samples: Numbers by row and measurement, NaN where there is none.
-        lent: Degrees of freedom that the column lends each row.
-        common: The column's variance for each row.
-        least: Differences that count as none, by row.
+    The ``samples`` are by row and measurement, NaN where there is none; all else is by row: degrees of freedom that are
+    ``lent`` by the column, its ``common`` variance, and ``least``, the differences that count as none.
     """
     present = ~np.isnan(samples)
     count = np.maximum(present.sum(axis=1, keepdims=True), 2)
