@@ -14,7 +14,7 @@ from measured_report.parts.claim import Claim
 from measured_report.records.columns import column_of
 from measured_report.records.replicas import FOLDER
 from measured_report.values.format import format_share
-from measured_report.values.quantities import VALUES_FILE, Value
+from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
 LINES = 5  # chosen: so many of the largest moves are told
@@ -100,10 +100,18 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
     for flip in comparison.flips:
         before, after = (_claim_data(flip.section, claim, say) for claim in flip.ends)
         flips.append({"section": flip.section, "claim": flip.name, "before": before, "after": after})
-    sides = {"a": comparison.releases[0], "b": comparison.releases[1], "faults": list(map(vars, comparison.faults))}
-    told = {"settings": [*map(_move_data, comparison.settings)], "alarms": [move.name for move in comparison.alarms]}
-    moved = {"largest": largest(comparison), "moved": _sums(comparison), "moves": [*map(_move_data, comparison.moves)]}
-    return {**sides, "flips": flips, **told, **moved, "notes": comparison.notes}
+    return {
+        "a": comparison.releases[0],
+        "b": comparison.releases[1],
+        "faults": list(map(vars, comparison.faults)),
+        "flips": flips,
+        "settings": [_move_data(move) for move in comparison.settings],
+        "alarms": [move.name for move in comparison.alarms],
+        "largest": largest(comparison),
+        "moved": _sums(comparison),
+        "moves": [_move_data(move) for move in comparison.moves],
+        "notes": comparison.notes,
+    }
 
 
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
@@ -112,9 +120,18 @@ def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
 
 
 def _move_data(move: Move) -> dict[str, Any]:
-    unit = getattr(move.sides[0], "unit", None)
-    ends = {"section": move.section, **move.place, "column": move.column, "before": move.before, "after": move.after}
-    return ends | {"unit": unit, "noise": move.noise, "noise_is_chosen": move.is_chosen, "verdict": move.direction}
+    before = move.sides[0]
+    return {
+        "section": move.section,
+        **move.place,
+        "column": move.column,
+        "before": move.before,
+        "after": move.after,
+        "unit": before.unit if isinstance(before, Quantity) else None,
+        "noise": move.noise,
+        "noise_is_chosen": move.is_chosen,
+        "verdict": move.direction,
+    }
 
 
 def summary(comparison: Comparison) -> str:

@@ -22,12 +22,15 @@ def machine(kind: str) -> dict[str, str | None]:
     """Return the machine that measures; host and card tell of two records whether they ran side by side."""
     card, uuid = host().card(kind)
     driver = None if kind == "cpu" else accelerator().driver()
-    path = Path("/proc/cpuinfo")
-    named = re.search(r"^model name\s*:(.*)", path.read_text(encoding="utf-8") if path.exists() else "", re.MULTILINE)
-    cpu = named[1].strip() if named else platform.processor() or platform.machine()
-    devices = {"device": kind, "gpu": card, "driver": driver, "cpu": cpu, "cores": str(os.cpu_count())}
-    systems = {"python": platform.python_version(), "host": None if uuid else host_digest(), "gpu_uuid": uuid}
-    return {**devices, **systems, "system": f"{platform.system()} {platform.machine()}"}
+    system = f"{platform.system()} {platform.machine()}"
+    devices = {"device": kind, "gpu": card, "driver": driver, "cpu": cpu_name(), "cores": str(os.cpu_count())}
+    return {
+        **devices,
+        "python": platform.python_version(),
+        "host": None if uuid else host_digest(),
+        "gpu_uuid": uuid,
+        "system": system,
+    }
 
 
 def host_digest() -> str | None:
@@ -36,6 +39,12 @@ def host_digest() -> str | None:
         if os.access(path, os.R_OK) and (number := path.read_text(encoding="utf-8").strip()):
             return hashlib.sha256(f"{config().edition} {number}".encode()).hexdigest()[:12]
     return None
+
+
+def cpu_name() -> str:
+    path = Path("/proc/cpuinfo")
+    named = re.search(r"^model name\s*:(.*)", path.read_text(encoding="utf-8") if path.exists() else "", re.MULTILINE)
+    return named[1].strip() if named else platform.processor() or platform.machine()
 
 
 def commit() -> str | None:

@@ -115,9 +115,7 @@ class Evidence:
     repeats: Repeated = field(default_factory=dict)  # runs of one case, of the section on noise
     edges: frozenset[Key] = frozenset()  # rows that end in one of two ways, by chance
     edge_share: float = 0.0  # how often a row has ended otherwise in one measurement than in the others
-    changed: Sequence[
-        tuple[int, int]
-    ] = ()  # numbers that each measurement has, and how many changed against all others
+    changed: Sequence[tuple[int, int]] = ()  # by measurement: how many numbers it has, and how many of them changed
 
     def estimate(self, column: str, row: Cells) -> Estimate | None:
         """Return what is known of a number in ``row``; None where nobody knows its scatter."""
