@@ -10,7 +10,7 @@ from damage import damage
 from toys import MODULE, ROWS, TEMPLATE, compared
 
 from measured_report.changes import moves
-from measured_report.changes.alarm import diff_text
+from measured_report.changes.alarm import check_text, diff_text
 from measured_report.changes.compare import Comparison
 from measured_report.commands import check as check_command
 from measured_report.commands import diff
@@ -18,6 +18,7 @@ from measured_report.commands.options import FORMATS
 from measured_report.editions.project import Project
 from measured_report.editions.release import release_of
 from measured_report.files.config import config
+from measured_report.findings.editions import derive_edition
 from measured_report.parts.claim import Claim
 from measured_report.records.record import write_record
 
@@ -48,6 +49,17 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
         change(newer.record_path)
         assert diff.run(toy.project, arguments) == 1
         assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_each_damaged_replica_is_said_by_itself(toy, form):
+    toy.measure()
+    for name in ("a", "b"):
+        folder = toy.project.results / "replicas"
+        folder.mkdir(exist_ok=True)
+        (folder / f"{name}.tgz").write_bytes(b"")
+    text = check_text(derive_edition(toy.project), form, say)
+    assert all(f"{name}.tgz is not as it was sealed" in text for name in ("a", "b"))
 
 
 @pytest.mark.parametrize(
