@@ -1,4 +1,4 @@
-# make help says what there is. Every target sets up .venv by itself, once; PYTHON=… takes another Python as it is.
+# make help says what there is beside lint, docs and mutate. Every target sets up .venv by itself, once; PYTHON=… takes another Python as it is.
 
 override OWN := lint docs mutate
 include packages/measured-report/measured_report/skeleton/report.mk

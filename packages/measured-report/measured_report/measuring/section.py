@@ -13,7 +13,6 @@ from typing import Any
 from tqdm import tqdm
 
 from measured_report.editions.project import Project
-from measured_report.files.atomic import short_path
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of
 from measured_report.measuring.host import host
@@ -97,7 +96,7 @@ class Section:
         measured |= {"command": self.project.rerun(self.name, results[0].machine["device"]), "seconds": seconds}
         write_record(path, Record(self.name, self.identity, machine, measured, units_of(rows), rows), traces)
         self.is_over = True
-        tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {short_path(path)}")
+        tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {path.relative_to(self.project.root)}")
 
 
 class Loop:
