@@ -214,16 +214,36 @@ def test_times_stand_beside_those_of_one_kind_of_machine_and_cards_are_known_by_
 
 
 def test_sections_tell_each_other_how_far_cards_are_apart():
-    """Of four sections with two cards each, 2 % apart, one knows ±12.7 % by itself, and all ±2.8 % at best."""
-    cards = [record([{"case": "a", "frame_ms": time}], gpu_uuid=f"card {time}") for time in (9.9, 10.1)]
-    alone = evidence_of(cards, {})
-    known = with_cards({**dict.fromkeys("abcd", alone), "slips": evidence_of(cards[:1], {})})
-    by_itself, together = (each.estimate("frame_ms", cards[0].rows[0]) for each in (alone, known["a"]))
-    off = 0.2 / 2**0.5 / 2**0.5
-    assert by_itself.noise == pytest.approx(stats.t.ppf(0.975, 1) * off) == pytest.approx(1.27, rel=1e-3)
-    assert together.freedom == 4.0, "of each its own"
-    assert stats.t.ppf(0.975, 4) * off < together.noise < by_itself.noise / 2, "that all are alike may be chance"
-    assert with_cards({"a": alone})["a"].estimate("frame_ms", cards[0].rows[0]) == by_itself
+    """Of four sections, each with two cards of its own, 6 % apart, one knows ±38 %, and ±8.3 % by t of four degrees.
+
+    All on the same two cards know no more than one of them.
+    """
+
+    def of_two(apart: float, cards: str = "ab") -> Evidence:
+        times = zip(cards, (10 - apart, 10 + apart), strict=True)
+        return evidence_of([record([frame(time)], gpu_uuid=card) for card, time in times], {})
+
+    def frame(time: float) -> dict[str, object]:
+        return {"case": "a", "frame_ms": time}
+
+    def noise(evidence: Evidence) -> float:
+        return evidence.estimate("frame_ms", frame(10.0)).noise
+
+    by_t = [stats.t.ppf(0.975, freedom) for freedom in range(1, 5)]
+    alone = of_two(0.3)
+    assert noise(alone) == pytest.approx(by_t[0] * 0.3) == pytest.approx(3.81, rel=1e-3)
+    for same in ("a", "abcd"):
+        assert noise(with_cards(dict.fromkeys(same, alone))["a"]) == noise(alone)
+    known = with_cards({"slips": Evidence(), **{cards: of_two(0.3, cards) for cards in ("ab", "cd", "ef", "gh")}})
+    assert noise(known["ab"]) == pytest.approx(by_t[3] * 0.3, rel=2e-3)
+    linked = with_cards({cards: of_two(0.3, cards) for cards in ("ab", "cd", "bc")})
+    assert noise(linked["bc"]) == pytest.approx(by_t[2] * 0.3, rel=2e-3), "four cards"
+    near, far = with_cards({"near": of_two(0.01), "far": of_two(0.3, "bc")}).values()
+    pooled = ((0.01**2 + 0.3**2) / 2) ** 0.5
+    assert noise(near) == pytest.approx(by_t[1] * pooled, rel=5e-3), "that these are near may be chance"
+    assert noise(far) == pytest.approx(by_t[1] * 0.3, rel=5e-3), "it takes its own for no less"
+    alike = with_cards({cards: of_two(0.001, cards) for cards in ("ab", "cd")})
+    assert noise(alike["ab"]) == pytest.approx(by_t[1] * 0.02 * 10 / 2**0.5, rel=5e-3), "and that four are, too"
 
 
 def test_each_measurement_left_out_says_how_often_one_of_the_same_is_told_as_changed():
