@@ -152,13 +152,16 @@ class Evidence:
     def cells(self) -> list[Cell]:
         return [cell for group in self.groups.values() for cell in group.values()]
 
-    def of_cards_known(self, factor: float, freedom: float) -> "Evidence":
-        """Return the same with another scatter of cards, known by so many degrees of freedom."""
+    def of_cards_known(self, share: float, freedom: float) -> "Evidence":
+        """Return the same where cards scatter by this variance, of a number's square, or more, so well known."""
 
-        def better(cell: Cell) -> Cell:
-            return cell._replace(variance=factor * cell.variance, freedom=freedom) if cell.is_of_cards else cell
+        def known(cell: Cell) -> Cell:
+            return cell._replace(variance=max(cell.variance, share * cell.scale**2), freedom=freedom)
 
-        groups = {name: {key: better(cell) for key, cell in group.items()} for name, group in self.groups.items()}
+        groups = {
+            name: {key: known(cell) if cell.is_of_cards else cell for key, cell in group.items()}
+            for name, group in self.groups.items()
+        }
         return replace(self, groups=groups)
 
     def _by_repeats(self, column: str, row: Cells) -> Estimate | None:
@@ -313,8 +316,8 @@ def with_cards(evidence: Mapping[str, Evidence]) -> Mapping[str, Evidence]:
     freedom = float(sum(len(cards) - 1 for cards in linked))
     pooled = sum(shares[name] * freedoms[name] for name in shares) / max(1, sum(freedoms.values()))
     pooled = max(pooled, CARDS_APART**2)
-    more = {name: max(1.0, pooled / share) for name, share in shares.items() if freedoms[name] < freedom}
-    return {**evidence, **{name: evidence[name].of_cards_known(factor, freedom) for name, factor in more.items()}}
+    taught = [name for name in shares if freedoms[name] < freedom]
+    return {**evidence, **{name: evidence[name].of_cards_known(pooled, freedom) for name in taught}}
 
 
 def _changed(far: Sequence[Far], events: set[tuple[Key, int]], index: int, count: int) -> tuple[int, int]:
