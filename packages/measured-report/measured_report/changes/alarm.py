@@ -40,9 +40,9 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     if form == "json":
-        said = [{"section": name, "claim": claim.name, **_claim_data(name, claim, say)} for name, claim in claims]
+        outcomes = [{"section": name, "claim": claim.name, **_claim_data(name, claim, say)} for name, claim in claims]
         reasons = [{"section": section, "reason": reason} for section, reason in absent]
-        parts = {"faults": list(map(vars, faults)), "claims": said, "absent": reasons}
+        parts = {"faults": list(map(vars, faults)), "claims": outcomes, "absent": reasons}
         return _json("check", bool(faults), {config().edition: edition.project.release, **parts})
     lines = [fault.text for fault in faults]
     for section, claim in claims:

@@ -100,10 +100,14 @@ class WordedEdition(Edition):
         # A text that tells nothing of its own is no stand-in for the section of its name.
         story_sections = {name: story for name, story in stories.items() if story.claims or story.unmeasured}
         claims = {claim.name: claim.html(anchor) for claim in section.claims}
-        spoken = _Names({name: chapter.names for name, chapter in self.chapters.items()})
-        own = {"release": self.project.release, "sections": spoken, "claim": _finder(anchor, "claim", claims)}
-        own |= _names_for(anchor, section, {**story_sections, **sections})
-        return text.prose(anchor, {**own, **self.plugins.names(section), **names}, level)
+        sections_said = _Names({name: chapter.names for name, chapter in self.chapters.items()})
+        text_names = {
+            "release": self.project.release,
+            "sections": sections_said,
+            "claim": _finder(anchor, "claim", claims),
+        }
+        text_names |= _names_for(anchor, section, {**story_sections, **sections})
+        return text.prose(anchor, {**text_names, **self.plugins.names(section), **names}, level)
 
 
 def _worded(anchor: str, text: Text, section: Section) -> Section:
@@ -164,8 +168,8 @@ def _say(state: State, chapters: Chapters, releases: Releases, templates: Templa
     sections = {name: section, **{key: earlier.section for key, earlier in chapters_before.items()}}
     claims = dict.fromkeys(section.unmeasured, Markup("")) | {claim.name: claim.html(name) for claim in section.claims}
     downloads = {download.name: download for download in section.downloads}
-    found = {"claim": _finder(name, "claim", claims), "download": _finder(name, "download", downloads)}
-    names = {"release": chapter.results.record.origin.release, "row": chapter.results.row, **found}
+    finders = {"claim": _finder(name, "claim", claims), "download": _finder(name, "download", downloads)}
+    names = {"release": chapter.results.record.origin.release, "row": chapter.results.row, **finders}
     names |= {"rows": chapter.results.rows, "value": chapter.results.derived, **_names_for(name, section, sections)}
     return WordedChapter(**{**vars(chapter), "section": section}, names=names, prose=text.prose(name, names))
 

@@ -211,8 +211,8 @@ class Section:
             wordings[kind, name].refuse_unknown(f"{kind} {name}", item.numbers)
             for part in wordings[kind, name].blocks:  # those as well that are not said now: with other numbers they are
                 wordings[kind, name](part, item.numbers)
-            own = {"anchor": f"{anchor}-{name}"} if kind == "figure" else {}
-            return replace(item, wording=wordings[kind, name], **own)
+            anchors = {"anchor": f"{anchor}-{name}"} if kind == "figure" else {}
+            return replace(item, wording=wordings[kind, name], **anchors)
 
         worded = {kind: {name: fill(kind, name, item) for name, item in group.items()} for kind, group in items.items()}
         return replace(self, claims=list(worded["claim"].values()), figures=worded["figure"], tables=worded["table"])

@@ -234,8 +234,8 @@ def test_sections_tell_each_other_how_far_cards_are_apart():
     assert noise(alone) == pytest.approx(by_t[0] * 0.3) == pytest.approx(3.81, rel=1e-3)
     for same in ("a", "abcd"):
         assert noise(with_cards(dict.fromkeys(same, alone))["a"]) == noise(alone)
-    known = with_cards({"slips": Evidence(), **{cards: of_two(0.3, cards) for cards in ("ab", "cd", "ef", "gh")}})
-    assert noise(known["ab"]) == pytest.approx(by_t[3] * 0.3, rel=2e-3)
+    unlinked = with_cards({"slips": Evidence(), **{cards: of_two(0.3, cards) for cards in ("ab", "cd", "ef", "gh")}})
+    assert noise(unlinked["ab"]) == pytest.approx(by_t[3] * 0.3, rel=2e-3)
     linked = with_cards({cards: of_two(0.3, cards) for cards in ("ab", "cd", "bc")})
     assert noise(linked["bc"]) == pytest.approx(by_t[2] * 0.3, rel=2e-3), "four cards"
     near, far = with_cards({"near": of_two(0.01), "far": of_two(0.3, "bc")}).values()

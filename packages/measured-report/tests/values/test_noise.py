@@ -151,11 +151,11 @@ def test_a_ratio_carries_the_noise_of_both_parts(above, below, share, other):
 
 def test_what_measurements_have_in_common_cancels_and_what_is_no_sum_is_moved_as_they_are_apart():
     """Cards of 10 and 11 ms are known within 6.35 ms, by t of one degree: 12.71 · 0.5 ms, as is half of each."""
-    known = stats.t.ppf(0.975, 1) * 0.5
-    one, half = Quantity(10.5, "ms", "a", noise=known, samples=(10.0, 11.0)), partial(Quantity, unit="ms", source="b")
-    alike, unlike = half(5.25, noise=known / 2, samples=(5.0, 5.5)), half(5.3, noise=0.6 * known, samples=(5.0, 5.6))
+    noise = stats.t.ppf(0.975, 1) * 0.5
+    one, half = Quantity(10.5, "ms", "a", noise=noise, samples=(10.0, 11.0)), partial(Quantity, unit="ms", source="b")
+    alike, unlike = half(5.25, noise=noise / 2, samples=(5.0, 5.5)), half(5.3, noise=0.6 * noise, samples=(5.0, 5.6))
     assert (one / alike).noise == pytest.approx(5e-4 * 2), "no more than is written"
-    off, other = known / 2**0.5, 0.6 * known / 2**0.5
+    off, other = noise / 2**0.5, 0.6 * noise / 2**0.5
     by_hand = 2**0.5 * ((10.5 - off) / (5.3 - other) - 10.5 / 5.3)
     assert (one / unlike).noise == pytest.approx(by_hand, rel=1e-3)
     assert combined(lambda a, b: float(a > 1.99 * b), one, alike).noise == pytest.approx(5e-4), "whatever the card"
