@@ -7,18 +7,7 @@ from itertools import pairwise
 from measured_report.changes.compare import Flip, FlipList, flips
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.claim import (
-    FAILS,
-    HOLDS,
-    OPPOSITE,
-    Claim,
-    Outcome,
-    all_of,
-    at_least,
-    at_most,
-    decided,
-    greater,
-)
+from measured_report.parts.claim import HOLDS, OPPOSITE, Claim, Outcome, all_of, at_least, at_most, decided, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, Value, combined, constant
 from measured_report.values.results import Results
@@ -79,7 +68,7 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
     outcomes = {}
     for before, after in pairwise(measured):
         outcomes[before, after] = unchanged(results, f"slip_step_{after}", cells[before], cells[after], noise)
-    steps = [step for step, outcome in outcomes.items() if outcome == FAILS]
+    steps = [step for step, outcome in outcomes.items() if outcome.name == "fails"]
     outcome = decided(len(steps) == 1).having_read(*(cells[release] for release in measured), noise)
     outcome = next((step for step in outcomes.values() if step.name == "unknown"), outcome)
     if len(measured) < 3:
