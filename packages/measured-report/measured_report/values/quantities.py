@@ -229,7 +229,8 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
         return None
     noisy = [(at, by) for at, by in enumerate(noises) if by]
     alone = ([[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)] for at, by in noisy)
-    noise, middle = _moved(function, values, alone), function(*values)
+    middle = function(*values)
+    noise = _moved(function, middle, alone)
     rows = [row for row in _measurements(sources) if None not in row]
     by_source = [*zip(*rows, strict=True)]
     agrees = any(noise and len(set(numbers)) == 1 for noise, numbers in zip(noises, by_source, strict=False))
@@ -238,15 +239,14 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
         means = [*map(fmean, by_source)]
         offs = [[scale * (number - mean) for number, mean in zip(row, means, strict=True)] for row in rows]
         together = ([[*map(way, values, off)] for way in (operator.add, operator.sub)] for off in offs)
-        noise = min(noise, _moved(function, values, together))
+        noise = min(noise, _moved(function, middle, together))
     if not math.isfinite(noise):
         return None
     return max(float(noise), WRITTEN_SHARE * abs(middle)) if any(noises) else 0.0
 
 
-def _moved(function: Callable[..., float], values: Sequence[Any], moves: Iterable[Sequence[Sequence[Any]]]) -> float:
-    """Return how far moves of the values take a function, each the farther of its ways; infinite where one fails."""
-    middle = function(*values)
+def _moved(function: Callable[..., float], middle: float, moves: Iterable[Sequence[Sequence[Any]]]) -> float:
+    """Return how far moves of its values take a function, each the farther of its ways; infinite where one fails."""
     with suppress(ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
         return math.hypot(*(max(abs(function(*way) - middle) for way in ways) for ways in moves))
     return math.inf
