@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote, unquote
 
-from measured_report.files.atomic import atomic_file, read_own_file
+from measured_report.files.atomic import atomic_file, read_file
 from measured_report.files.errors import UNPRINTABLE, ReportError, suggestion
 from measured_report.records.columns import PLAIN, is_number
 from measured_report.site.check_numbers import UNRESOLVED, Data
@@ -148,7 +148,7 @@ class Audit:
     def __init__(self, path: Path, source: Callable[[str], Source]):
         self._path, self._source, self._quantity = path, source, cache(self._evaluated)
         # Bytes that are no UTF-8 are written back as they were read.
-        self.text = read_own_file(path, BYTE_LIMIT).decode("utf-8", "surrogateescape")
+        self.text = read_file(path, BYTE_LIMIT).decode("utf-8", "surrogateescape")
         self._syntax = re.compile("|".join((COMMENT, ROLE, *CODES.get(path.suffix, (FENCE, CODE)))), re.MULTILINE)
         self._marks = list(self._read_marks())
         self._named = {mark["name"]: (mark["source"], mark["unit"]) for *_, mark in self._marks if mark.get("name")}
@@ -275,7 +275,7 @@ def _findings(path: Path, arguments: argparse.Namespace) -> list[Finding]:
     def read(file: Path) -> bytes:
         if not any(file.resolve().is_relative_to(folder.resolve()) for folder in (project, *arguments.allow)):
             raise ReportError(f"{file.name} is outside {project.name}/, where --allow FOLDER lets it be read")
-        return read_own_file(file.resolve(), BYTE_LIMIT)
+        return read_file(file.resolve(), BYTE_LIMIT)
 
     try:
         audit = Audit(path, source := cache(lambda name: Source((path.parent / name).absolute(), read)))

@@ -17,11 +17,9 @@ from typing import Any, NoReturn
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
-from measured_report.files.atomic import recover
 from measured_report.files.config import config, report
 from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion, without_secrets
 from measured_report.records.code import cached_sources
-from measured_report.records.record import load_record
 
 OWN = "report.commands"  # the package of a report's own commands, which need not be there
 
@@ -77,14 +75,11 @@ def _run(name: str, *typed: str) -> int:
     release = own_release()
     arguments.release = release_of(arguments.edition or release, arguments.pins)
     project = Project(str(arguments.release), arguments.profile, own_release=release)
-    damages = recover(project.results.parent, load_record)
-    for line in damages:
-        _say(line)
     for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):  # not while anything is being imported
         signal.signal(stop, signal.default_int_handler)
     sys.unraisablehook = _stop_again
     with cached_sources():
-        return module.run(project, arguments) or int(bool(damages))
+        return int(module.run(project, arguments) or 0)
 
 
 def _stop_again(ignored: Any) -> None:

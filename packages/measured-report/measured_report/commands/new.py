@@ -17,7 +17,7 @@ from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
 from measured_report.files.config import Config
 from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError
-from measured_report.records.identity import git
+from measured_report.files.git import git
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
 # The folders below that a report has one of, and what it is then called.

@@ -9,7 +9,7 @@ from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.measuring.accelerator import kinds
+from measured_report.measuring.accelerator import read_device
 from measured_report.records.identity import sections
 
 Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
@@ -19,12 +19,6 @@ def read_cluster(cluster: str) -> str:
     if cluster != "local" and not re.fullmatch(r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}", cluster):
         raise UsageError(f"CLUSTER={cluster:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
     return cluster
-
-
-def read_device(asked: str) -> str:
-    if asked not in kinds():
-        raise UsageError(f"DEVICE={asked:.80} is no device; use one of: {', '.join(kinds())}")
-    return asked
 
 
 def read_address(address: str) -> str:

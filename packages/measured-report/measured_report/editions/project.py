@@ -11,7 +11,7 @@ from typing import Any
 from msgspec import Struct, convert
 
 from measured_report.editions.release import Release, read_label
-from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
+from measured_report.files.atomic import RecordError, atomic_file, read_file, short_path
 from measured_report.files.config import FILE, Report, config, report, report_in, tomllib
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import name_problem
@@ -36,7 +36,7 @@ def read_manifest(results: Path) -> Manifest | None:
     path = results / MANIFEST
     if not os.path.lexists(path):
         return None
-    content = read_own_file(path, BYTE_LIMIT)
+    content = read_file(path, BYTE_LIMIT)
     try:
         fields = tomllib.loads(content.decode("utf-8"))
         if any(name_problem(str(text)) for text in (*fields.values(), *fields.get("sections", ()))):

@@ -10,7 +10,7 @@ from measured_report.editions.release import folder_at
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.groups import grouped
-from measured_report.records.code import unchanged_files
+from measured_report.records.code import Code
 from measured_report.records.identity import EDITED, MISSING, changes, code_in, identity_of, package_versions, sections
 from measured_report.records.record import Record, load_record
 
@@ -40,22 +40,23 @@ class State:
         return "; ".join(f"{kind}: {text}" if text else kind for kind, text in texts.items())
 
 
-def states_of(project: Project) -> list[State]:
+def states_of(project: Project, code: Code | None = None) -> list[State]:
+    """Return the state of each section of an edition; ``code`` saves reading the files once more for each edition."""
     states = []
-    with unchanged_files():
-        for section in sections(project.root):
-            path = project.record_path(section)
-            try:
-                record = load_record(path) if os.path.lexists(path) else None
-                states.append(State(section, "fresh" if record else "missing", record))
-            except RecordError as error:
-                states.append(State(section, "damaged", notes=(str(error),)))
-        packages = expected_packages(project, [state.record for state in states if state.record])
-        for index, state in enumerate(states):
-            if state.record:
-                now = identity_of(state.section, project.profile, project.root, packages)
-                if changed := changes(state.record.identity, now):
-                    states[index] = replace(state, kind="stale", notes=tuple(changed))
+    code = code or Code(project.root)
+    for section in sections(project.root):
+        path = project.record_path(section)
+        try:
+            record = load_record(path) if os.path.lexists(path) else None
+            states.append(State(section, "fresh" if record else "missing", record))
+        except RecordError as error:
+            states.append(State(section, "damaged", notes=(str(error),)))
+    packages = expected_packages(project, [state.record for state in states if state.record])
+    for index, state in enumerate(states):
+        if state.record:
+            now = identity_of(state.section, project.profile, project.root, packages, code)
+            if changed := changes(state.record.identity, now):
+                states[index] = replace(state, kind="stale", notes=tuple(changed))
     return states
 
 
@@ -86,8 +87,8 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def status_matrix(project: Project) -> str:
-    with unchanged_files():
-        states = {release: states_of(project.of(release)) for release in project.releases}
+    code = Code(project.root)
+    states = {release: states_of(project.of(release), code) for release in project.releases}
     rows = zip(*([state.summary for state in release_states] for release_states in states.values()), strict=True)
     lines = [(name, *row) for name, row in zip(sections(project.root), rows, strict=True)]
     return aligned([("section", *(f"{config().edition} {release}" for release in states)), *lines])

@@ -1,7 +1,6 @@
 """A cache of what sections make of their results, their figures drawn, as long as all that it was made from is so."""
 
 import functools
-import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import metadata
@@ -13,8 +12,7 @@ from measured_report.files.cache import Cache
 from measured_report.files.config import config, report
 from measured_report.parts import macros
 from measured_report.parts.section import Figure, Pictures, Section, Table
-from measured_report.records.code import files, roots_of
-from measured_report.records.syntax import digest_of
+from measured_report.records.code import Code, digest_of
 from measured_report.values.quantities import Value
 
 PACKAGES = ("numpy", "pandas", "matplotlib", "jinja2", "markupsafe", "markdown", "msgspec")
@@ -35,7 +33,7 @@ class DerivedCache:
 
     root: Path | None = None
     _new: dict[Key, Derivation] = field(default_factory=dict)
-    code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
+    code: Callable[[Path], str] = field(default_factory=lambda: code_digests())
 
     def derived(self, key: Key, code: Path, inputs: Sequence[str], derive: Callable[[], Derivation]) -> Derivation:
         """Return what ``derive``, of the module ``code``, makes, or has made of the same ``inputs`` before."""
@@ -79,19 +77,25 @@ class DerivedCache:
         self._new.clear()
 
 
-def code_digest(code: Path) -> str:
-    """Digest what decides what a module makes: what is installed, what it and this room import, and the files named."""
-    root = next(folder for folder in code.parents if (folder / "report").is_dir())
-    graph = files().graph(tuple(dict.fromkeys([*roots_of(root), *roots_of(report().root)])))
-    closure = {file for start in (Path(__file__).resolve(), code) for file in graph.closure(str(start))}
-    sources = {graph.name_of(file): graph.source(file) for file in closure}
-    # What says what columns are is imported by nobody.
-    named = {name for source in sources.values() for name in source.assets} | set(config().sources)
-    paths = {name: report().root / name for name in named}
-    contents = {name: path.read_bytes() for name, path in paths.items() if path.is_file()}
-    contents[macros.FILE.name] = macros.FILE.read_bytes()
-    digests = {name: hashlib.sha256(content).hexdigest() for name, content in contents.items()}
-    return digest_of([installed(), digests | {name: source.digest for name, source in sources.items()}])
+def code_digests() -> Callable[[Path], str]:
+    """Return what digests the code of a module, once, by files as they are when they are first read."""
+    known = functools.cache(Code)
+
+    @functools.cache
+    def code_digest(module: Path) -> str:
+        """Digest what decides what a module makes: packages, what it and this room import, and the files named."""
+        root = next(folder for folder in module.parents if (folder / "report").is_dir())
+        code = known(root, report().root)
+        closure = {file for start in (Path(__file__).resolve(), module) for file in code.closure(str(start))}
+        sources = {code.name_of(file): code.source(file) for file in closure}
+        # What says what columns are is imported by nobody.
+        named = {name for source in sources.values() for name in source.assets} | set(config().sources)
+        paths = {name: report().root / name for name in named} | {macros.FILE.name: macros.FILE}
+        digests = {name: code.digest(path) for name, path in paths.items() if path.is_file()}
+        digests |= {name: source.digest for name, source in sources.items()}
+        return digest_of([installed(), digests])
+
+    return code_digest
 
 
 @functools.cache

@@ -14,9 +14,8 @@ from measured_report.findings.chapters import Chapter, Chapters, Releases, befor
 from measured_report.findings.replicas import Measurements, measurements_of
 from measured_report.findings.sections import Read, derive_by, derive_section, file_of, outline_of
 from measured_report.parts.section import Section
-from measured_report.records.code import files, unchanged_files
+from measured_report.records.code import digest_of, read_source
 from measured_report.records.replicas import FOLDER
-from measured_report.records.syntax import digest_of
 from measured_report.values.evidence import Evidence
 from measured_report.values.results import Results, ResultsError
 
@@ -81,7 +80,7 @@ class Edition:
         """Return what ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
         package = module_of("text_modules").__name__ if config().text_modules else ""
         module, file = f"{package}.{name}", file_of(package, name) if package else None
-        arguments = files().source(file, name).top.get("derive", 0) if file else 0
+        arguments = read_source(file, name).top.get("derive", 0) if file else 0
         if not (file and arguments):
             return Section()
         inputs = (releases, self.project.release) if arguments > 1 else (self.chapters,)
@@ -97,7 +96,7 @@ class Edition:
 def editions_of(project: Project, cache: DerivedCache | None = None, among: Sequence[str] = ()) -> dict[str, Edition]:
     """Derive what the results of every release make, oldest first; ``among``: of these alone."""
     cache = cache or DerivedCache(project.root)
-    with project.report, unchanged_files():
+    with project.report:
         bare = {release: derive_edition(project.of(release), cache) for release in among or project.releases}
         releases = {release: edition.chapters for release, edition in bare.items()}
         return {release: _compared(edition, releases) for release, edition in bare.items()}

@@ -10,8 +10,7 @@ from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import Page, config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
-from measured_report.records.code import files
-from measured_report.records.syntax import WORKED_OUT
+from measured_report.records.code import WORKED_OUT, read_source
 from measured_report.values.results import Results, ResultsError
 
 SAYINGS = ("order", "page", "first", "label", "labels", "reads")  # what a module may say of its section
@@ -39,7 +38,7 @@ def outline_of(section: str) -> Outline:
     if (file := file_of("report.sections", section)) is None:
         raise ReportError(f"there is no report/sections/{section}.py, nor a folder of that name")
     name = file.relative_to(file.parents[3 if file.name == "__init__.py" else 2]).as_posix()
-    says = files().source(file, name).top
+    says = read_source(file, name).top
     if worked_out := [name for name in SAYINGS if says.get(name) == WORKED_OUT]:
         raise ReportError(f"{name}: {worked_out[0]} is read without running it: write it out, and work nothing out")
     if not isinstance(says.get("order"), int):

@@ -5,6 +5,7 @@ from types import ModuleType
 from typing import NamedTuple
 
 from measured_report.files.config import module_of
+from measured_report.files.errors import UsageError
 
 KIND, NOUN = "", ""  # what DEVICE calls one beside `cpu`, and people do
 NONE: Mapping[str, str] = {}  # environment of a process that may use none
@@ -39,6 +40,13 @@ def accelerator() -> ModuleType:
 def kinds() -> list[str]:
     """List the kinds of devices that may be asked for."""
     return [*filter(None, [accelerator().KIND]), "cpu"]
+
+
+def read_device(kind: str) -> str:
+    """Return a kind of device; UsageError if there is none of that name."""
+    if kind not in kinds():
+        raise UsageError(f"DEVICE={kind:.80} is no device; use one of: {', '.join(kinds())}")
+    return kind
 
 
 def lacks() -> str:

@@ -23,8 +23,8 @@ from measured_report.measuring.batch import BatchError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import slug
 from measured_report.measuring.section import GONE
+from measured_report.records.code import digest_of
 from measured_report.records.identity import files_digest, package_versions
-from measured_report.records.syntax import digest_of
 
 SHARED, EXCLUSIVE = "shared", "exclusive"  # resources: of a worker that shares its device, of one that measures times
 SETTINGS = {

@@ -11,7 +11,7 @@ from measured_report.files.config import cached_in_report, config, report
 from measured_report.files.errors import UsageError
 from measured_report.measuring.accelerator import accelerator, lacks
 from measured_report.measuring.host import host
-from measured_report.records.code import files, roots_of
+from measured_report.records.code import Code
 from measured_report.records.record import Record
 
 KIND = ("device", "gpu", "driver", "cpu", "cores")  # what of a machine is the same for all batches of a section
@@ -66,9 +66,9 @@ def said(*command: str) -> str:
 
 def needs_device(section: str, root: Path) -> bool:
     """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with any."""
-    graph = files().graph(roots_of(root))
-    file = graph.module(f"experiments.{section}") or f"{root}/experiments/{section}.py"
-    return bool(graph.source(file).top.get("NEEDS_GPU", config().needs_device))
+    code = Code(root)
+    file = code.module(f"experiments.{section}") or f"{root}/experiments/{section}.py"
+    return bool(code.source(file).top.get("NEEDS_GPU", config().needs_device))
 
 
 def measuring_device(device: str | None, profile: str) -> str | None:

@@ -7,7 +7,6 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)  # records are put in place whole: 
 import argparse
 import gc
 import importlib
-import importlib.util
 import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures.process import BrokenProcessPool
@@ -24,20 +23,22 @@ from measured_report.files.atomic import short_path
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
-from measured_report.measuring.accelerator import kinds
+from measured_report.measuring.accelerator import read_device
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine, measuring_device, needs_device
 from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import gather, host_pools
 from measured_report.measuring.section import Loop, Section, section_of
+from measured_report.records.code import Code
 from measured_report.records.identity import EDITED, package_versions, sections
+from measured_report.records.record import basis_of
 
 
 def main() -> int:
     tqdm.monitor_interval = 0  # a thread of its own, which no process may be forked beside
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run", description=__doc__.split(":")[0])
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
-    parser.add_argument("--device", choices=kinds(), default=measuring_device(None, "quick"))
+    parser.add_argument("--device", default="", help="kind of device to measure on")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     parser.add_argument("--aside", metavar="FOLDER", default="", help="where below results/ they are kept apart")
@@ -58,14 +59,21 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     """Return the sections that were asked for; ReportError where they can't be measured here."""
     label = edition_of(arguments.edition)
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
+    # What the accelerator waits for least begins first: batches of the processor alone are few and long.
+    code = Code(project.root)
+    for name in arguments.section:
+        if not name.isidentifier() or not code.module(f"experiments.{name}"):
+            raise ReportError(f"SECTION={name} is no section; use one of: {', '.join(sections())}")
+    names = sorted(arguments.section, key=lambda name: needs_device(name, project.root))
+    # Before anything of the report is imported, such as the modules of devices.
+    bases = [basis_of(name, project.record_path(name), project.profile, project.root) for name in names]
+    arguments.device = read_device(arguments.device or measuring_device(None, "quick") or "cpu")
     gc.disable()  # looking for garbage takes half the time of loading a simulator
     host().be_quiet()
-    # What the accelerator waits for least begins first: batches of the processor alone are few and long.
-    names = sorted(arguments.section, key=lambda name: needs_device(name, project.root))
-    modules = {name: section_module(name) for name in names}
+    found = [section_of(project, basis, section_module(basis.section), arguments.device) for basis in bases]
     gc.freeze()
     gc.enable()
-    return [section_of(project, name, module, arguments.device) for name, module in modules.items()]
+    return found
 
 
 @contextmanager
@@ -92,16 +100,14 @@ def pools(arguments: argparse.Namespace, requested: Sequence[Section]) -> Iterat
 
 
 def section_module(section: str) -> ModuleType:
-    """Import the module that measures a section; ReportError when there is none."""
-    if section.isidentifier() and importlib.util.find_spec(f"experiments.{section}"):
-        try:
-            module = importlib.import_module(f"experiments.{section}")
-        except (Exception, SystemExit) as error:
-            raise ReportError(bug_of(error)) from error
-        if hasattr(module, "measure"):
-            return module
-        raise ReportError(f"{short_path(Path(str(module.__file__)))} has no function measure(conditions)")
-    raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")
+    """Import the module that measures a section; ReportError when it cannot be imported."""
+    try:
+        module = importlib.import_module(f"experiments.{section}")
+    except (Exception, SystemExit) as error:
+        raise ReportError(bug_of(error)) from error
+    if hasattr(module, "measure"):
+        return module
+    raise ReportError(f"{short_path(Path(str(module.__file__)))} has no function measure(conditions)")
 
 
 def edition_of(requested: str | None) -> str:

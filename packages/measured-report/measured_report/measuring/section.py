@@ -19,8 +19,7 @@ from measured_report.measuring.host import host
 from measured_report.measuring.machine import KIND, commit, needs_device
 from measured_report.measuring.measurement import Measurement
 from measured_report.records.columns import REASON, UNBELIEVED, column_of, is_number, number_problem, plain, units_of
-from measured_report.records.identity import Identity, identity_of
-from measured_report.records.record import NAME, Record, write_record
+from measured_report.records.record import NAME, Basis, Record
 from measured_report.records.traces import packed
 
 WHOLE = "whole"  # name of the one batch of a section that has declared none
@@ -33,7 +32,7 @@ class Section:
     name: str
     device: str
     plan: Plan
-    identity: Identity
+    basis: Basis
     stage: list[Batch] = field(default_factory=list)
     waiting: list[Batch] = field(default_factory=list)
     results: dict[str, Result] = field(default_factory=dict)
@@ -94,7 +93,7 @@ class Section:
         seconds = round(sum(result.seconds for result in results), 1)
         measured: dict[str, Any] = {"date": ended, "started": started, "ended": ended, "commit": commit()}
         measured |= {"command": self.project.rerun(self.name, results[0].machine["device"]), "seconds": seconds}
-        write_record(path, Record(self.name, self.identity, machine, measured, units_of(rows), rows), traces)
+        self.basis.write(Record(self.name, self.basis.identity, machine, measured, units_of(rows), rows), traces)
         self.is_over = True
         tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {path.relative_to(self.project.root)}")
 
@@ -146,14 +145,15 @@ class Loop:
             section.advance()
 
 
-def section_of(project: Project, name: str, module: ModuleType, device: str) -> Section:
-    """Return the section that a module measures: where it declares no batches, all of it as one."""
+def section_of(project: Project, basis: Basis, module: ModuleType, device: str) -> Section:
+    """Return the section that a module measures, as one batch if it declares none."""
+    name = basis.section
     device = device if needs_device(name, project.root) else "cpu"
     alias = "cpu" if device == "cpu" else f"{device}:0"  # of the only device of its kind that a process measures on
     conditions = host().Conditions(device=alias, quick=project.profile == "quick")
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return Section(project, name, device, plan, identity_of(name, project.profile, project.root))
+    return Section(project, name, device, plan, basis)
 
 
 def _as_one(batch: Batch) -> Plan:

@@ -12,7 +12,7 @@ from operator import gt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from measured_report.files.atomic import RecordError, read_own_file, short_path
+from measured_report.files.atomic import RecordError, read_file, short_path
 from measured_report.records.columns import PLAIN, column_of, is_number, number_problem, plain, text_problem
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
@@ -51,7 +51,7 @@ def load_trace(path: Path) -> "pd.DataFrame":
     """Read the trace at ``path``; RecordError, one line with its release and file, when it is damaged in any way."""
     import pandas as pd
 
-    content = read_own_file(path, BYTE_LIMIT)
+    content = read_file(path, BYTE_LIMIT)
     try:
         unpacking = zlib.decompressobj(wbits=31)
         text = unpacking.decompress(content, UNPACKED_LIMIT)

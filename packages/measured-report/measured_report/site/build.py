@@ -16,7 +16,6 @@ from measured_report.findings.cache import DerivedCache, installed
 from measured_report.pages.editions import WordedEdition, worded_editions
 from measured_report.pages.passages import LOST
 from measured_report.pages.prose import LAYOUT, Templates
-from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions, sections, sources
 from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
@@ -46,12 +45,11 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
-        with unchanged_files():
-            derived, templates = DerivedCache(project.root), Templates(project.templates)
-            editions = worded_editions(project, templates, derived)
-            refuse_unknown_names(editions, editions.get(project.own_release or project.release))
-            Site(fresh, project.release, editions, templates, address, derived).write()
-            (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
+        derived, templates = DerivedCache(project.root), Templates(project.templates)
+        editions = worded_editions(project, templates, derived)
+        refuse_unknown_names(editions, editions.get(project.own_release or project.release))
+        Site(fresh, project.release, editions, templates, address, derived).write()
+        (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
         replace(project.site, fresh)
         built = {}
         for release, edition in editions.items():
