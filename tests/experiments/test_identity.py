@@ -31,7 +31,8 @@ def test_every_python_agrees_on_the_identity():
     )
     code_here = Code(ROOT)
     starts = [code_here.module(f"experiments.{name}") for name in sections()]
-    expected = str([[code_here.source(file).digest for file in code_here.closure(start, GENERATOR)] for start in starts])
+    files = [code_here.closure(start, GENERATOR) for start in starts]
+    expected = str([[code_here.source(file).digest for file in of_one] for of_one in files])
     for python in pythons:
         done = subprocess.run([python, "-c", code, *sections()], cwd=ROOT, capture_output=True, text=True, check=True)
         assert done.stdout.strip() == expected

@@ -13,7 +13,6 @@ from pathlib import Path
 from measured_report.files.errors import UNPRINTABLE, ReportError
 
 
-
 class RecordError(ReportError):
     """Names a record or trace that can't be trusted, in one line, with its release and file."""
 

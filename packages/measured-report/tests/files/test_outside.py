@@ -5,7 +5,6 @@ import json
 import os
 import re
 import resource
-import shutil
 from argparse import Namespace
 
 import pytest
