@@ -13,7 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from measured_report.editions.release import Release, release_date
-from measured_report.files.atomic import locked
+from measured_report.files.atomic import locked, write_file
 from measured_report.files.config import config, read_toml, report
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.records.identity import MISSING, package_versions
@@ -70,7 +70,7 @@ def _lend(folder: Path) -> None:
     for packages in folder.glob("lib/python*/site-packages"):
         path, text = packages / "measured-report.pth", f"{lent}\n"
         if not path.exists() or path.read_text(encoding="utf-8") != text:  # another process may just begin to read it
-            path.write_text(text, encoding="utf-8")
+            write_file(path, text)
 
 
 def python_with(name: str, requirements: Sequence[str]) -> Path:
@@ -124,9 +124,9 @@ def _make(folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str]
             return
         try:
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
-            overrides.write_text("\n".join(pins), encoding="utf-8")
+            write_file(overrides, "\n".join(pins))
             _run([*install, "--overrides", str(overrides), *arguments], name)
-            ready.write_text(digest, encoding="utf-8")
+            write_file(ready, digest)
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise

@@ -11,7 +11,7 @@ from typing import Any
 from msgspec import Struct, convert
 
 from measured_report.editions.release import Release, read_label
-from measured_report.files.atomic import RecordError, atomic_file, read_file, short_path
+from measured_report.files.atomic import RecordError, read_file, short_path, write_file
 from measured_report.files.config import FILE, Report, config, report, report_in, tomllib
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import name_problem
@@ -49,8 +49,7 @@ def read_manifest(results: Path) -> Manifest | None:
 def write_manifest(results: Path, manifest: Manifest) -> None:
     fields = {config().edition: manifest.asked, "date": manifest.date, "sections": manifest.sections}
     lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in fields.items()]
-    with atomic_file(results / MANIFEST) as path:
-        path.write_text("".join(lines), encoding="utf-8")
+    write_file(results / MANIFEST, "".join(lines))
 
 
 @dataclass(frozen=True)

@@ -70,15 +70,18 @@ def _holder(inode: int) -> str:
 
 def write_file(path: Path, content: str | bytes) -> None:
     """Write a file whole: whoever reads it meanwhile finds the former content."""
-    write_files({path: content})
+    with atomic_file(path) as temporary:
+        temporary.write_bytes(content.encode() if isinstance(content, str) else content)
 
 
-def write_files(contents: Mapping[Path, str | bytes]) -> None:
-    """Write files, each whole, and the first one last: nothing is replaced unless all fit on the disk."""
+def write_files(contents: Mapping[Path, bytes]) -> None:
+    """Write several files, each whole. The first is replaced last, and none unless all are on the disk."""
     with ExitStack() as stack:
         for path, content in contents.items():
-            file = stack.enter_context(atomic_file(path))
-            file.write_bytes(content.encode() if isinstance(content, str) else content)
+            with stack.enter_context(atomic_file(path)).open("wb") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
 
 
 @contextmanager
@@ -89,8 +92,6 @@ def atomic_file(path: Path) -> Iterator[Path]:
     temporary.unlink(missing_ok=True)  # of a process that was killed, or a link that leads elsewhere
     try:
         yield temporary
-        with temporary.open("rb") as file:
-            os.fsync(file.fileno())
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)

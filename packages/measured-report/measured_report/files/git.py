@@ -40,11 +40,11 @@ def run_git(folder: Path, *command: str, **settings: str) -> str:
             check=False,
         )
     except FileNotFoundError:
-        raise GitError("git is not installed") from None
+        raise GitError("git is not installed; install it") from None
     if process.returncode:
         lines = filter(None, map(str.strip, process.stderr.splitlines()))
         message = next(lines, f"exit status {process.returncode}")
-        raise GitError(f"git {command[0]}: {message}")
+        raise GitError(f"git: {message}")
     return process.stdout.strip()
 
 

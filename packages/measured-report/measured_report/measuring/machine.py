@@ -9,6 +9,7 @@ from pathlib import Path
 
 from measured_report.files.config import cached_in_report, config, report
 from measured_report.files.errors import UsageError
+from measured_report.files.git import git
 from measured_report.measuring.accelerator import accelerator, lacks
 from measured_report.measuring.host import host
 from measured_report.records.code import Code
@@ -51,8 +52,9 @@ def commit() -> str | None:
     """Return the commit that is checked out, marked where the tree differs; of a copy the environment's GIT_COMMIT."""
     if name := os.environ.get("GIT_COMMIT"):
         return name
-    name = said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
-    untracked = said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
+    root = report().root
+    name = git(root, "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
+    untracked = git(root, "ls-files", "--others", "--exclude-standard", "experiments", "assets")
     return f"{name.removesuffix('-dirty')}-dirty" if name and untracked else name or None
 
 

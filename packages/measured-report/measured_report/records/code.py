@@ -63,8 +63,8 @@ class Code:
     def _roots_that_have(self, package: str) -> list[str]:
         # Other packages that are installed beside the generator do not belong to the project.
         roots = [root for root in self.roots if root != HERE or package == GENERATOR]
-        paths = {root: f"{root}/{package}" for root in roots}
-        return [root for root, path in paths.items() if os.path.isdir(path) or os.path.isfile(f"{path}.py")]
+        paths = {root: Path(root, package) for root in roots}
+        return [root for root, path in paths.items() if path.is_dir() or path.with_suffix(".py").is_file()]
 
     def _imported(self, path: str) -> list[str]:
         """List the files of the modules, and of their packages, that a file may import."""
@@ -101,7 +101,7 @@ def read_source(path: Path, name: str) -> Source:
             _known[key] = _source_of(ast.parse(text, filename=name), package)
         return _known[key]
     except (OSError, SyntaxError, ValueError) as error:
-        raise ReportError(f"{name} cannot be read: {' '.join(str(error).split())}") from None
+        raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None
 
 
 @contextmanager

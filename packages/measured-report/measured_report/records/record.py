@@ -64,7 +64,8 @@ class Carried(Struct, frozen=True, forbid_unknown_fields=True):
 
     def __str__(self) -> str:
         change = f"from the code of {self.old} to that of {self.new} on {self.date[:10]}"
-        return f"{change}: {self.cells} cells have the same bits in the quick profile; the full profile was not run again"
+        same = f"{self.cells} cells, same bits in the quick profile"
+        return f"{change}: {same}; the full profile was not run again"
 
 
 class _Machine(Struct):

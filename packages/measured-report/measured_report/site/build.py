@@ -8,7 +8,7 @@ from pathlib import Path
 from measured_report.changes.query import blind_spots, gaps, idle_labels, idle_settings, refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
-from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums
+from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums, write_file
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, config, report
 from measured_report.files.errors import ReportError
@@ -49,7 +49,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         editions = worded_editions(project, templates, derived)
         refuse_unknown_names(editions, editions.get(project.own_release or project.release))
         Site(fresh, project.release, editions, templates, address, derived).write()
-        (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
+        write_file(fresh / SUMS, sums(digests_below(fresh)))
         replace(project.site, fresh)
         built = {}
         for release, edition in editions.items():

@@ -13,6 +13,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.alarm import rate_values
+from measured_report.files.atomic import write_file
 from measured_report.files.config import Page, config, report
 from measured_report.files.groups import grouped
 from measured_report.files.processes import forked
@@ -158,8 +159,7 @@ class Site:
 
     def _write(self, name: str, content: str | bytes | Path) -> None:
         data = content.read_bytes() if isinstance(content, Path) else content
-        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.folder / name).write_bytes(data.encode() if isinstance(data, str) else data)
+        write_file(self.folder / name, data)
 
     def _write_data(self, edition: WordedEdition, printed: set[str]) -> None:
         folder = f"data/{edition.project.results.name}/"
