@@ -94,7 +94,7 @@ def test_each_release_has_its_title_and_a_description_that_is_a_sentence_of_its_
 )
 def test_sources_are_where_git_has_them_and_no_secret_goes_along(monkeypatch, origin, address):
     monkeypatch.setattr(identity, "git", lambda *_: origin)
-    assert identity.sources.__wrapped__() == (config.config().repository or address)
+    assert identity.sources() == (config.config().repository or address)
 
 
 def test_the_lint_is_installed_from_what_the_page_offers(tmp_path):

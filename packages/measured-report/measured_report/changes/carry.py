@@ -23,10 +23,8 @@ from measured_report.editions.status import expected_packages
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.git import environment, git, run_git
-from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.batch import now
 from measured_report.measuring.measure import MODULE
-from measured_report.records.columns import is_cost
 from measured_report.records.identity import identity_of
 from measured_report.records.record import Carried, Record, basis_of, load_record
 
@@ -62,7 +60,7 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
         raise NotCarried("its code did not change")
     if replace(basis.identity, code=recorded.code, files=recorded.files) != recorded:
         raise NotCarried(f"more than its code changed: make rerun SECTION={name}")
-    if any(map(is_cost, record.units)):
+    if any(project.report.columns[name].is_cost for name in record.units):
         raise NotCarried(f"it has times, which are not carried: make rerun SECTION={name}")
     new_code = identity_of(name, project.profile, new.root, recorded.packages).code
     if new_code != basis.identity.code:
@@ -131,7 +129,7 @@ def _run(name: str, python: Path, log: Path, side: Project) -> Record:
         "PYTHONPATH": os.pathsep.join(paths),
         "TQDM_DISABLE": "1",
         executed.VARIABLE: os.pathsep.join([str(log), f"{side.root}/"]),
-        **accelerator().NONE,
+        **side.report.accelerator.NONE,
     }
     command = [str(python), "-m", MODULE, name, "--device", "cpu", "--profile", side.profile, "--edition", side.release]
     env = environment(**settings)

@@ -29,8 +29,8 @@ def run(project: Project, arguments: Arguments) -> int:
         return 0
     device = device_of(project, arguments)
     fresh = [state.section for state in states_of(project) if state.kind == "fresh"]
-    if not (measurable := [section for section in fresh if device or not needs_device(section, project.root)]):
-        raise UsageError(lacks())
+    if not (measurable := [section for section in fresh if device or not needs_device(section, project)]):
+        raise UsageError(lacks(project.report))
     again = replace(project.of(project.release), aside=ASIDE)
     if lacking := [section for section in measurable if not again.record_path(section).exists()]:
         again = measure(again, arguments.release, lacking, device or "cpu", arguments.cluster)

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from measured_report.editions.project import Project
 from measured_report.editions.release import folder_at
 from measured_report.files.atomic import RecordError
-from measured_report.files.config import config
 from measured_report.files.groups import grouped
 from measured_report.records.code import Code
 from measured_report.records.identity import EDITED, MISSING, changes, code_in, identity_of, package_versions, sections
@@ -62,20 +61,24 @@ def states_of(project: Project, code: Code | None = None) -> list[State]:
 
 def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
     """Find the versions that an edition's records should have been measured with: of one not here, its newest's."""
-    release, installed = project.named, package_versions()
+    release, installed = project.named, package_versions(project.settings)
     if release.is_installed_with(installed):
         return installed
     readable = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
     newest = max(readable, key=lambda record: record.time, default=None)
     packages = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**packages, **dict(release.pins), config().edition: package_version(project)}
+    return {**packages, **dict(release.pins), project.settings.edition: package_version(project)}
 
 
 def package_version(project: Project) -> str:
     """Return the version that an edition is of; of an edited checkout with its digest, without what git may run."""
     release, manifest = project.named, project.manifest
-    if release.source.endswith(EDITED) and manifest and (folder := folder_at(manifest.asked)).is_dir():
-        return f"{release.package_version}.{code_in(folder)}"
+    if (
+        release.source.endswith(EDITED)
+        and manifest
+        and (folder := folder_at(manifest.asked, project.report.root)).is_dir()
+    ):
+        return f"{release.package_version}.{code_in(folder, project.settings.edition)}"
     return release.package_version
 
 
@@ -91,7 +94,7 @@ def status_matrix(project: Project) -> str:
     states = {release: states_of(project.of(release), code) for release in project.releases}
     rows = zip(*([state.summary for state in release_states] for release_states in states.values()), strict=True)
     lines = [(name, *row) for name, row in zip(sections(project.root), rows, strict=True)]
-    return aligned([("section", *(f"{config().edition} {release}" for release in states)), *lines])
+    return aligned([("section", *(f"{project.settings.edition} {release}" for release in states)), *lines])
 
 
 def changes_text(states: Sequence[State]) -> str:

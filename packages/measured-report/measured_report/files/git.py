@@ -1,6 +1,7 @@
 """Git: asked without the settings of a hook that may have started this program, and without running hooks itself."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -12,17 +13,17 @@ ALONE = ("core.hooksPath=/dev/null", "core.fsmonitor=false")
 QUIET = {"GIT_OPTIONAL_LOCKS": "0", "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C"}
 
 
+ORIGIN = re.compile(r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?")
+"""An address of git's origin that is one on the web too: host and path."""
+
+
 class GitError(UsageError):
     """Holds the first line of the message with which git failed."""
 
 
 def environment(**settings: str) -> dict[str, str]:
     """Return the environment for git and for programs that call it."""
-    kept = {
-        name: value
-        for name, value in os.environ.items()
-        if name in KEPT or not name.startswith("GIT_")
-    }
+    kept = {name: value for name, value in os.environ.items() if name in KEPT or not name.startswith("GIT_")}
     return kept | QUIET | settings
 
 
@@ -54,3 +55,9 @@ def git(folder: Path, *command: str) -> str:
         return run_git(folder, *command)
     except GitError:
         return ""
+
+
+def web_address(folder: Path) -> str:
+    """Return the page of a repository's origin on the web, without credentials; empty if it has none."""
+    origin = ORIGIN.fullmatch(git(folder, "remote", "get-url", "origin"))
+    return f"https://{origin[1]}/{origin[2]}" if origin else ""

@@ -20,11 +20,11 @@ from tqdm import tqdm
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.atomic import short_path
-from measured_report.files.config import config
+from measured_report.files.config import Report
+from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
 from measured_report.measuring.accelerator import read_device
-from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine, measuring_device, needs_device
 from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import gather, host_pools
@@ -57,19 +57,20 @@ def main() -> int:
 
 def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
     """Return the sections that were asked for; ReportError where they can't be measured here."""
-    label = edition_of(arguments.edition)
-    project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
+    report = current()
+    label = edition_of(arguments.edition, report)
+    project = Project(label, arguments.profile, report.root, own_release(report=report), arguments.aside)
     # What the accelerator waits for least begins first: batches of the processor alone are few and long.
     code = Code(project.root)
     for name in arguments.section:
         if not name.isidentifier() or not code.module(f"experiments.{name}"):
             raise ReportError(f"SECTION={name} is no section; use one of: {', '.join(sections())}")
-    names = sorted(arguments.section, key=lambda name: needs_device(name, project.root))
+    names = sorted(arguments.section, key=lambda name: needs_device(name, project))
     # Before anything of the report is imported, such as the modules of devices.
     bases = [basis_of(name, project.record_path(name), project.profile, project.root) for name in names]
-    arguments.device = read_device(arguments.device or measuring_device(None, "quick") or "cpu")
+    arguments.device = read_device(arguments.device or measuring_device(None, "quick", report) or "cpu", report)
     gc.disable()  # looking for garbage takes half the time of loading a simulator
-    host().be_quiet()
+    report.host.be_quiet()
     found = [section_of(project, basis, section_module(basis.section), arguments.device) for basis in bases]
     gc.freeze()
     gc.enable()
@@ -79,21 +80,22 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
 @contextmanager
 def pools(arguments: argparse.Namespace, requested: Sequence[Section]) -> Iterator[tuple[Any, Any]]:
     """Open the pools that measure: of this host, or of a cluster's workers."""
+    report = requested[0].project.report
     count = batches_at_once(requested[0].project, arguments.device)
     if arguments.cluster:
         try:
             from measured_report.measuring.cluster import cluster_pools
         except ImportError as error:
             raise ReportError(f"CLUSTER takes {error.name}, which {sys.executable} lacks; install it there") from None
-        with cluster_pools(arguments.cluster, arguments.device, arguments.processor, count) as opened:
+        with cluster_pools(arguments.cluster, arguments.device, arguments.processor, report, count) as opened:
             yield opened
         return
     if arguments.device == "cpu":
-        machine("cpu")  # once for all forks, which inherit what has no accelerator
-    with host_pools(count) as (shared, exclusive):
+        machine("cpu", report)  # once for all forks, which inherit what has no accelerator
+    with host_pools(count, report.accelerator.ALONE) as (shared, exclusive):
         try:
             devices = sorted({section.device for section in requested})
-            gather([shared.submit(host().prepare, device) for device in devices], "kernels")
+            gather([shared.submit(report.host.prepare, device) for device in devices], "kernels")
         except BrokenProcessPool:
             raise ReportError(KILLED) from None
         yield shared, exclusive
@@ -110,15 +112,16 @@ def section_module(section: str) -> ModuleType:
     raise ReportError(f"{short_path(Path(str(module.__file__)))} has no function measure(conditions)")
 
 
-def edition_of(requested: str | None) -> str:
+def edition_of(requested: str | None, report: Report | None = None) -> str:
     """Return the label of what is installed here; ReportError when another one was asked for."""
-    installed, package = package_versions(), config().edition
+    settings = (report or current()).settings
+    installed, package = package_versions(settings), settings.edition
     version, edits, _ = installed[package].partition(f"{EDITED}.")
     version += EDITED if edits else ""
-    label = read_label(requested or version)
+    label = read_label(requested or version, settings)
     if label is None or not label.is_installed_with({**installed, package: version}):
         have = ", ".join(f"{name} {release}" for name, release in installed.items())
-        raise ReportError(f"{config().option}={requested or version} is not what is installed here ({have})")
+        raise ReportError(f"{settings.option}={requested or version} is not what is installed here ({have})")
     return str(label)
 
 

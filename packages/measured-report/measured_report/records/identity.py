@@ -15,7 +15,8 @@ from urllib.parse import unquote, urlparse
 
 from msgspec import Meta
 
-from measured_report.files.config import cached_in_report, config, report
+from measured_report.files.config import Config
+from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.git import git
 from measured_report.records.code import GENERATOR, Code, digest_of
@@ -37,22 +38,14 @@ class Identity:
 
 
 def identity_of(
-    section: str,
-    profile: str,
-    root: Path,
-    packages: Mapping[str, str] | None = None,
-    code: Code | None = None,
+    section: str, profile: str, root: Path, packages: Mapping[str, str] | None = None, code: Code | None = None
 ) -> Identity:
     """Return the identity that a record of a section has if it is measured now, with the packages installed here."""
     return identity_at(f"experiments.{section}", profile, root, packages, code)
 
 
 def identity_at(
-    module: str,
-    profile: str,
-    root: Path,
-    packages: Mapping[str, str] | None = None,
-    code: Code | None = None,
+    module: str, profile: str, root: Path, packages: Mapping[str, str] | None = None, code: Code | None = None
 ) -> Identity:
     """Return the identity of what a module measures; ``code`` saves reading the files of ``root`` once more."""
     code = code or Code(root)
@@ -83,7 +76,7 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 
 def sections(root: Path | None = None) -> list[str]:
     """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
-    folder = (root or report().root) / "report" / "sections"
+    folder = (root or current().root) / "report" / "sections"
     names = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
     shown = sorted(name for name in names if not name.startswith(("_", ".")))
     if wrong := [name for name in shown if not name.isidentifier()]:
@@ -95,14 +88,15 @@ SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"
 BYTE_LIMIT = 1 << 30  # of a file that is digested: wheels have hundreds of MiB
 
 
-def package_versions() -> dict[str, str]:
+def package_versions(settings: Config | None = None) -> dict[str, str]:
     """Return the version of each package here; of the first with its code, where that is not an index's."""
-    versions = dict.fromkeys(config().packages, MISSING)
+    settings = settings or current().settings
+    versions = dict.fromkeys(settings.packages, MISSING)
     for package in versions:
         with suppress(metadata.PackageNotFoundError):
             versions[package] = full_version(metadata.version(package))
-    if versions[config().edition] != MISSING and (source := _source()):
-        versions[config().edition] += f"+{source}"
+    if versions[settings.edition] != MISSING and (source := _source(settings.edition)):
+        versions[settings.edition] += f"+{source}"
     return versions
 
 
@@ -112,33 +106,35 @@ def full_version(version: str) -> str:
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
-    versions = {name: (before.get(name), after.get(name)) for name in config().packages}
+    versions = {name: (before.get(name), after.get(name)) for name in {**before, **after}}
     return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 
 
-def _source() -> str:
+def _source(package: str) -> str:
     """Return the part of a version that names the code installed here; empty for a package from an index."""
-    origin = json.loads(metadata.distribution(config().edition).read_text("direct_url.json") or "{}")
+    origin = json.loads(metadata.distribution(package).read_text("direct_url.json") or "{}")
     if "vcs_info" in origin:
         return f"g{origin['vcs_info']['commit_id'][:SHORT_COMMIT]}"
     address = origin.get("url", "")
     path = Path(unquote(urlparse(address).path))
     if "dir_info" in origin:
-        return checkout_source(path)
+        return checkout_source(path, package)
     return wheel_source(path) if address.startswith("file:") else ""
 
 
-def checkout_source(folder: Path) -> str:
-    """Name the commit that a checkout is at, with ``.edited.`` and the digest of its code if that differs."""
-    module, code = config().edition.replace("-", "_"), code_in(folder)
+def checkout_source(folder: Path, package: str) -> str:
+    """Name the commit that a package's checkout is at, with ``.edited.`` and the digest of its code if that differs."""
+    module = package.replace("-", "_")
+    code = code_in(folder, package)
     if not (commit := git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]):
         return f"x{code}"
     is_edited = git(folder, "status", "--porcelain", "--", module, f"src/{module}")
     return f"g{commit}{EDITED}.{code}" if is_edited else f"g{commit}"
 
 
-def code_in(folder: Path) -> str:
-    module = config().edition.replace("-", "_")
+def code_in(folder: Path, package: str) -> str:
+    """Digest the modules of a package in its checkout."""
+    module = package.replace("-", "_")
     paths = [path for parent in (folder, folder / "src") for path in (parent / module).rglob("*.py")]
     return files_digest(paths, folder)[:SHORT_COMMIT]
 
@@ -159,12 +155,5 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
     return digest.hexdigest()
 
 
-ORIGIN = re.compile(r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?")
-"""An address of git's origin that is one on the web too: host and path."""
-
-
-@cached_in_report
 def sources() -> str:
-    """Return the page of the sources on the web: as ``report.toml`` has it, or git's origin, without what opens it."""
-    origin = ORIGIN.fullmatch(git(report().root, "remote", "get-url", "origin"))
-    return config().repository or (f"https://{origin[1]}/{origin[2]}" if origin else "")
+    return current().sources

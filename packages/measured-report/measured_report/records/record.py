@@ -14,9 +14,10 @@ from msgspec import Meta, Struct, convert, to_builtins
 from msgspec import field as renamed
 
 from measured_report.files.atomic import RecordError, locked, read_file, short_path, write_files
-from measured_report.files.config import config
+from measured_report.files.columns import is_number, text_problem
+from measured_report.files.config import Report
+from measured_report.files.config import report as current
 from measured_report.files.errors import UNPRINTABLE
-from measured_report.records.columns import is_number, refuse_mixed, text_problem
 from measured_report.records.identity import MISSING, Digest, Identity, identity_of
 
 SCHEMA = 1
@@ -45,7 +46,7 @@ class Origin:
     processor: str
 
     def __str__(self) -> str:
-        return f"{config().edition_name} {self.release} on {self.processor}"
+        return f"{current().settings.edition_name} {self.release} on {self.processor}"
 
 
 class Seal(Struct, frozen=True, forbid_unknown_fields=True):
@@ -149,7 +150,7 @@ class Record:
 
     @property
     def origin(self) -> Origin:
-        return Origin(self.identity.packages.get(config().edition, MISSING), self.processor)
+        return Origin(next(iter(self.identity.packages.values()), MISSING), self.processor)
 
 
 def trace_path(record: Path, case: str) -> Path:
@@ -163,10 +164,7 @@ def traces_of(path: Path, record: Record) -> list[Path]:
 
 
 def write_record(
-    path: Path,
-    record: Record,
-    traces: Mapping[str, tuple[Seal, bytes]] | None = None,
-    replacing: str | None = None,
+    path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None, replacing: str | None = None
 ) -> None:
     """Write a record and its traces, by case, at ``path``; None: the traces there stay.
 
@@ -215,9 +213,7 @@ class Basis:
         write_record(self.path, record, traces, self.replacing)
 
 
-def basis_of(
-    section: str, path: Path, profile: str, root: Path, packages: Mapping[str, str] | None = None
-) -> Basis:
+def basis_of(section: str, path: Path, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Basis:
     """Return the basis of a measurement, whose modules may be imported after this."""
     identify = partial(identity_of, section, profile, root, packages)
     return Basis(section, path, identify, identify(), file_digest(path))
@@ -240,9 +236,9 @@ def _sealed(text: str) -> str:
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
-def load_record(path: Path) -> Record:
+def load_record(path: Path, report: Report | None = None) -> Record:
     """Read the record at ``path``; RecordError, one line, when it or a trace that it seals is damaged in any way."""
-    record = read_record(read_file(path, BYTE_LIMIT), path)
+    record = read_record(read_file(path, BYTE_LIMIT), path, report)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
         if sha256(read_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
@@ -250,8 +246,9 @@ def load_record(path: Path) -> Record:
     return record
 
 
-def read_record(content: bytes, path: Path) -> Record:
+def read_record(content: bytes, path: Path, report: Report | None = None) -> Record:
     """Make a record of what its file holds; RecordError unless each field is as it should be."""
+    report = report or current()
     try:
         text = content.decode("utf-8")
         data = json.loads(text, object_pairs_hook=_plain, parse_constant=_refuse)
@@ -262,7 +259,7 @@ def read_record(content: bytes, path: Path) -> Record:
             raise ValueError("it is not as it was sealed")  # one of before there were seals has none
         record = convert(data, Record)
         identity = data["identity"]
-        names = {*Record.__match_args__}, {*Identity.__match_args__}, {*config().packages}
+        names = {*Record.__match_args__}, {*Identity.__match_args__}, {*report.settings.packages}
         for table, allowed in zip((data, identity, identity["packages"]), names, strict=True):
             if unknown := table.keys() - allowed:
                 raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
@@ -275,7 +272,7 @@ def read_record(content: bytes, path: Path) -> Record:
             raise ValueError("it ended before it began, or will on a day to come")
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")
-        refuse_mixed(record.rows, record.units)
+        report.columns.refuse_mixed(record.rows, record.units)
     except (ValueError, OverflowError, RecursionError) as error:
         # In one line, without characters that could do anything to whoever reads it.
         message = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__

@@ -154,7 +154,7 @@ def test_only_plain_versions_of_the_simulator_are_installed(toy, name):
     data = json.loads(toy.record_path.read_text())
     FIELDS[name](data)
     with pytest.raises((ReportError, TypeError)):
-        requirements(toy.project.root, data["identity"]["packages"])
+        requirements(toy.project.root, data["identity"]["packages"], toy.project.settings)
 
 
 @pytest.mark.parametrize("stop", range(1, 9))

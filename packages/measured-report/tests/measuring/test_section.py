@@ -28,7 +28,7 @@ from measured_report.records.record import load_record
 
 def fails(*sections, count: int = 1) -> bool:
     """Measure sections; whether one fails."""
-    with host_pools(count) as pools:
+    with host_pools(count, {}) as pools:
         return Loop(sections, *pools).run()
 
 
@@ -148,7 +148,7 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 root, log = sys.argv[1:]
 toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
 slow = batches.single(Batch("slow", batches.work, (log, "slow", 600.0)))
-with host_pools(2) as pools:
+with host_pools(2, {}) as pools:
     Loop([batches.section_of(toy, batches.plan(log, "ab")), batches.section_of(toy, slow, "slow")], *pools).run()
 """
 
