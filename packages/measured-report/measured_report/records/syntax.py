@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from itertools import chain
 from typing import Any, TypeGuard
 
-ASSETS = ("assets/", "experiments/")  # where files lie that a program reads or starts by their path
+ASSETS = ("assets/", "experiments/", "packages/")  # where files lie that a program reads or starts by their path
 GAP = "·"
 WORKED_OUT = ...  # stands for what a module gives a name at its top level, and is no constant
 Meanings = Mapping[str, str]  # by name what it stands for
