@@ -98,7 +98,7 @@ class Reader:
             start = self._package[: len(self._package) - node.level + 1] if node.level else ()
             module = ".".join((*start, *([node.module] if node.module else [])))
             for alias in node.names:
-                path = f"{module}.{alias.name}"
+                path = f"{module}.{alias.name}".lstrip(".")  # a module in no package may import one beside it
                 yield alias.asname or alias.name, path, path
 
 
