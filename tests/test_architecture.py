@@ -13,9 +13,14 @@ from measured_report.records.code import Graph
 from measured_report.records.identity import sections
 
 GENERATOR = ROOT / "packages/measured-report"
-PACKAGES = {"measured_report": GENERATOR, "newton_lint": ROOT / "packages/newton-lint"}
+PACKAGES = {
+    "measured_report": GENERATOR,
+    "newton_lint": ROOT / "packages/newton-lint",
+    "number_audit": ROOT / "packages/number-audit",
+}
 FOLDERS = ("experiments", "report", *PACKAGES)
-OUTSIDE = ("build", "experiments.facts", "experiments", "report", "newton_lint")  # rooms beside the generator's
+OUTSIDE = ("build", "experiments.facts", "experiments", "report", "newton_lint", "number_audit")
+"""Rooms beside the generator's."""
 ARROW = re.compile(r"^ +([\w.]+) --> ([\w.]+)$", re.MULTILINE)
 
 SIMULATOR = re.compile(r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE)
@@ -62,8 +67,9 @@ def arrows() -> frozenset[tuple[str, str]]:
 @pytest.mark.parametrize(
     ("side", "allowed"),
     [
-        ("measured_report", ()),
+        ("measured_report", ("number_audit",)),
         ("newton_lint", ("measured_report",)),
+        ("number_audit", ()),
         ("experiments", ("measured_report", "newton_lint")),
     ]
     + [("report", ("measured_report", "experiments.facts"))],
