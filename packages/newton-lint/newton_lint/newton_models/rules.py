@@ -6,12 +6,13 @@ from functools import cached_property
 
 import newton
 import numpy as np
+from newton.solvers import SolverMuJoCo
 
 from newton_lint.combined import Contacts, contacts_of, share
 from newton_lint.findings import Finding
 from newton_lint.grouping import Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
-from newton_lint.newton_models.compat import kf_is_read, make_solver
+from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.rules import SAME
 from newton_lint.rules import lint as of_mujoco
 from newton_lint.scene import Engine, Scene
@@ -30,7 +31,7 @@ class Shapes(Scene):
     @classmethod
     def of(cls, model: newton.Model, engine: Engine) -> "Shapes":
         """Compile a model that has shapes."""
-        compiled = engine.configured(make_solver(model, use_mujoco_cpu=True).mj_model)
+        compiled = engine.configured(SolverMuJoCo(model, use_mujoco_cpu=True).mj_model)
         return cls(compiled, Source(None, compiled), engine, shapes=model)
 
     @cached_property
