@@ -14,8 +14,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-CLEAN, FOUND, UNFIT, BROKEN, STOPPED = 0, 1, 2, 3, 130
-"""Exit status."""
+# Exit status.
+CLEAN = 0
+FOUND = 1
+UNFIT = 2
+BROKEN = 3
+STOPPED = 130
 PROGRAM = "newton-lint"
 SUBCOMMANDS = ("prescribe", "page", "pair")
 """Commands besides the lint itself, each a module."""
@@ -95,7 +99,9 @@ def _linted(options: argparse.Namespace) -> int:
     table = table_of(Path.cwd())
     request = request_of(options, table)
     form = "json" if options.json else options.format or table.get("format", "text")
-    reports, unread, fixes = [], [], []
+    reports = []
+    unread = []
+    fixes = []
     targets = list(targets_of(options.target, [*options.exclude, *table.get("exclude", [])]))
     paths = list(dict.fromkeys(path for path in map(Path, targets) if path.is_file()))
     for target in targets:
@@ -195,7 +201,8 @@ def lint_parser() -> Parser:
 
 def add_work(parser: argparse.ArgumentParser) -> None:
     """Add options of the engine, and of a body that is held."""
-    add, default = parser.add_argument, "default: what the scene says"
+    add = parser.add_argument
+    default = "default: what the scene says"
     add("--engine", choices=("mujoco", "warp", "newton"), help="whose rules count; default: mujoco")
     add("--dt", type=positive, metavar="S", help=f"the solver's step; {default}")
     add("--cone", choices=("pyramidal", "elliptic"), help=default)

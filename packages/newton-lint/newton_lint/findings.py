@@ -26,10 +26,10 @@ class Change:
 
 @dataclass(frozen=True)
 class Advice:
-    """Advice: changes, what they gain and cost, and alternatives of which one is enough, the mildest first."""
+    """What changes gain and cost, the changes, and alternatives of which one is enough, the mildest first."""
 
-    changes: tuple[Change, ...]
     gain: str
+    changes: tuple[Change, ...] = ()
     alternatives: tuple["Advice", ...] = ()
     """One that tells no gain is not said."""
 

@@ -46,7 +46,8 @@ def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
     first, group = distinct_rows(hits.shape, hits.value, np.nan_to_num(all_used, nan=np.inf))
     members = np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
     for index, member in sorted(zip(first.tolist(), members, strict=True), key=lambda pair: pair[0]):
-        used, item = float(all_used[index]), -1 if hits.items is None else int(hits.items[index])
+        used = float(all_used[index])
+        item = -1 if hits.items is None else int(hits.items[index])
         yield Finding(
             **vars(hits.wording),
             shape=names[hits.shape[index]],

@@ -50,8 +50,10 @@ def _geom(scene: Scene, target: str, name: str) -> int:
 
 def _separation(scene: Scene, geoms: Sequence[int]) -> str:
     """Say why two geoms never touch: the filters of mj_collision, in its order."""
-    model, weld = scene.model, scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
-    types, affinities = model.geom_contype[geoms], model.geom_conaffinity[geoms]
+    model = scene.model
+    weld = scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
+    types = model.geom_contype[geoms]
+    affinities = model.geom_conaffinity[geoms]
     if weld[0] == weld[1] or not (model.body_dofnum[weld] > 0).any():
         return "they do not move against each other"
     if not (types[0] & affinities[1] or types[1] & affinities[0]):
@@ -60,7 +62,9 @@ def _separation(scene: Scene, geoms: Sequence[int]) -> str:
 
 
 def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) -> Iterator[str]:
-    model, option, contact = scene.model, scene.option, contacts.contact(pair)
+    model = scene.model
+    option = scene.option
+    contact = contacts.contact(pair)
     winner = scene.names[contacts.first[pair]]
     ranked = f"of {winner}, which has the higher priority" if contacts.outranked[pair] else ""
     ranked = "of the <pair> that names them" if contacts.named[pair] >= 0 else ranked
@@ -87,11 +91,13 @@ def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) 
     yield "  ".join([f"{'':8}", *(f"{name:{WIDTH}}" for name in (scene.names[geom1], scene.names[geom2], "contact"))])
     for name, *values, rule in rows:
         yield "  ".join([f"{name:8}", *(f"{_formatted(value):{WIDTH}}" for value in values), str(rule)]).rstrip()
-    dmax, response = clamped(contact.solimp[1]), response_of(contact, option)
+    dmax = clamped(contact.solimp[1])
+    response = response_of(contact, option)
     ke = stiffness(contact, option, dmax) * dmax**2
     kd = normal_damping(contact, option, dmax) * dmax
     yield f"as Newton's ke and kd: {ke:.4g} and {kd:.4g}, an acceleration for each m and each m/s, and no N/m"
-    depth, slide = M * settled_depth_m(contact, option, 1.0), M * response.load_m_s_n
+    depth = M * settled_depth_m(contact, option, 1.0)
+    slide = M * response.load_m_s_n
     yield f"1 N on a point presses it {depth:.3g} mm deep; held against 1 N along it, it creeps at {slide:.3g} mm/s"
 
 

@@ -67,11 +67,13 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
 
 
 def _kinds(scene: Scene) -> np.ndarray:
-    contacts, model = scene.contacts, scene.model
+    contacts = scene.contacts
+    model = scene.model
     columns = (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
     single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
     _, kind = distinct_rows(*np.concatenate(columns), *single, model.body_invweight0[model.geom_bodyid, 0])
-    kind1, kind2 = kind[contacts.first], kind[contacts.second]
+    kind1 = kind[contacts.first]
+    kind2 = kind[contacts.second]
     unordered = np.minimum(kind1, kind2) * model.ngeom + np.maximum(kind1, kind2)
     return np.where(contacts.named < 0, unordered, -1 - contacts.named)  # each <pair> has parameters of its own
 
@@ -81,7 +83,8 @@ def predicted(
 ) -> Prediction | None:
     """Return the creep of one contact; None where nothing damps it."""
     dmax = clamped(contact.solimp[1])
-    deep, shallow = response_of(contact, option), response_of(contact, option, clamped(contact.solimp[0]))
+    deep = response_of(contact, option)
+    shallow = response_of(contact, option, clamped(contact.solimp[0]))
     if not 0.0 <= deep.acceleration_s < math.inf:  # undamped, or too stiff for the step, which throws it off
         return None
     inverse_b = deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s

@@ -21,8 +21,9 @@ from newton_lint.target import READER, Target, TargetError, newtons
 
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
-HUGE, NUMBERS = 1e100, ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
-"""Numbers whose squares are infinite, and what is looked at for them."""
+# Numbers whose squares are infinite, and what is looked at for them.
+HUGE = 1e100
+NUMBERS = ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
 NEWTONS = "newton_lint.newton_models.report"
 
 
@@ -83,7 +84,7 @@ def _report_of(target: Target, request: Request) -> Report:
     runs = runs_of(scene.model, target) if request.step else []
     for run in runs:
         weigh(scene, run.data)
-    findings += stepped(scene, target, runs) if request.step else []
+    findings += stepped(scene, runs) if request.step else []
     findings = _noted(scene, runs, findings)
     findings += [] if refused else gripped(scene, runs, work.body if work else "")
     if work and not hold:
@@ -123,7 +124,8 @@ def _newton_findings(target: Target, request: Request, findings: Sequence[Findin
     report = newtons(target.name, NEWTONS, "report_of", imported, request)
     changes = []
     assert target.model is not None  # what Newton alone reads is no target of this
-    gravity, taken = float(target.model.opt.gravity[2]), float(np.ravel(imported.newton_model.gravity.numpy())[2])
+    gravity = float(target.model.opt.gravity[2])
+    taken = float(np.ravel(imported.newton_model.gravity.numpy())[2])
     if not np.isclose(gravity, taken, rtol=1e-3):
         message = f"m/s² is what the scene says, and Newton's importer takes {taken:.4g}"
         changes.append(Finding("importer", "", "gravity", gravity, message, used=taken))

@@ -15,8 +15,9 @@ from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, engine, fixed, lost, pyramid, unread, visual
 from newton_lint.source import Element
 
-SAME, STIFF = 1e-5, 1.9
-"""Difference up to which parameters are the same, and b h + k h²/2 from which MuJoCo's step throws bodies off."""
+# Difference up to which parameters are the same, and b h + k h²/2 from which MuJoCo's step throws bodies off.
+SAME = 1e-5
+STIFF = 1.9
 Values = tuple[np.ndarray, np.ndarray | float]
 Advise = Callable[[int], Advice | None]
 
@@ -32,7 +33,8 @@ def lint(scene: Scene) -> list[Finding]:
 
 def solref_format(scene: Scene) -> Iterator[Hits]:
     """Yield solrefs that are half timeconst and half damping."""
-    solref, contacts = scene.model.geom_solref, scene.contacts
+    solref = scene.model.geom_solref
+    contacts = scene.contacts
     geoms = np.flatnonzero(scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0)))
     message = "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used"
     wording = Wording("solref-format", "solref[1]", message, severity="error")  # getsolparam, with a warning in the log
@@ -55,7 +57,8 @@ def solimp(scene: Scene) -> Iterator[Hits]:
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
     """Yield a timeconst below what the engine takes: two steps, or with ``discrete`` one over the dampratio."""
-    contacts, option = scene.contacts, scene.option
+    contacts = scene.contacts
+    option = scene.option
     if not option.refsafe:
         return
     authored, ratio = contacts.solref.T
@@ -71,14 +74,15 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         step = f'timestep="{option.timestep_s / more:.3g}"'
         text = f"{step}: the contact is as stiff as it says, for {more:.2g} times the steps"
         longer = advice.longer_solref(scene, pair, float(limit[pair]))
-        return advice.either(longer, Advice((), text)) if more <= FAR else longer
+        return advice.either(longer, Advice(text)) if more <= FAR else longer
 
     yield _pair_hits(scene, wording, pairs, (authored[pairs], limit[pairs]), advise)
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:
     """Yield direct solrefs that are too stiff for the time step; refsafe leaves them alone."""
-    contacts, step = scene.contacts, scene.option.timestep_s
+    contacts = scene.contacts
+    step = scene.option.timestep_s
     first, second = contacts.solref.T
     gain = -second * step - 0.5 * first * step**2  # a contact accelerates by dmax · b and dmax² · k
     taken = (first <= 0.0) & (second <= 0.0)
@@ -86,7 +90,8 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
         is_short = (first > 0.0) & (second > 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             own = 2.0 * step / first + 0.5 * (step / (first * second)) ** 2
-        taken, gain = taken | is_short, np.where(is_short, own, gain)
+        taken = taken | is_short
+        gain = np.where(is_short, own, gain)
     # The integrator discrete takes both terms implicitly, and bears any.
     stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
     why = "leaves it alone" if scene.option.refsafe else "is off"
@@ -114,23 +119,29 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
 
 def one_sided(scene: Scene) -> Iterator[Hits]:
     """Yield stiff geoms that meet only soft ones: solmix makes their contacts about half as soft."""
-    contacts, authored = scene.contacts, scene.model.geom_solref[:, 0]
+    contacts = scene.contacts
+    authored = scene.model.geom_solref[:, 0]
     differ = ~np.isclose(authored[contacts.first], authored[contacts.second], rtol=SAME)
     # Direct solrefs are not mixed: the element-wise minimum counts.
     plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
     ranked = np.concatenate([contacts.first, contacts.second])[np.tile(contacts.outranked, 2)]
-    stiffest, softest = -_largest(scene, plain, -contacts.solref[:, 0]), _largest(scene, plain, contacts.solref[:, 0])
-    stiffest[ranked], softest[ranked] = 0.0, np.inf  # a priority was given: it is meant so
+    stiffest = -_largest(scene, plain, -contacts.solref[:, 0])
+    softest = _largest(scene, plain, contacts.solref[:, 0])
+    # a priority was given: it is meant so
+    stiffest[ranked] = 0.0
+    softest[ranked] = np.inf
     is_stiff = (authored > 0.0) & (authored * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
     message = "is stiff on this side only: the other geom's soft solref is mixed in, in every pair"
-    wording, values = Wording("one-sided", "solref", message, unit="s"), (authored[shape], stiffest[shape])
+    wording = Wording("one-sided", "solref", message, unit="s")
+    values = (authored[shape], stiffest[shape])
     advise = partial(advice.of_higher_priority, scene)
     yield _geom_hits(scene, wording, shape, values, "solref", lambda geom: advise(geom, stiffest[geom]))
     shape = np.flatnonzero((authored >= FAR * DEFAULT_SOLREF[0]) & (softest > 0.0) & (1.5 * softest < authored))
     message = "is soft on this side only: the other geom's stiff solref is mixed in, in every pair"
-    wording, values = Wording("one-sided", "solref", message, "s", "note"), (authored[shape], softest[shape])
+    wording = Wording("one-sided", "solref", message, "s", "note")
+    values = (authored[shape], softest[shape])
     gain = "its solref, solimp, friction and condim alone count; or the same solref and solimp on the other geom"
     advise = partial(advice.for_geom, scene, attributes=advice.rank(scene), gain=gain)
     yield _geom_hits(scene, wording, shape, values, "solref", advise)
@@ -138,14 +149,16 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
 
 def friction(scene: Scene) -> Iterator[Hits]:
     """Yield geoms whose low friction counts nowhere: the larger of two is taken."""
-    contacts, authored = scene.contacts, scene.model.geom_friction[:, 0]
+    contacts = scene.contacts
+    authored = scene.model.geom_friction[:, 0]
     plain = (contacts.named < 0) & (contacts.condim > 1)
     least = -_largest(scene, plain, -contacts.friction[:, 0])
     # The compiled model does not tell a default from the same number that somebody wrote.
     low = np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != 1.0))
     message = "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority"
     gain = "its friction alone counts, with its solref, solimp and condim"
-    wording, values = Wording("friction", "friction", message), (authored[low], least[low])
+    wording = Wording("friction", "friction", message)
+    values = (authored[low], least[low])
     advise = partial(advice.for_geom, scene, attributes=advice.rank(scene), gain=gain)
     yield _geom_hits(scene, wording, low, values, "friction", advise)
 
@@ -167,15 +180,19 @@ def _geom_hits(
 
 def _pair_hits(scene: Scene, wording: Wording, pairs: np.ndarray, values: Values, advise: Advise) -> Hits:
     """Return hits of pairs with values as authored and as used, at the tag with the solref of the stiffer geom."""
-    contacts, timeconst = scene.contacts, scene.model.geom_solref[:, 0]
-    first, second = contacts.first[pairs], contacts.second[pairs]
+    contacts = scene.contacts
+    timeconst = scene.model.geom_solref[:, 0]
+    first = contacts.first[pairs]
+    second = contacts.second[pairs]
     swap = (timeconst[second] < timeconst[first]) & ~contacts.outranked[pairs]
-    shape, partner = np.where(swap, second, first), np.where(swap, first, second)
+    shape = np.where(swap, second, first)
+    partner = np.where(swap, first, second)
     return Hits(wording, shape, *values, partner, pairs, _solref_elements(scene, pairs, shape), advise)
 
 
 def _solref_elements(scene: Scene, pairs: np.ndarray, geoms: np.ndarray) -> Callable[[int], Element | None]:
-    contacts, geom_of = scene.contacts, dict(zip(pairs.tolist(), geoms.tolist(), strict=True))
+    contacts = scene.contacts
+    geom_of = dict(zip(pairs.tolist(), geoms.tolist(), strict=True))
 
     def element(pair: int) -> Element | None:
         if contacts.named[pair] < 0:

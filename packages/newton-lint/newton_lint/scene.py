@@ -6,6 +6,7 @@ from functools import cached_property
 
 import mujoco
 import numpy as np
+from mujoco import MjModel
 
 from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
@@ -15,7 +16,7 @@ from newton_lint.warp_engine import has_noslip
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 
 
-def changed(model: mujoco.MjModel, **options: float) -> mujoco.MjModel:
+def changed(model: MjModel, **options: float) -> MjModel:
     """Return a copy of a model with other options."""
     model = copy.copy(model)
     for name, value in options.items():
@@ -33,7 +34,7 @@ class Engine:
     cone: str | None = None
     impratio: float | None = None
 
-    def configured(self, model: mujoco.MjModel) -> mujoco.MjModel:
+    def configured(self, model: MjModel) -> MjModel:
         """Return a model with these options in place of the scene's."""
         cone = CONES.index(self.cone) if self.cone else None
         options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
@@ -45,7 +46,7 @@ class Engine:
 class Scene:
     """A MuJoCo model as the rules read it."""
 
-    model: mujoco.MjModel
+    model: MjModel
     source: Source
     engine: Engine = Engine()
 
@@ -83,7 +84,8 @@ class Scene:
     @cached_property
     def counts(self) -> np.ndarray:
         """Tell whether a geom's own parameters count in any pair."""
-        contacts, counting = self.contacts, np.zeros(self.model.ngeom, dtype=bool)
+        contacts = self.contacts
+        counting = np.zeros(self.model.ngeom, dtype=bool)
         plain = contacts.named < 0  # mj_collide reads a <pair>'s own parameters, and none of its geoms
         counting[contacts.first[plain]] = True
         counting[contacts.second[plain & ~contacts.outranked]] = True

@@ -12,16 +12,21 @@ from newton_lint.pairs import MOST_PAIRS, OFF, read
 from newton_lint.scene import Scene
 from newton_lint.warp_engine import refusal
 
-STEEP, NEAR_M = 3.0, 1e-3
-"""Friction from which a body sinks into a pyramid's contacts, 2 mm at 3, 100 at 8; what is farther hangs in the air."""
-HEAVIER, TWICE, HOLLOW = 1.7, 0.1, 2.0
-"""Times as heavy as without geoms that are only seen, how near to 2 is twice; times as large as its mesh a hull is."""
-MESH, WEIGHTLESS = int(mujoco.mjtGeom.mjGEOM_MESH), int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+# Friction from which a body sinks into a pyramid's contacts, 2 mm at 3, 100 at 8; what is farther hangs in the air.
+STEEP = 3.0
+NEAR_M = 1e-3
+# Times as heavy as without geoms that are only seen, how near to 2 is twice; times as large as its mesh a hull is.
+HEAVIER = 1.7
+TWICE = 0.1
+HOLLOW = 2.0
+MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
+WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 def lost(scene: Scene) -> Iterator[Finding]:
     """Yield bodies that move freely, and that gravity takes through all that there is to stop them."""
-    model, contacts = scene.model, scene.contacts
+    model = scene.model
+    contacts = scene.contacts
     tree = model.body_rootid[model.geom_bodyid]
     collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)  # of all masks that are off
     is_whole = len(read(model)) == np.count_nonzero(model.geom_contype | model.geom_conaffinity)
@@ -42,7 +47,9 @@ def lost(scene: Scene) -> Iterator[Finding]:
 
 def fixed(scene: Scene) -> Iterator[Finding]:
     """Yield bodies that say their mass, have no joint and touch nothing: they hang in the air."""
-    model, data, tree = scene.model, mujoco.MjData(scene.model), scene.model.body_rootid[scene.model.geom_bodyid]
+    model = scene.model
+    data = mujoco.MjData(scene.model)
+    tree = scene.model.body_rootid[scene.model.geom_bodyid]
     mujoco.mj_kinematics(model, data)
     static = np.flatnonzero(~np.isin(tree, model.body_rootid[model.jnt_bodyid])).tolist()
     for body in np.flatnonzero((model.body_parentid == 0) & (model.body_mocapid < 0))[1:].tolist():
@@ -51,39 +58,47 @@ def fixed(scene: Scene) -> Iterator[Finding]:
         pairs = ((geom, other) for other in range(model.ngeom) for geom in geoms if tree[other] != body)
         near = (mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M for pair in pairs)
         if elements and not any(near):
-            name, mass, element = scene.bodies[body], float(model.body_subtreemass[body]), elements[0]
+            name = scene.bodies[body]
+            mass = float(model.body_subtreemass[body])
+            element = elements[0]
             message = "has no joint: it is fixed to the world, where it hangs in the air"
-            advice = Advice((), "a <freejoint/> in it lets it fall")
+            advice = Advice("a <freejoint/> in it lets it fall")
             yield Finding("fixed", name, "mass", mass, message, (), None, "kg", "note", element, advice)
 
 
 def visual(scene: Scene) -> Iterator[Finding]:
     """Yield bodies to whose mass geoms add that touch nothing, as those that are only seen do."""
-    model, root = scene.model, scene.source.root
+    model = scene.model
+    root = scene.source.root
     if root is None or root.tag != "mujoco" or model.npair:
         return
     with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
-        spec, count = mujoco.MjSpec.from_file(str(root.file)), 0
+        spec = mujoco.MjSpec.from_file(str(root.file))
+        count = 0
         for body in () if spec.compiler.inertiagrouprange[0] else spec.bodies[1:]:
             seen = [geom for geom in body.geoms if not geom.contype and not geom.conaffinity]
             if 0 < len(seen) < len(body.geoms) and not body.explicitinertial:
                 for geom in seen:
-                    geom.mass, count = 0.0, count + 1
+                    geom.mass = 0.0
+                    count = count + 1
         light = spec.compile() if count else model
         times = model.body_mass / np.maximum(light.body_mass, mujoco.mjMINVAL) * (model.body_weldid > 0)
         heavier = times > HEAVIER
         is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()  # else it may be meant
         for body in np.flatnonzero(heavier).tolist():
-            mass, used = float(model.body_mass[body]), float(light.body_mass[body])
+            mass = float(model.body_mass[body])
+            used = float(light.body_mass[body])
             message = f"is {times[body]:.2g} times that without geoms that touch nothing and are only seen"
-            advice = Advice((), f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg')
-            severity, name = "warning" if is_twice else "note", scene.bodies[body]
+            advice = Advice(f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg')
+            severity = "warning" if is_twice else "note"
+            name = scene.bodies[body]
             yield Finding("visual", name, "mass", mass, message, (), None, "kg", severity, advice=advice)
 
 
 def closed(scene: Scene) -> Iterator[Finding]:
     """Yield meshes that collide as their convex hull, which closes what is hollow."""
-    model, touch = scene.model, (scene.model.geom_contype | scene.model.geom_conaffinity) != 0
+    model = scene.model
+    touch = (scene.model.geom_contype | scene.model.geom_conaffinity) != 0
     for geom in np.flatnonzero(touch & (model.geom_type == MESH)).tolist():
         mesh = int(model.geom_dataid[geom])
         if (start := int(model.mesh_graphadr[mesh])) < 0:  # it has no hull
@@ -95,14 +110,16 @@ def closed(scene: Scene) -> Iterator[Finding]:
         full, hollow = (abs(float(np.linalg.det(triangles).sum())) for triangles in (hull, corners))
         if full > HOLLOW * hollow > 0.0:
             message = "times its volume is its convex hull, which is what collides: nothing gets into what is hollow"
-            advice = Advice((), "several convex geoms in its place, as CoACD or obj2mjcf make")
-            element, value = scene.source.geom(geom), full / hollow
+            advice = Advice("several convex geoms in its place, as CoACD or obj2mjcf make")
+            element = scene.source.geom(geom)
+            value = full / hollow
             yield Finding("closed", scene.names[geom], "hull", value, message, (), None, "1", "note", element, advice)
 
 
 def pyramid(scene: Scene) -> Iterator[Finding]:
     """Yield what a pyramidal cone makes of a high impratio, and of high friction."""
-    option, contacts = scene.option, scene.contacts
+    option = scene.option
+    contacts = scene.contacts
     rows = contacts.condim > 1
     if option.cone != "pyramidal" or not rows.any():
         return

@@ -8,22 +8,27 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from mujoco import MjData, MjModel
 
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M, Response, response_of, settled_impedance, shared_slide_m_s
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 
-SETTLE_S, READ_SHARE = 0.5, 0.2
-"""Time that a scene gets to come to rest, and the last part of it over which forces are averaged."""
-EARLIER, AT_THE_EDGE = (1.0, 0.1, 0.01), 0.999
-"""Shares of the settling after which a body is looked for in its grip, and of the cone that no longer holds it."""
-UNSETTLED, UNSETTLED_MM_S = 2.0, 0.5
-"""What moves faster than so many times its creep, and this [mm/s], has not settled."""
+# Time that a scene gets to come to rest, and the last part of it over which forces are averaged.
+SETTLE_S = 0.5
+READ_SHARE = 0.2
+# Shares of the settling after which a body is looked for in its grip, and of the cone that no longer holds it.
+EARLIER = (1.0, 0.1, 0.01)
+AT_THE_EDGE = 0.999
+# What moves faster than so many times its creep, and this [mm/s], has not settled.
+UNSETTLED = 2.0
+UNSETTLED_MM_S = 0.5
 STIFFER = 1e4
 """How many times stiffer than friction a normal force is taken to be: in its direction nothing creeps."""
-RUNAWAY, LEAST_M_S = 3.0, 0.05
-"""What moves faster than so many times the creep, and than this [m/s], is not held."""
+# What moves faster than so many times the creep, and than this [m/s], is not held.
+RUNAWAY = 3.0
+LEAST_M_S = 0.05
 Points = Sequence[tuple[Response, float]]
 EXACT = int(getattr(mujoco.mjtEnableBit, "mjENBL_DIAGEXACT", 0))
 """The flag, which old releases have not."""
@@ -78,7 +83,7 @@ class Hold:
     """What of it is J̇·q̇'s."""
     moves_mm_s: float
     """How fast it moves relative to what it touches in the state that was read."""
-    data: mujoco.MjData = field(compare=False, repr=False)
+    data: MjData = field(compare=False, repr=False)
     """The state in which it was."""
 
     @property
@@ -99,14 +104,16 @@ class Hold:
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
             message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
-            moves, creep = self.moves_mm_s, self.mm_s
+            moves = self.moves_mm_s
+            creep = self.mm_s
             yield Finding("unsettled", self.name, "speed", moves, message, touching, creep, "mm/s", "note")
         elif self.slides:
             message = "slides: what it has to bear is beyond the cone of friction"
             yield Finding("slides", self.name, "load", self.load_n, message, touching, None, "N", "error")
         elif self.mm_s > below_mm_s:
-            advice = Advice((), f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings")
-            creep, message = self.mm_s, "creeps faster than it may"
+            advice = Advice(f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings")
+            creep = self.mm_s
+            message = "creeps faster than it may"
             yield Finding("creep", self.name, "creep", creep, message, touching, below_mm_s, "mm/s", advice=advice)
 
     def as_json(self) -> dict[str, Any]:
@@ -130,9 +137,9 @@ def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
     return None
 
 
-def started(model: mujoco.MjModel, state: mujoco.MjData | None = None) -> mujoco.MjData:
+def started(model: MjModel, state: MjData | None = None) -> MjData:
     """Return the state in which a scene starts: a copy of one, or its first keyframe, or the model's own."""
-    data = mujoco.MjData(model)
+    data = MjData(model)
     if state is not None:
         data.time = state.time  # mj_copyData asks for data of the same model, and this one may have other options
         for name in ("qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart"):
@@ -142,14 +149,15 @@ def started(model: mujoco.MjModel, state: mujoco.MjData | None = None) -> mujoco
     return data
 
 
-def settled(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> mujoco.MjData:
+def settled(model: MjModel, data: MjData, time_s: float) -> MjData:
     mujoco.mj_step(model, data, nstep=round(time_s / model.opt.timestep))
     return data
 
 
-def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) -> list[Touch]:
+def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[Touch]:
     """Step on, and return means of each point in which a body, or what is fixed to it, is touched."""
-    model, body_of = scene.model, scene.model.geom_bodyid
+    model = scene.model
+    body_of = scene.model.geom_bodyid
     is_held = model.body_weldid == model.body_weldid[body]
     readings: defaultdict[tuple[tuple[int, int], int], list[dict[str, Any]]] = defaultdict(list)
     for _ in range(step_count):
@@ -173,9 +181,11 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
     return touches
 
 
-def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> dict[str, Any] | None:
+def _reading(scene: Scene, data: MjData, index: int, sign: float) -> dict[str, Any] | None:
     """Return what a contact bears, with the friction times a sign; None where it presses nothing."""
-    model, contact, force = scene.model, data.contact[index], np.zeros(6)
+    model = scene.model
+    contact = data.contact[index]
+    force = np.zeros(6)
     if contact.efc_address < 0:  # within the gap, or without a dof: it is listed, and has no rows
         return None
     mujoco.mj_contactForce(model, data, index, force)
@@ -193,9 +203,10 @@ def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> dict
     return means | {"position": contact.pos.copy(), "used": used, "weight_1_kg": weight, "softer": softer}
 
 
-def _weight(scene: Scene, data: mujoco.MjData, index: int) -> float:
+def _weight(scene: Scene, data: MjData, index: int) -> float:
     """Return the diagonal of A that the engine gives a contact that has rows."""
-    model, contact = scene.model, data.contact[index]
+    model = scene.model
+    contact = data.contact[index]
     stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
     weight = data.efc_R[contact.efc_address] * d / (1.0 - d)  # mj_makeImpedance: R = (1 - d) / d · weight
     if scene.option.discrete:
@@ -207,7 +218,7 @@ def _weight(scene: Scene, data: mujoco.MjData, index: int) -> float:
     return float(weight)
 
 
-def weigh(scene: Scene, data: mujoco.MjData) -> None:
+def weigh(scene: Scene, data: MjData) -> None:
     """Give pairs that touch the weights of the engine, where it takes the diagonal itself and no approximation."""
     pairs = pair_indices(scene) if scene.model.opt.enableflags & EXACT else {}
     for index in range(data.ncon if pairs else 0):
@@ -216,15 +227,17 @@ def weigh(scene: Scene, data: mujoco.MjData) -> None:
             scene.contacts.weight[pair] = _weight(scene, data, index)
 
 
-def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: mujoco.MjData) -> Hold:
+def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: MjData) -> Hold:
     """Return the creep by the law of a body that is held as in ``data``, with a scene's settings and more loads."""
-    model, option = scene.model, scene.option
+    model = scene.model
+    option = scene.option
     mass = float(model.body_subtreemass[body])
     gravity = model.opt.gravity
     down = gravity / max(float(np.linalg.norm(gravity)), 1e-12)
     flat = np.mean([np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0)
     pairs = pair_indices(scene)
-    turning, points = np.zeros(3), []
+    turning = np.zeros(3)
+    points = []
     for touch in touches:
         contact = replace(scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg)
         plain = response_of(contact, option, settled_impedance(contact, option, touch.normal_n))
@@ -255,15 +268,18 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
 
 
 def _slide(
-    model: mujoco.MjModel, data: mujoco.MjData, touches: Sequence[Touch], points: Points, body: int, more_n: np.ndarray
+    model: MjModel, data: MjData, touches: Sequence[Touch], points: Points, body: int, more_n: np.ndarray
 ) -> np.ndarray:
     """Return a body's velocity [m/s] where its points give way to friction alone, by joints that move nothing else."""
     support = np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, support, None, data.xpos[body], touches[0].support)
-    alone, jacobian = ~support.any(axis=0), np.zeros((3, model.nv))  # dofs that do not move what touches it
+    # dofs that do not move what touches it
+    alone = ~support.any(axis=0)
+    jacobian = np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, jacobian, None, data.subtree_com[body], body)
     centre = jacobian[:, alone].copy()
-    bears, acts = np.zeros((alone.sum(), alone.sum())), centre.T @ more_n
+    bears = np.zeros((alone.sum(), alone.sum()))
+    acts = centre.T @ more_n
     hard = STIFFER / min(response.load_m_s_n for response, _ in points)
     for touch, (response, _) in zip(touches, points, strict=True):
         mujoco.mj_jac(model, data, jacobian, None, touch.position, body)
@@ -274,8 +290,9 @@ def _slide(
     return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]  # two points let it turn about the line between them
 
 
-def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) -> float:
-    motion, carrier = np.zeros(6), np.zeros(6)
+def _speed(model: MjModel, data: MjData, body: int, support: int) -> float:
+    motion = np.zeros(6)
+    carrier = np.zeros(6)
     for moving, into in ((body, motion), (support, carrier)):  # rotation first, then translation
         mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0)
     carried = carrier[3:] + np.cross(carrier[:3], data.xpos[body] - data.xpos[support])

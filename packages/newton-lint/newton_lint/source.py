@@ -41,7 +41,8 @@ Texts = Mapping[Path, bytes]
 
 def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> Element:
     """Return a file's first element, included ones in place of their tags; raises OSError and expat.ExpatError."""
-    root, texts = root or path.parent, texts or {}
+    root = root or path.parent
+    texts = texts or {}
     parser = expat.ParserCreate()
     open_elements: list[Element] = []
     roots: list[Element] = []
@@ -96,7 +97,8 @@ class Source:
     @cached_property
     def geoms(self) -> dict[int, tuple[Element, str | None]]:
         """Return element and class of the geoms whose place is known."""
-        bodies, model = self._placed, self._model
+        bodies = self._placed
+        model = self._model
         in_order = [geom for geoms in bodies for geom in geoms]
         names = [model.geom(index).name for index in range(model.ngeom)]
         if list(map(len, bodies)) == model.body_geomnum.tolist():

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import mujoco
+from mujoco import MjData, MjModel
 
 MUJOCOS = (".xml", ".urdf")
 USD = (".usd", ".usda", ".usdc", ".usdz")
@@ -30,13 +31,13 @@ class Target:
     """What is linted."""
 
     name: str
-    model: mujoco.MjModel | None
+    model: MjModel | None
     """None of a Newton model."""
     newton_model: Any = None
     """A finalized ``newton.Model``, where the target is one or is read by Newton."""
     path: Path | None = None
     """The file of MJCF or URDF."""
-    data: mujoco.MjData | None = None
+    data: MjData | None = None
     """A state that a function returns beside its model."""
     texts: Mapping[Path, bytes] = field(default_factory=dict)
     """What files are taken to hold in place of what they do, where a change is tried."""
@@ -103,10 +104,10 @@ def tried(target: Target, texts: Mapping[Path, bytes]) -> Target:
     return replace(target, model=compiled(target.path, texts), texts=texts)
 
 
-def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> mujoco.MjModel:
+def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> MjModel:
     """Compile a file, or texts in place of what files hold; a ValueError where MuJoCo refuses it."""
     try:
-        return mujoco.MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
+        return MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
     except ValueError:
         if texts:
             raise
@@ -116,7 +117,7 @@ def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> mujoco.Mj
         raise
 
 
-def _without_pictures(spec: Any) -> mujoco.MjModel:
+def _without_pictures(spec: Any) -> MjModel:
     for material in spec.materials:
         material.textures = [""] * len(material.textures)  # or spec.compile asks for what is deleted
     for unread in (*spec.sensors, *spec.textures):
@@ -148,8 +149,8 @@ def _of(target: str, scene: Any) -> Target:
             scene = scene.compile()
         except ValueError as error:
             raise TargetError(f"{target}: MuJoCo refuses it: {_line(error)}") from error
-    if isinstance(scene, mujoco.MjModel):
-        return Target(target, scene, data=data if isinstance(data, mujoco.MjData) else None)
+    if isinstance(scene, MjModel):
+        return Target(target, scene, data=data if isinstance(data, MjData) else None)
     if "newton" in sys.modules and newtons(target, READER, "is_model", scene):
         return Target(target, None, scene)
     raise TargetError(f"{target}: returns a {type(scene).__name__}, and no model of MuJoCo's or Newton's")

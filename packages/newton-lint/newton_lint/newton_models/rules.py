@@ -80,16 +80,20 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
 
 def friction_gain(scene: Shapes) -> Iterator[Hits]:
     """Yield authored kf that is not read, takes the friction away, or asks for a timeconst below two steps."""
-    contacts, kf, opt = scene.contacts, scene.of_geoms("shape_material_kf"), scene.option
+    contacts = scene.contacts
+    kf = scene.of_geoms("shape_material_kf")
+    opt = scene.option
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
         yield Hits(Wording("kf", "kf", f"is not read by SolverMuJoCo {reason}"), unread, kf[unread])
         return
-    first, second = contacts.first, contacts.second
+    first = contacts.first
+    second = contacts.second
     solmix = scene.model.geom_solmix
     mix = share(solmix[first], solmix[second], contacts.outranked)[:, 0]
-    mixed, mu = mix * kf[first] + (1.0 - mix) * kf[second], contacts.friction[:, 0]
+    mixed = mix * kf[first] + (1.0 - mix) * kf[second]
+    mu = contacts.friction[:, 0]
     lost = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
     message = "is not read: kf is 0, which takes the friction away"
     yield Hits(Wording("kf", "mu", message), first[lost], mu[lost], partner=second[lost])
