@@ -30,8 +30,7 @@ def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice
     """Return attributes of ``<option>``; a scene without one gets it."""
     if not attributes:
         return Advice(gain)
-    element = scene.source.option(next(iter(attributes)))
-    return Advice(gain, (Change("option", tuple(attributes.items()), element),))
+    return Advice(gain, (Change("option", tuple(attributes.items()), scene.source.option(next(iter(attributes)))),))
 
 
 def ways_of(advice: Advice | None) -> tuple[Advice, ...]:
@@ -50,10 +49,9 @@ def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str
     first = int(contacts.first[pair])
     second = int(contacts.second[pair])
     if contacts.named[pair] >= 0:
-        element = scene.source.pair(*(model.geom(geom).name for geom in (first, second)))
         new = solref(model.pair_solref[contacts.named[pair]])
         subject = f"the pair of {scene.names[first]} and {scene.names[second]}"
-        return Advice(gain, (Change(subject, (("solref", new),), element),) if new else ())
+        return Advice(gain, (Change(subject, (("solref", new),), scene.pair_element(pair)),) if new else ())
     geoms = (first,) if contacts.outranked[pair] else (first, second)
     solrefs = {geom: new for geom in geoms if (new := solref(model.geom_solref[geom]))}
     advices = [for_geom(scene, geom, {"solref": new}, gain) for geom, new in solrefs.items()]
@@ -110,8 +108,9 @@ def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
     if timeconst > authored:  # or the next run would find the clamped timeconst in its place
         attributes["solref"] = f"{timeconst:g} {ratio:g}"
     less = f"creep goes down by up to {mixed_s / timeconst:.2g}"
-    gain = f"its solref alone counts, and {less}; its friction, condim and solimp as well"
-    return for_geom(scene, geom, attributes, gain)
+    return for_geom(
+        scene, geom, attributes, f"its solref alone counts, and {less}; its friction, condim and solimp as well"
+    )
 
 
 def whole_solref(scene: Scene, pair: int) -> Advice:

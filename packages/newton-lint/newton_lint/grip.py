@@ -11,7 +11,7 @@ import numpy as np
 
 from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Advice, Finding
-from newton_lint.scene import Scene, changed
+from newton_lint.scene import ELLIPTIC, Scene, changed
 from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, pair_indices, predicted_hold, touches_of
 from newton_lint.stepped import Run, Start, contact_forces, free_joints
 
@@ -23,7 +23,6 @@ LEAST = 0.015
 # Cosine of normals up to which a body is held from two sides, and bodies looked at, those with most friction first.
 OPPOSE = -0.5
 MOST_BODIES = 6
-ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 
 
 def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Finding]:
@@ -89,11 +88,20 @@ def _grip_findings(
         if scene.engine.name == "mujoco":
             gain = "MuJoCo C alone has the pass in all releases"
             ways.append(for_option(scene, {"noslip_iterations": "10"}, gain))
-        element = scene.source.option("impratio")
-        against = _names(scene, hold)
-        used = after if holds else None
-        finding = Finding("slip", hold.name, "creep", hold.mm_s, message, against, used, "mm/s", element=element)
-        yield replace(finding, advice=either(*ways))
+        yield replace(
+            Finding(
+                "slip",
+                hold.name,
+                "creep",
+                hold.mm_s,
+                message,
+                _names(scene, hold),
+                after if holds else None,
+                "mm/s",
+                element=scene.source.option("impratio"),
+            ),
+            advice=either(*ways),
+        )
 
 
 def _turns(scene: Scene, hold: Hold, start: Start) -> Iterator[Finding]:
@@ -101,17 +109,27 @@ def _turns(scene: Scene, hold: Hold, start: Start) -> Iterator[Finding]:
     index = pair_indices(scene)
     condims = {int(scene.contacts.condim[index[touch.geoms]]) for touch in hold.touches}
     if len(points) == 2 and max(points.values()) == 1 and condims == {3}:
-        is_held = scene.model.body_weldid[scene.model.geom_bodyid] == hold.body
-        pad = next(geom for geom in hold.touches[0].geoms if not is_held[geom])
+        pad = _supports(scene, hold)[0]
         why = "each side holds it in one point, and condim 3 has no row against turning"
-        message = f"turns in the grip from {start}: {why}"
-        against = _names(scene, hold)
-        element = scene.source.authored(pad, "condim")
-        advice = for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]")
-        yield Finding("condim", hold.name, "condim", 3.0, message, against, 4.0, element=element, advice=advice)
+        yield Finding(
+            "condim",
+            hold.name,
+            "condim",
+            3.0,
+            f"turns in the grip from {start}: {why}",
+            _names(scene, hold),
+            4.0,
+            element=scene.source.authored(pad, "condim"),
+            advice=for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]"),
+        )
 
 
 def _names(scene: Scene, hold: Hold) -> tuple[str, ...]:
+    return tuple(scene.names[geom] for geom in _supports(scene, hold))
+
+
+def _supports(scene: Scene, hold: Hold) -> list[int]:
+    """Return the geoms that hold a body, in the order of its touches."""
     is_held = scene.model.body_weldid[scene.model.geom_bodyid] == scene.model.body_weldid[hold.body]
     geoms = (geom for touch in hold.touches for geom in touch.geoms if not is_held[geom])
-    return tuple(dict.fromkeys(scene.names[geom] for geom in geoms))
+    return list(dict.fromkeys(geoms))

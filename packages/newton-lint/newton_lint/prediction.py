@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
-from newton_lint.grouping import distinct_rows
+from newton_lint.findings import distinct_rows
 from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
 from newton_lint.scene import Scene
 

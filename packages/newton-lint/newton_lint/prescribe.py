@@ -4,7 +4,6 @@ import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-import mujoco
 import numpy as np
 from mujoco import MjData, MjModel
 
@@ -15,7 +14,7 @@ from newton_lint.law import M
 from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
-from newton_lint.scene import Scene, changed
+from newton_lint.scene import ELLIPTIC, Scene, changed
 from newton_lint.settle import Hold, Work, pair_indices, predicted_hold, settled, settled_hold, started
 from newton_lint.target import Target, TargetError, read_target
 
@@ -28,7 +27,6 @@ MEASURED_S = 1.0
 TIMECONSTS_S = (0.01, 0.005, 0.002)
 IMPRATIOS = (10.0, 100.0, 1000.0)
 NOSLIP = 10
-ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 
 
 @dataclass(frozen=True)

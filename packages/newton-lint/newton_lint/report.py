@@ -88,8 +88,17 @@ def _report_of(target: Target, request: Request) -> Report:
     findings = _noted(scene, runs, findings)
     findings += [] if refused else gripped(scene, runs, work.body if work else "")
     if work and not hold:
-        message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
-        findings.append(Finding("slides", work.body, "settle", work.settle_s, message, unit="s", severity="error"))
+        findings.append(
+            Finding(
+                "slides",
+                work.body,
+                "settle",
+                work.settle_s,
+                "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it",
+                unit="s",
+                severity="error",
+            )
+        )
     findings += _newton_findings(target, request, findings) if request.engine.name == "newton" and target.path else []
     return Report(
         target=target.name,

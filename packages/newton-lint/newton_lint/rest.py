@@ -15,7 +15,7 @@ from newton_lint.advice import for_contact
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M
 from newton_lint.pairs import HFIELD, PLANE
-from newton_lint.scene import Scene
+from newton_lint.scene import HINGE, Scene
 from newton_lint.settle import pair_indices
 from newton_lint.source import Element
 from newton_lint.stepped import BAD, Run, Start
@@ -43,8 +43,8 @@ THICKER = (2, 4, 8, 16, 32)
 LEAVES = 3.0
 LEAVES_S = 0.2
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
+ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
 ELLIPSOID, CYLINDER, BOX, MESH = PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
 UNSORTED = int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
 MOST_CROSSINGS = 3
@@ -150,13 +150,19 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
         if not give.needs_way or (mended and mended[0][0] == give.ways[0][0]):
             gains = [f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest" for text, after in mended]
             is_certain = mended and rest.speed < WILD and value > give.far * least
-            severity = "warning" if is_certain else "note"
-            advice = Advice("; or ".join(gains)) if gains else None
-            message = f"{give.message} {rest}"
             yield Finding(
-                give.rule, give.name, give.parameter, scale * value, message, give.against, None, give.unit, severity,
-                give.element, advice,
-            )  # fmt: skip
+                give.rule,
+                give.name,
+                give.parameter,
+                scale * value,
+                f"{give.message} {rest}",
+                give.against,
+                None,
+                give.unit,
+                "warning" if is_certain else "note",
+                give.element,
+                Advice("; or ".join(gains)) if gains else None,
+            )
 
 
 def _again(scene: Scene, start: Start, edit: Edit) -> Rest | None:
@@ -204,19 +210,26 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         if depth <= max(least, moves) or (depth < 2.0 * run.first.get(pair, 0.0) and not lies):
             continue
         share = min(LEAST["mm"] / depth, 0.4)
-        (first, second) = contacts.solref[contact].tolist()
+        first, second = contacts.solref[contact].tolist()
         shorter = max(first, 2.0 * model.opt.timestep) * share**0.5
         new = (max(shorter, 2.0 * model.opt.timestep), second) if first > 0.0 else (first / share, second / share**0.5)
         solrefs[contact] = new
         changes = for_contact(scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), "").changes
         ways = [(", ".join(map(str, changes)), stiffer), (HARDEST.format(_text(shortest), _text(HARD)), harder)]
         is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
-        far = sizes[thin] / least if is_certain else math.inf
-        message = "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,"
         yield Give(
-            "depth", scene.names[thin], "depth", message, read, ways, "mm", least, far,
-            (scene.names[partner],), scene.source.geom(thin),
-        )  # fmt: skip
+            "depth",
+            scene.names[thin],
+            "depth",
+            "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,",
+            read,
+            ways,
+            "mm",
+            least,
+            sizes[thin] / least if is_certain else math.inf,
+            (scene.names[partner],),
+            scene.source.geom(thin),
+        )
 
 
 def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
@@ -263,9 +276,16 @@ def unposed(model: MjModel, start: Start) -> Iterator[Finding]:
     data = start.data(model)
     for give in _limits(model, data):
         if give.parameter == "position" and (value := give.read(model, data)) > LEAST[give.unit]:
-            message = f"{give.message} at {start}, before the first step"
             value = SCALE[give.unit] * value
-            yield Finding(give.rule, give.name, give.parameter, value, message, unit=give.unit, severity="note")
+            yield Finding(
+                give.rule,
+                give.name,
+                give.parameter,
+                value,
+                f"{give.message} at {start}, before the first step",
+                unit=give.unit,
+                severity="note",
+            )
 
 
 def _turns(model: MjModel, tendon: int) -> bool:
@@ -293,17 +313,23 @@ def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
 
         joint = int(model.eq_obj1id[equality])
         turns = _turns(model, joint) if kind == "tendon" else kind == "joint" and model.jnt_type[joint] == HINGE
-        message = f"is how far this {kind} is open with a solref of {_text(model.eq_solref[equality])}"
-        name = model.eq(equality).name or f"equality_{equality}"
         ways = [(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)]
-        yield Give("equality", name, "gap", message, gap, ways, "°" if turns else "mm")
+        yield Give(
+            "equality",
+            model.eq(equality).name or f"equality_{equality}",
+            "gap",
+            f"is how far this {kind} is open with a solref of {_text(model.eq_solref[equality])}",
+            gap,
+            ways,
+            "°" if turns else "mm",
+        )
 
 
 def is_servo(model: MjModel) -> np.ndarray:
     """Tell of each actuator whether it pulls a joint to a position."""
     gain = model.actuator_gainprm[:, 0]
     bias = model.actuator_biasprm[:, 1]
-    on_joint = model.actuator_trntype == int(mujoco.mjtTrn.mjTRN_JOINT)
+    on_joint = model.actuator_trntype == ON_JOINT
     return on_joint & (gain > 0.0) & np.isclose(gain, -bias) & (model.actuator_dyntype == 0)
 
 
@@ -331,8 +357,9 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
         name = model.actuator(servo).name or model.joint(joint).name or f"actuator_{servo}"
         ways = [('gravcomp="1" on the bodies that it carries', light)]
         ways += [(f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it', stiffer)]
-        message = "is how far gravity pulls it from its target"
-        yield Give("servo", name, "error", message, short, ways, unit, needs_way=True)
+        yield Give(
+            "servo", name, "error", "is how far gravity pulls it from its target", short, ways, unit, needs_way=True
+        )
 
 
 def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
@@ -365,12 +392,18 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
 
             after = _again(scene, rest.start, thicker) if times * thick < 2.0 * M * distance else None
             if after and not _crossing(model, pair, after.places).any():
-                message = f"thick, and it has gone through it, from {rest.start}"
-                advice = Advice(f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive")
-                element = scene.source.geom(wall)
-                against = (scene.names[wall],)
                 yield Finding(
-                    "tunnel", scene.names[geom], "wall", thick, message, against, None, "mm", "error", element, advice
+                    "tunnel",
+                    scene.names[geom],
+                    "wall",
+                    thick,
+                    f"thick, and it has gone through it, from {rest.start}",
+                    (scene.names[wall],),
+                    None,
+                    "mm",
+                    "error",
+                    scene.source.geom(wall),
+                    Advice(f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive"),
                 )
                 return
 
@@ -378,7 +411,7 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
 def _crossing(model: MjModel, pairs: np.ndarray, places: Sequence[Places]) -> np.ndarray:
     """Tell of geoms and plates whether the geom has gone from one side of the plate to the other, and through it."""
     rows = np.arange(len(pairs))
-    (geoms, walls) = pairs.T
+    geoms, walls = pairs.T
     centres, sizes = np.split(model.geom_aabb[walls], 2, axis=1)
     axis = sizes.argmin(axis=1)
     crossing = np.zeros(len(pairs), dtype=bool)
@@ -411,9 +444,15 @@ def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
     begins[1].ctrl[servos] = lengths[servos]
     before, after = (_fastest(model, data) for data in begins)
     if before > LEAVES and after < MENDS * before:
-        advice = Advice(f'ctrl="{_text(begins[1].ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s')
-        message = "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0"
-        yield Finding("keyframe", rest.start.name, "speed", before, message, element=key, advice=advice)
+        yield Finding(
+            "keyframe",
+            rest.start.name,
+            "speed",
+            before,
+            "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0",
+            element=key,
+            advice=Advice(f'ctrl="{_text(begins[1].ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s'),
+        )
 
 
 def _fastest(model: MjModel, data: MjData) -> float:
@@ -436,12 +475,18 @@ def _crowded(scene: Scene, rest: Rest) -> Iterator[Finding]:
             field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
             wide = model.hfield_size[model.geom_dataid[field]]
             ncol, nrow = (max(2, round(2.0 * side / (0.7 * model.geom_rbound[geom]))) for side in wide[:2].tolist())
-            message = f"{MOST_CONTACTS} contacts are all that a pair gets, and more cells touch it: it sinks through"
-            text = f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them'
-            element = scene.source.geom(field)
-            advice = Advice(text)
-            against = (names[field],)
-            yield Finding("hfield", names[geom], "", MOST_CONTACTS, message, against, element=element, advice=advice)
+            yield Finding(
+                "hfield",
+                names[geom],
+                "",
+                MOST_CONTACTS,
+                f"{MOST_CONTACTS} contacts are all that a pair gets, and more cells touch it: it sinks through",
+                (names[field],),
+                element=scene.source.geom(field),
+                advice=Advice(
+                    f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them'
+                ),
+            )
             return
 
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from newton_lint import advice
 from newton_lint.advice import FAR
-from newton_lint.findings import Advice, Finding
-from newton_lint.grouping import Hits, Wording, findings_of
+from newton_lint.findings import Advice, Finding, Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, engine, fixed, lost, pyramid, unread, visual
@@ -18,7 +17,6 @@ from newton_lint.source import Element
 # Difference up to which parameters are the same, and b h + k h²/2 from which MuJoCo's step throws bodies off.
 SAME = 1e-5
 STIFF = 1.9
-Values = tuple[np.ndarray, np.ndarray | float]
 Advise = Callable[[int], Advice | None]
 
 
@@ -36,23 +34,32 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
     solref = scene.model.geom_solref
     contacts = scene.contacts
     geoms = np.flatnonzero(scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0)))
-    message = "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used"
-    wording = Wording("solref-format", "solref[1]", message, severity="error")  # getsolparam, with a warning in the log
+    wording = Wording(
+        "solref-format",
+        "solref[1]",
+        "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used",
+        severity="error",
+    )  # getsolparam, with a warning in the log
 
     def advise(geom: int) -> Advice | None:
         plain = (contacts.named < 0) & ((contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked)
         return advice.whole_solref(scene, int(np.flatnonzero(plain)[0])) if plain.any() else None
 
-    yield _geom_hits(scene, wording, geoms, (solref[geoms, 1], DEFAULT_SOLREF[1]), "solref", advise)
+    yield _geom_hits(scene, wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
     """Yield a dmin above dmax, as getsolparam takes both."""
     dmin, dmax = np.clip(scene.model.geom_solimp[:, :2], mujoco.mjMINIMP, mujoco.mjMAXIMP).T
     geoms = np.flatnonzero(scene.counts & (dmin > dmax))
-    wording = Wording("solimp", "solimp", "is larger than dmax: the deeper, the softer, and creep grows with load")
-    values = dmin[geoms], dmax[geoms]
-    yield _geom_hits(scene, wording, geoms, values, "solimp", partial(advice.in_order, scene))
+    yield _geom_hits(
+        scene,
+        Wording("solimp", "solimp", "is larger than dmax: the deeper, the softer, and creep grows with load"),
+        geoms,
+        dmin,
+        dmax,
+        partial(advice.in_order, scene),
+    )
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
@@ -76,7 +83,7 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         longer = advice.longer_solref(scene, pair, float(limit[pair]))
         return advice.either(longer, Advice(text)) if more <= FAR else longer
 
-    yield _pair_hits(scene, wording, pairs, (authored[pairs], limit[pairs]), advise)
+    yield _pair_hits(scene, wording, pairs, authored, limit, advise)
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:
@@ -95,15 +102,19 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     # The integrator discrete takes both terms implicitly, and bears any.
     stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
     why = "leaves it alone" if scene.option.refsafe else "is off"
-    message = f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe {why}"
-    wording = Wording("stiff", "solref", message, severity="error")
+    wording = Wording(
+        "stiff",
+        "solref",
+        f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe {why}",
+        severity="error",
+    )
 
     def softer(pair: int) -> Advice:
         if first[pair] > 0.0:
             return advice.longer_solref(scene, pair, 2.0 * step, "as stiff as the time step bears")
         return advice.softer_solref(scene, pair, float(clamped(contacts.solimp[pair, 1])))
 
-    yield _pair_hits(scene, wording, stiff, (np.where(first > 0.0, first, second)[stiff], np.nan), softer)
+    yield _pair_hits(scene, wording, stiff, np.where(first > 0.0, first, second), np.nan, softer)
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
@@ -113,8 +124,14 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
         ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
     sound = (first > 0.0) == (second > 0.0)  # a mixed one is replaced, which solref-format says
     far = np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio))
-    wording = Wording("dampratio", "dampratio", "is far above 1: the contact yields by its square")
-    yield _pair_hits(scene, wording, far, (ratio[far], 1.0), partial(advice.whole_solref, scene))
+    yield _pair_hits(
+        scene,
+        Wording("dampratio", "dampratio", "is far above 1: the contact yields by its square"),
+        far,
+        ratio,
+        1.0,
+        partial(advice.whole_solref, scene),
+    )
 
 
 def one_sided(scene: Scene) -> Iterator[Hits]:
@@ -135,16 +152,18 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     shape = np.flatnonzero(is_stiff & softer)
     message = "is stiff on this side only: the other geom's soft solref is mixed in, in every pair"
     wording = Wording("one-sided", "solref", message, unit="s")
-    values = (authored[shape], stiffest[shape])
     advise = partial(advice.of_higher_priority, scene)
-    yield _geom_hits(scene, wording, shape, values, "solref", lambda geom: advise(geom, stiffest[geom]))
+    yield _geom_hits(scene, wording, shape, authored, stiffest, lambda geom: advise(geom, stiffest[geom]))
     shape = np.flatnonzero((authored >= FAR * DEFAULT_SOLREF[0]) & (softest > 0.0) & (1.5 * softest < authored))
     message = "is soft on this side only: the other geom's stiff solref is mixed in, in every pair"
     wording = Wording("one-sided", "solref", message, "s", "note")
-    values = (authored[shape], softest[shape])
-    gain = "its solref, solimp, friction and condim alone count; or the same solref and solimp on the other geom"
-    advise = partial(advice.for_geom, scene, attributes=advice.rank(scene), gain=gain)
-    yield _geom_hits(scene, wording, shape, values, "solref", advise)
+    advise = partial(
+        advice.for_geom,
+        scene,
+        attributes=advice.rank(scene),
+        gain="its solref, solimp, friction and condim alone count; or the same solref and solimp on the other geom",
+    )
+    yield _geom_hits(scene, wording, shape, authored, softest, advise)
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
@@ -155,12 +174,23 @@ def friction(scene: Scene) -> Iterator[Hits]:
     least = -_largest(scene, plain, -contacts.friction[:, 0])
     # The compiled model does not tell a default from the same number that somebody wrote.
     low = np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != 1.0))
-    message = "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority"
-    gain = "its friction alone counts, with its solref, solimp and condim"
-    wording = Wording("friction", "friction", message)
-    values = (authored[low], least[low])
-    advise = partial(advice.for_geom, scene, attributes=advice.rank(scene), gain=gain)
-    yield _geom_hits(scene, wording, low, values, "friction", advise)
+    yield _geom_hits(
+        scene,
+        Wording(
+            "friction",
+            "friction",
+            "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority",
+        ),
+        low,
+        authored,
+        least,
+        partial(
+            advice.for_geom,
+            scene,
+            attributes=advice.rank(scene),
+            gain="its friction alone counts, with its solref, solimp and condim",
+        ),
+    )
 
 
 def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -172,32 +202,27 @@ def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def _geom_hits(
-    scene: Scene, wording: Wording, geoms: np.ndarray, values: Values, attribute: str, advise: Advise
+    scene: Scene, wording: Wording, geoms: np.ndarray, authored: np.ndarray, used: np.ndarray | float, advise: Advise
 ) -> Hits:
-    """Return hits of geoms with values as authored and as used, at the tag that says an attribute."""
-    return Hits(wording, geoms, *values, None, geoms, partial(scene.source.authored, attribute=attribute), advise)
+    """Return hits of some geoms, with values of all as authored and as used, at the tag that says the parameter."""
+    element = partial(scene.source.authored, attribute=wording.parameter.partition("[")[0])
+    used = np.broadcast_to(used, authored.shape)
+    return Hits(wording, geoms, authored[geoms], used[geoms], None, geoms, element, advise)
 
 
-def _pair_hits(scene: Scene, wording: Wording, pairs: np.ndarray, values: Values, advise: Advise) -> Hits:
-    """Return hits of pairs with values as authored and as used, at the tag with the solref of the stiffer geom."""
+def _pair_hits(
+    scene: Scene, wording: Wording, pairs: np.ndarray, authored: np.ndarray, used: np.ndarray | float, advise: Advise
+) -> Hits:
+    """Return hits of some pairs, with values of all, at the tag with the solref of the stiffer geom."""
     contacts = scene.contacts
     timeconst = scene.model.geom_solref[:, 0]
-    first = contacts.first[pairs]
-    second = contacts.second[pairs]
-    swap = (timeconst[second] < timeconst[first]) & ~contacts.outranked[pairs]
-    shape = np.where(swap, second, first)
-    partner = np.where(swap, first, second)
-    return Hits(wording, shape, *values, partner, pairs, _solref_elements(scene, pairs, shape), advise)
-
-
-def _solref_elements(scene: Scene, pairs: np.ndarray, geoms: np.ndarray) -> Callable[[int], Element | None]:
-    contacts = scene.contacts
-    geom_of = dict(zip(pairs.tolist(), geoms.tolist(), strict=True))
+    swap = (timeconst[contacts.second] < timeconst[contacts.first]) & ~contacts.outranked
+    shape = np.where(swap, contacts.second, contacts.first)
+    partner = np.where(swap, contacts.first, contacts.second)
+    used = np.broadcast_to(used, authored.shape)
 
     def element(pair: int) -> Element | None:
-        if contacts.named[pair] < 0:
-            return scene.source.authored(geom_of[pair], "solref")
-        sides = (int(contacts.first[pair]), int(contacts.second[pair]))
-        return scene.source.pair(*(scene.model.geom(geom).name for geom in sides))
+        is_named = contacts.named[pair] >= 0
+        return scene.pair_element(pair) if is_named else scene.source.authored(int(shape[pair]), "solref")
 
-    return element
+    return Hits(wording, shape[pairs], authored[pairs], used[pairs], partner[pairs], pairs, element, advise)

@@ -10,10 +10,13 @@ from mujoco import MjModel
 
 from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
-from newton_lint.source import Source
+from newton_lint.source import Element, Source
 from newton_lint.warp_engine import has_noslip
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
+WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 def changed(model: MjModel, **options: float) -> MjModel:
@@ -80,6 +83,11 @@ class Scene:
         geoms = [model.geom(index).name or f"geom_{index}" for index in range(model.ngeom)]
         owners = [self.bodies[body] if body else "" for body in model.geom_bodyid]
         return [geom if owner in ("", geom) else f"{owner}/{geom}" for owner, geom in zip(owners, geoms, strict=True)]
+
+    def pair_element(self, contact: int) -> Element | None:
+        """Return the ``<pair>`` that names the geoms of a contact."""
+        geoms = (self.contacts.first[contact], self.contacts.second[contact])
+        return self.source.pair(*(self.model.geom(int(geom)).name for geom in geoms))
 
     @cached_property
     def counts(self) -> np.ndarray:

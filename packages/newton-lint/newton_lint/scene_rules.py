@@ -9,7 +9,7 @@ import numpy as np
 from newton_lint.advice import elliptic, for_geom
 from newton_lint.findings import Advice, Finding
 from newton_lint.pairs import MOST_PAIRS, OFF, read
-from newton_lint.scene import Scene
+from newton_lint.scene import WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
 # Friction from which a body sinks into a pyramid's contacts, 2 mm at 3, 100 at 8; what is farther hangs in the air.
@@ -20,7 +20,6 @@ HEAVIER = 1.7
 TWICE = 0.1
 HOLLOW = 2.0
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
-WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 def lost(scene: Scene) -> Iterator[Finding]:
@@ -37,12 +36,15 @@ def lost(scene: Scene) -> Iterator[Finding]:
     for body in sorted({*tree[is_free & collides].tolist()} - met) if falls and is_whole and len(others) else ():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
-        value = float(model.geom_contype[geom])
-        message = "meets no geom of another body, and falls through all of them: no geom's bits meet those of its geoms"
-        attributes = {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
-        advice = for_geom(scene, geom, attributes, "it is met")
-        element = scene.source.authored(geom, "contype") or scene.source.geom(geom)
-        yield Finding("lost", scene.bodies[body], "contype", value, message, element=element, advice=advice)
+        yield Finding(
+            "lost",
+            scene.bodies[body],
+            "contype",
+            float(model.geom_contype[geom]),
+            "meets no geom of another body, and falls through all of them: no geom's bits meet those of its geoms",
+            element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
+            advice=for_geom(scene, geom, {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}, "it is met"),
+        )
 
 
 def fixed(scene: Scene) -> Iterator[Finding]:
@@ -58,12 +60,21 @@ def fixed(scene: Scene) -> Iterator[Finding]:
         pairs = ((geom, other) for other in range(model.ngeom) for geom in geoms if tree[other] != body)
         near = (mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M for pair in pairs)
         if elements and not any(near):
-            name = scene.bodies[body]
             mass = float(model.body_subtreemass[body])
             element = elements[0]
-            message = "has no joint: it is fixed to the world, where it hangs in the air"
-            advice = Advice("a <freejoint/> in it lets it fall")
-            yield Finding("fixed", name, "mass", mass, message, (), None, "kg", "note", element, advice)
+            yield Finding(
+                "fixed",
+                scene.bodies[body],
+                "mass",
+                mass,
+                "has no joint: it is fixed to the world, where it hangs in the air",
+                (),
+                None,
+                "kg",
+                "note",
+                element,
+                Advice("a <freejoint/> in it lets it fall"),
+            )
 
 
 def visual(scene: Scene) -> Iterator[Finding]:
@@ -88,11 +99,18 @@ def visual(scene: Scene) -> Iterator[Finding]:
         for body in np.flatnonzero(heavier).tolist():
             mass = float(model.body_mass[body])
             used = float(light.body_mass[body])
-            message = f"is {times[body]:.2g} times that without geoms that touch nothing and are only seen"
-            advice = Advice(f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg')
-            severity = "warning" if is_twice else "note"
-            name = scene.bodies[body]
-            yield Finding("visual", name, "mass", mass, message, (), None, "kg", severity, advice=advice)
+            yield Finding(
+                "visual",
+                scene.bodies[body],
+                "mass",
+                mass,
+                f"is {times[body]:.2g} times that without geoms that touch nothing and are only seen",
+                (),
+                None,
+                "kg",
+                "warning" if is_twice else "note",
+                advice=Advice(f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg'),
+            )
 
 
 def closed(scene: Scene) -> Iterator[Finding]:
@@ -109,11 +127,19 @@ def closed(scene: Scene) -> Iterator[Finding]:
         hull = vertices[model.mesh_graph[start + 2 + 3 * count + 3 * faces :][: 3 * faces].reshape(-1, 3)]
         full, hollow = (abs(float(np.linalg.det(triangles).sum())) for triangles in (hull, corners))
         if full > HOLLOW * hollow > 0.0:
-            message = "times its volume is its convex hull, which is what collides: nothing gets into what is hollow"
-            advice = Advice("several convex geoms in its place, as CoACD or obj2mjcf make")
-            element = scene.source.geom(geom)
-            value = full / hollow
-            yield Finding("closed", scene.names[geom], "hull", value, message, (), None, "1", "note", element, advice)
+            yield Finding(
+                "closed",
+                scene.names[geom],
+                "hull",
+                full / hollow,
+                "times its volume is its convex hull, which is what collides: nothing gets into what is hollow",
+                (),
+                None,
+                "1",
+                "note",
+                scene.source.geom(geom),
+                Advice("several convex geoms in its place, as CoACD or obj2mjcf make"),
+            )
 
 
 def pyramid(scene: Scene) -> Iterator[Finding]:
@@ -138,19 +164,32 @@ def unread(scene: Scene) -> Iterator[Finding]:
     """Yield how many geoms are left out where all of them make too many pairs."""
     count = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
     if count:
-        message = f"are not read: all make over {MOST_PAIRS:,} pairs, and the others stand for them"
-        yield _scene_finding(scene, "unread", "geoms", float(count), message, severity="note")
+        yield _scene_finding(
+            scene,
+            "unread",
+            "geoms",
+            float(count),
+            f"are not read: all make over {MOST_PAIRS:,} pairs, and the others stand for them",
+            severity="note",
+        )
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
     """Yield what MuJoCo Warp says of a scene, in its words."""
     if scene.engine.name == "warp" and (refused := refusal(scene.model)):
-        message = f"MuJoCo Warp refuses this model: {refused}"
-        yield _scene_finding(scene, "engine", "", 1.0, message, severity="error")
+        yield _scene_finding(scene, "engine", "", 1.0, f"MuJoCo Warp refuses this model: {refused}", severity="error")
 
 
 def _scene_finding(
     scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"
 ) -> Finding:
-    element = scene.source.option(parameter) if parameter else None
-    return Finding(rule, "", parameter, value, message, severity=severity, element=element, advice=advice)
+    return Finding(
+        rule,
+        "",
+        parameter,
+        value,
+        message,
+        severity=severity,
+        element=scene.source.option(parameter) if parameter else None,
+        advice=advice,
+    )

@@ -111,10 +111,19 @@ class Hold:
             message = "slides: what it has to bear is beyond the cone of friction"
             yield Finding("slides", self.name, "load", self.load_n, message, touching, None, "N", "error")
         elif self.mm_s > below_mm_s:
-            advice = Advice(f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings")
             creep = self.mm_s
             message = "creeps faster than it may"
-            yield Finding("creep", self.name, "creep", creep, message, touching, below_mm_s, "mm/s", advice=advice)
+            yield Finding(
+                "creep",
+                self.name,
+                "creep",
+                creep,
+                message,
+                touching,
+                below_mm_s,
+                "mm/s",
+                advice=Advice(f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"),
+            )
 
     def as_json(self) -> dict[str, Any]:
         names = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
@@ -175,9 +184,15 @@ def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[T
     for (pair, _), series in readings.items():
         sums = {name: sum(reading[name] for reading in series) for name in series[0]}
         # A point that is there in half of the steps bears half of its force; where and how it acts is of those alone.
-        means = {name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()}
         support = next(int(side) for side in body_of[list(pair)] if not is_held[side])
-        touches.append(Touch(geoms=pair, support=support, share=len(series) / step_count, **means))
+        touches.append(
+            Touch(
+                geoms=pair,
+                support=support,
+                share=len(series) / step_count,
+                **{name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()},
+            )
+        )
     return touches
 
 
@@ -193,8 +208,7 @@ def _reading(scene: Scene, data: MjData, index: int, sign: float) -> dict[str, A
         return None
     frame = contact.frame.reshape(3, 3)  # its rows: normal, then both tangents
     shares = np.abs(force[1:3]) / contact.friction[:2]
-    is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
-    used = float(shares.sum() if is_pyramid else np.hypot(*shares)) / force[0]
+    used = float(shares.sum() if scene.option.cone == "pyramidal" else np.hypot(*shares)) / force[0]
     weight = _weight(scene, data, index)
     along1, along2 = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
@@ -212,7 +226,7 @@ def _weight(scene: Scene, data: MjData, index: int) -> float:
     if scene.option.discrete:
         h = model.opt.timestep
         weight *= 1.0 + damping * h + stiffness * d * h * h
-    if model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL) and contact.dim > 1:
+    if scene.option.cone == "pyramidal" and contact.dim > 1:
         mu = contact.friction[0]
         weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))  # so much of R and of the weight has an edge
     return float(weight)

@@ -149,16 +149,16 @@ class Source:
 
     def key(self, index: int) -> Element | None:
         """Return a ``<key>``."""
-        frames = self.root.sections("keyframe") if self.root else ()
-        return dict(enumerate(key for frame in frames for key in frame.sections("key"))).get(index)
+        return dict(enumerate(self._within("keyframe", "key"))).get(index)
 
     def pair(self, *names: str) -> Element | None:
         """Return the ``<pair>`` of two geoms, by their names."""
-        for contact in self.root.sections("contact") if self.root else ():
-            for pair in contact.sections("pair"):
-                if {pair.attributes.get("geom1"), pair.attributes.get("geom2")} == set(names):
-                    return pair
-        return None
+        pairs = self._within("contact", "pair")
+        return next((p for p in pairs if {p.attributes.get("geom1"), p.attributes.get("geom2")} == {*names}), None)
+
+    def _within(self, section: str, tag: str) -> Iterator[Element]:
+        for element in self.root.sections(section) if self.root else ():
+            yield from element.sections(tag)
 
 
 def _bodies(element: Element, inherited: str | None) -> Iterator[list[tuple[Element, str | None]]]:

@@ -12,8 +12,8 @@ from mujoco import MjData, MjModel
 from newton_lint.advice import either, for_option
 from newton_lint.findings import Advice, Change, Finding
 from newton_lint.law import EULER, IMPLICITFAST, M
-from newton_lint.rest import at_rest, is_servo, rest_of, unposed
-from newton_lint.scene import Scene, changed
+from newton_lint.rest import ON_JOINT, at_rest, is_servo, rest_of, unposed
+from newton_lint.scene import HINGE, Scene, changed
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of
 
 # Speed that contacts can't give a body that lies or falls, and share of it that is left where a change mends it.
@@ -32,8 +32,6 @@ DIFFERS = 0.1
 SAG = 5e-3
 HELD = 0.99
 AGREES = 0.7
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
-ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 Way = tuple[MjModel, dict[str, str], str]
 """A changed model, what of the change are options, and the rest of it in words."""
@@ -49,8 +47,16 @@ def stepped(scene: Scene, runs: Sequence[Run]) -> list[Finding]:
     """Return what the runs show: what blows up, is thrown, overlaps, is pressed too hard or is not solved."""
     findings: dict[tuple, Finding] = {}
     if not runs:
-        message = f"move, and more than {MOST_DOFS} are not stepped"
-        return [Finding("unstepped", "", "nv", float(scene.model.nv), message, severity="note")]
+        return [
+            Finding(
+                "unstepped",
+                "",
+                "nv",
+                float(scene.model.nv),
+                f"move, and more than {MOST_DOFS} are not stepped",
+                severity="note",
+            )
+        ]
     for index, run in enumerate(runs):
         rest = None if run.bad else rest_of(scene.model, run.data, run.start)
         ill_posed = list(unposed(scene.model, run.start))
@@ -172,11 +178,11 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
         calmer = float(np.max(run.speeds_m_s - after.speeds_m_s, initial=0.0))
         if run.deepest_m - after.deepest_m > max(DIFFERS_M, DIFFERS * run.deepest_m) or calmer > 100.0 * DIFFERS_M:
             message = f"are used up in {run.at_limit:.0%} of the steps from {run.start}, and contacts are not solved"
-            gain = f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
-            advice = for_option(scene, {"iterations": more}, gain)
+            advice = for_option(
+                scene, {"iterations": more}, f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
+            )
             element = scene.source.option("iterations")
-            value = float(opt.iterations)
-            yield Finding("solver", "", "iterations", value, message, element=element, advice=advice)
+            yield Finding("solver", "", "iterations", float(opt.iterations), message, element=element, advice=advice)
 
 
 def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
@@ -215,15 +221,25 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
         first, second = model.body_weldid[list(bodies)].tolist()
         if is_piece and first == 0 == model.body_weldid[model.body_parentid[second]]:  # filterBodyPair
             message += f"; {BASE}"
-        gain = f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other'
-        exclude = Advice(gain, (Change("exclude", (("body1", names[0]), ("body2", names[1]))),))
+        exclude = Advice(
+            f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other',
+            (Change("exclude", (("body1", names[0]), ("body2", names[1]))),),
+        )
         apart = Advice(f"{margin and 'lower the margin, or '}move one by {M * depth:.3g} mm")
         shape, partner = (scene.names[geom] for geom in pair)
-        severity = "warning" if hard else "note"
-        advice = exclude if one_tree else apart
-        element = scene.source.geom(pair[1]) or scene.source.geom(pair[0])
-        against = (partner,)
-        yield Finding("overlap", shape, "overlap", M * depth, message, against, None, "mm", severity, element, advice)
+        yield Finding(
+            "overlap",
+            shape,
+            "overlap",
+            M * depth,
+            message,
+            (partner,),
+            None,
+            "mm",
+            "warning" if hard else "note",
+            scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
+            exclude if one_tree else apart,
+        )
 
 
 def _sagging(scene: Scene, run: Run) -> Iterator[Finding]:
@@ -241,9 +257,15 @@ def _sagging(scene: Scene, run: Run) -> Iterator[Finding]:
             slower = f"{scale * rate:.3g} → {scale * after:.3g} {unit}, in MuJoCo C"
             advice = for_option(scene, {"noslip_iterations": "10"}, f"{slower}; or {gain}, in all engines")
         bears = f"{abs(run.data.qfrc_bias[dof]):.3g} of the {model.dof_frictionloss[dof]:.3g}"
-        message = f"is how fast it gives way to {bears} that frictionloss can bear, from {run.start}, at any impratio"
-        name = joint.name or f"joint_{joint.id}"
-        yield Finding("sag", name, "speed", scale * rate, message, unit=unit, advice=advice)
+        yield Finding(
+            "sag",
+            joint.name or f"joint_{joint.id}",
+            "speed",
+            scale * rate,
+            f"is how fast it gives way to {bears} that frictionloss can bear, from {run.start}, at any impratio",
+            unit=unit,
+            advice=advice,
+        )
 
 
 def _sags(model: MjModel, run: Run) -> dict[int, float]:

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 from mujoco import MjData, MjModel
 
-from newton_lint.scene import FREE
+from newton_lint.scene import FREE, WEIGHTLESS
 from newton_lint.settle import started
 from newton_lint.target import Target
 
@@ -105,7 +105,7 @@ def run_of(model: MjModel, start: Start, time_s: float) -> Run:
     free = free_joints(model)
     places = model.jnt_qposadr[free][:, None] + np.arange(3)
     speeds = model.jnt_dofadr[free][:, None] + np.arange(3)
-    gravity = np.zeros(3) if model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY) else model.opt.gravity
+    gravity = np.zeros(3) if model.opt.disableflags & WEIGHTLESS else model.opt.gravity
 
     def energy() -> np.ndarray:
         return 0.5 * (data.qvel[speeds] ** 2).sum(axis=1) - data.qpos[places] @ gravity
@@ -133,10 +133,20 @@ def run_of(model: MjModel, start: Start, time_s: float) -> Run:
         if time.process_time() - since > BUDGET_S:
             break
     reached = step * model.opt.timestep
-    effort = (step + 0.5 * solved) / reached
-    cost = (time.process_time() - since) / reached
-    now = np.linalg.norm(data.qvel[speeds], axis=1)
-    return Run(start, reached, bad, first, deepest, late, rise, now, limited / step, effort, cost, data)
+    return Run(
+        start,
+        reached,
+        bad,
+        first,
+        deepest,
+        late,
+        rise,
+        np.linalg.norm(data.qvel[speeds], axis=1),
+        limited / step,
+        (step + 0.5 * solved) / reached,
+        (time.process_time() - since) / reached,
+        data,
+    )
 
 
 def deepest_of(data: MjData) -> float:

@@ -9,8 +9,7 @@ import numpy as np
 from newton.solvers import SolverMuJoCo
 
 from newton_lint.combined import Contacts, contacts_of, share
-from newton_lint.findings import Finding
-from newton_lint.grouping import Hits, Wording, findings_of
+from newton_lint.findings import Finding, Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.rules import SAME
@@ -74,8 +73,16 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
     values = {name: scene.of_geoms(f"shape_material_{name}") for name in ("ke", "kd")}
     for name, zero, used in (("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2), ("kd", "ke", 2.0 / timeconst_s)):
         hit = np.flatnonzero(converted & (values[name] > 0.0) & (values[zero] <= 0.0))
-        message = f"is not read: {zero} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is"
-        yield Hits(Wording("ke-without-kd", name, message), hit, values[name][hit], used)
+        yield Hits(
+            Wording(
+                "ke-without-kd",
+                name,
+                f"is not read: {zero} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is",
+            ),
+            hit,
+            values[name][hit],
+            used,
+        )
 
 
 def friction_gain(scene: Shapes) -> Iterator[Hits]:
