@@ -140,9 +140,14 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
     ignore = [*table.get("ignore", []), *map(str.strip, options.ignore.split(",") if options.ignore else [])]
     if unknown := [rule for rule in ignore if rule not in rules()]:
         raise TargetError(f"there is no rule {', '.join(unknown)} to ignore: there are {', '.join(rules())}")
-    load = Load(options.acceleration, options.load)
-    below = options.below or table.get("below")
-    return Request(engine_of(options, table), load, work_of(options), below, frozenset(ignore), not options.no_step)
+    return Request(
+        engine_of(options, table),
+        Load(options.acceleration, options.load),
+        work_of(options),
+        options.below or table.get("below"),
+        frozenset(ignore),
+        not options.no_step,
+    )
 
 
 def engine_of(options: argparse.Namespace, table: dict[str, Any]):
@@ -176,12 +181,20 @@ def version() -> str:
 
 def lint_parser() -> Parser:
     """Make the parser of the lint's own options."""
-    about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
-    epilog = "Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a contact."
-    parser = Parser(prog=PROGRAM, description=about, epilog=epilog)
+    parser = Parser(
+        prog=PROGRAM,
+        description="Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what"
+        " to do.",
+        epilog="Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a"
+        " contact.",
+    )
     add = parser.add_argument
-    targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"
-    add("target", metavar="TARGET", nargs="+", help=targets)
+    add(
+        "target",
+        metavar="TARGET",
+        nargs="+",
+        help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function",
+    )
     add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")

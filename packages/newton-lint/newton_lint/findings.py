@@ -104,13 +104,11 @@ class Hits:
 
 def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
     """Yield a finding for each shape and each value that it has and gets, in the order in which they were hit."""
-    if not len(hits.shape):
-        return
     all_used = np.broadcast_to(hits.used, len(hits.shape))
     # NaN equals nothing, itself neither: each hit of which nothing is used would be a finding of its own.
-    first, group = distinct_rows(hits.shape, hits.value, np.nan_to_num(all_used, nan=np.inf))
-    members = np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
-    for index, member in sorted(zip(first.tolist(), members, strict=True), key=lambda pair: pair[0]):
+    numbers = row_numbers(hits.shape, hits.value, np.nan_to_num(all_used, nan=np.inf))
+    for member in sorted(groups_of(numbers), key=lambda member: member[0]):
+        index = member[0]
         used = float(all_used[index])
         item = -1 if hits.items is None else int(hits.items[index])
         yield Finding(
@@ -124,11 +122,15 @@ def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
         )
 
 
-def distinct_rows(*columns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return first index of each different row, and the number of each row's; faster than to sort the rows as such."""
+def row_numbers(*columns: np.ndarray) -> np.ndarray:
+    """Number rows so that equal ones have the same number; faster than to sort the rows as such."""
     key = np.zeros(len(columns[0]), dtype=np.int64)
     for column in columns:
         values, number = np.unique(column, return_inverse=True)
         _, key = np.unique(key * len(values) + number, return_inverse=True)  # anew, or the products would overflow
-    _, first, group = np.unique(key, return_index=True, return_inverse=True)
-    return first, group
+    return key
+
+
+def groups_of(numbers: np.ndarray) -> list[np.ndarray]:
+    """Return the indices of each number, by the numbers."""
+    return np.split(np.argsort(numbers, kind="stable"), np.cumsum(np.bincount(numbers))[:-1]) if len(numbers) else []

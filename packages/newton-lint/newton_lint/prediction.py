@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
-from newton_lint.findings import distinct_rows
+from newton_lint.findings import groups_of, row_numbers
 from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
 from newton_lint.scene import Scene
 
@@ -44,17 +44,14 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
     """Return predictions of pairs with friction and damping, alike together, free bodies first."""
     contacts = scene.contacts
     rows = np.flatnonzero(contacts.condim > 1)
-    if not len(rows):
-        return []
-    first, kind = distinct_rows(_kinds(scene)[rows])
-    members = np.split(rows[np.argsort(kind, kind="stable")], np.cumsum(np.bincount(kind))[:-1])
     loose = scene.free[scene.model.geom_bodyid]
     names = scene.names
     creeps = []
-    for index, pairs in zip(first, members, strict=True):
+    for members in groups_of(row_numbers(_kinds(scene)[rows])):
+        pairs = rows[members]
         geoms = zip(contacts.first[pairs].tolist(), contacts.second[pairs].tolist(), strict=True)
         between = tuple((names[geom1], names[geom2]) for geom1, geom2 in geoms)
-        pair = int(rows[index])
+        pair = int(pairs[0])
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(contacts.contact(pair), scene.option, load, between, is_free):
             if (named := contacts.named[pair]) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
@@ -71,7 +68,7 @@ def _kinds(scene: Scene) -> np.ndarray:
     model = scene.model
     columns = (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
     single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
-    _, kind = distinct_rows(*np.concatenate(columns), *single, model.body_invweight0[model.geom_bodyid, 0])
+    kind = row_numbers(*np.concatenate(columns), *single, model.body_invweight0[model.geom_bodyid, 0])
     kind1 = kind[contacts.first]
     kind2 = kind[contacts.second]
     unordered = np.minimum(kind1, kind2) * model.ngeom + np.maximum(kind1, kind2)

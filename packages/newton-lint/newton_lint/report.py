@@ -17,14 +17,13 @@ from newton_lint.settle import Hold, Work, settled_hold, weigh
 from newton_lint.source import Element, Source
 from newton_lint.step_rules import stepped
 from newton_lint.stepped import Run, runs_of
-from newton_lint.target import READER, Target, TargetError, newtons
+from newton_lint.target import NEWTONS, Target, TargetError, newtons
 
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
 # Numbers whose squares are infinite, and what is looked at for them.
 HUGE = 1e100
 NUMBERS = ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
-NEWTONS = "newton_lint.newton_models.report"
 
 
 @dataclass(frozen=True)
@@ -129,7 +128,7 @@ def _noted(scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]) -> li
 def _newton_findings(target: Target, request: Request, findings: Sequence[Finding]) -> list[Finding]:
     """Return what rules besides those that MuJoCo's model broke find in the file as Newton reads it."""
     rules = {finding.rule for finding in findings}
-    imported = replace(target, newton_model=newtons(target.name, READER, "imported", target.path))
+    imported = replace(target, newton_model=newtons(target.name, NEWTONS, "imported", target.path))
     report = newtons(target.name, NEWTONS, "report_of", imported, request)
     changes = []
     assert target.model is not None  # what Newton alone reads is no target of this

@@ -18,7 +18,7 @@ from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import HINGE, Scene
 from newton_lint.settle import pair_indices
 from newton_lint.source import Element
-from newton_lint.stepped import BAD, Run, Start
+from newton_lint.stepped import Run, Start, is_bad
 
 # Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited.
 REST = 2e-3
@@ -93,7 +93,7 @@ class Give:
     """Whether it is a fault only where the first of the ways mends it."""
 
 
-def rest_of(model: MjModel, data: MjData, start: Start, seconds: float = LONGEST_S) -> Rest | None:
+def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
     """Step on until nothing moves; what swings on is braked whenever it slows. None where it blows up."""
     data = copy.copy(data)
     moved = np.zeros(model.nv)
@@ -104,7 +104,7 @@ def rest_of(model: MjModel, data: MjData, start: Start, seconds: float = LONGEST
         since = time.process_time()
         calm = 0
         energy = 0.0
-        for _ in range(max(1, round(seconds / WINDOW_S))):
+        for _ in range(round(LONGEST_S / WINDOW_S)):
             last = data.qpos.copy()
             for _ in range(window):
                 mujoco.mj_step(model, data)
@@ -112,7 +112,7 @@ def rest_of(model: MjModel, data: MjData, start: Start, seconds: float = LONGEST
                 energy = float(data.qvel @ data.qvel)
                 if braked and energy < before:
                     data.qvel[:] = energy = 0.0
-            if any(data.warning[number].number for number in BAD):
+            if is_bad(data):
                 return None
             places += [] if braked else [places_of(data)]
             mujoco.mj_differentiatePos(model, moved, window * model.opt.timestep, last, data.qpos)
@@ -262,9 +262,8 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
 
     for joint in np.flatnonzero(model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))).tolist():
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
-        address = model.jnt_qposadr[joint]
         name = model.joint(joint).name or f"joint_{joint}"
-        yield give(name, "position", model.jnt_range[joint], unit, "qpos", address, joint)
+        yield give(name, "position", model.jnt_range[joint], unit, "qpos", model.jnt_qposadr[joint], joint)
     for tendon in np.flatnonzero(model.tendon_limited).tolist():
         name = model.tendon(tendon).name or f"tendon_{tendon}"
         unit = "°" if _turns(model, tendon) else "mm"

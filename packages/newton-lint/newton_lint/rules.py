@@ -24,7 +24,8 @@ def lint(scene: Scene) -> list[Finding]:
     """Return everything that the rules find, in their order."""
     rules = (solref_format, solimp, timeconst, too_stiff, dampratio, one_sided, friction)
     names = scene.names
-    findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
+    with np.errstate(divide="ignore", invalid="ignore"):  # some divide by parts of a solref that may be 0
+        findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, names)]
     scene_rules = (lost, fixed, visual, closed, pyramid, unread, engine)
     return findings + [finding for rule in scene_rules for finding in rule(scene)]
 
@@ -69,9 +70,8 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     if not option.refsafe:
         return
     authored, ratio = contacts.solref.T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        limit = option.timestep_s / ratio if option.discrete else np.full(len(authored), 2.0 * option.timestep_s)
-        below = (authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME))
+    limit = option.timestep_s / ratio if option.discrete else np.full(len(authored), 2.0 * option.timestep_s)
+    below = (authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME))
     least = "one step over the dampratio" if option.discrete else "two steps"
     wording = Wording("timeconst", "timeconst", f"is below {least}, which the engine clamps it to", "s")
     pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))  # which nobody wrote
@@ -95,8 +95,7 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     taken = (first <= 0.0) & (second <= 0.0)
     if not scene.option.refsafe:
         is_short = (first > 0.0) & (second > 0.0)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            own = 2.0 * step / first + 0.5 * (step / (first * second)) ** 2
+        own = 2.0 * step / first + 0.5 * (step / (first * second)) ** 2
         taken = taken | is_short
         gain = np.where(is_short, own, gain)
     # The integrator discrete takes both terms implicitly, and bears any.
@@ -120,14 +119,12 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
 def dampratio(scene: Scene) -> Iterator[Hits]:
     """Yield a contact that yields as the square of its damping ratio."""
     first, second = scene.contacts.solref.T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
+    ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
     sound = (first > 0.0) == (second > 0.0)  # a mixed one is replaced, which solref-format says
-    far = np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio))
     yield _pair_hits(
         scene,
         Wording("dampratio", "dampratio", "is far above 1: the contact yields by its square"),
-        far,
+        np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio)),
         ratio,
         1.0,
         partial(advice.whole_solref, scene),
@@ -173,7 +170,6 @@ def friction(scene: Scene) -> Iterator[Hits]:
     plain = (contacts.named < 0) & (contacts.condim > 1)
     least = -_largest(scene, plain, -contacts.friction[:, 0])
     # The compiled model does not tell a default from the same number that somebody wrote.
-    low = np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != 1.0))
     yield _geom_hits(
         scene,
         Wording(
@@ -181,7 +177,7 @@ def friction(scene: Scene) -> Iterator[Hits]:
             "friction",
             "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority",
         ),
-        low,
+        np.flatnonzero((authored * FAR <= least) & np.isfinite(least) & (authored != 1.0)),
         authored,
         least,
         partial(
@@ -205,9 +201,17 @@ def _geom_hits(
     scene: Scene, wording: Wording, geoms: np.ndarray, authored: np.ndarray, used: np.ndarray | float, advise: Advise
 ) -> Hits:
     """Return hits of some geoms, with values of all as authored and as used, at the tag that says the parameter."""
-    element = partial(scene.source.authored, attribute=wording.parameter.partition("[")[0])
     used = np.broadcast_to(used, authored.shape)
-    return Hits(wording, geoms, authored[geoms], used[geoms], None, geoms, element, advise)
+    return Hits(
+        wording,
+        geoms,
+        authored[geoms],
+        used[geoms],
+        None,
+        geoms,
+        partial(scene.source.authored, attribute=wording.parameter.partition("[")[0]),
+        advise,
+    )
 
 
 def _pair_hits(

@@ -60,13 +60,12 @@ def fixed(scene: Scene) -> Iterator[Finding]:
         pairs = ((geom, other) for other in range(model.ngeom) for geom in geoms if tree[other] != body)
         near = (mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M for pair in pairs)
         if elements and not any(near):
-            mass = float(model.body_subtreemass[body])
             element = elements[0]
             yield Finding(
                 "fixed",
                 scene.bodies[body],
                 "mass",
-                mass,
+                float(model.body_subtreemass[body]),
                 "has no joint: it is fixed to the world, where it hangs in the air",
                 (),
                 None,

@@ -104,9 +104,8 @@ class Hold:
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
             message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
-            moves = self.moves_mm_s
             creep = self.mm_s
-            yield Finding("unsettled", self.name, "speed", moves, message, touching, creep, "mm/s", "note")
+            yield Finding("unsettled", self.name, "speed", self.moves_mm_s, message, touching, creep, "mm/s", "note")
         elif self.slides:
             message = "slides: what it has to bear is beyond the cone of friction"
             yield Finding("slides", self.name, "load", self.load_n, message, touching, None, "N", "error")
@@ -184,11 +183,10 @@ def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[T
     for (pair, _), series in readings.items():
         sums = {name: sum(reading[name] for reading in series) for name in series[0]}
         # A point that is there in half of the steps bears half of its force; where and how it acts is of those alone.
-        support = next(int(side) for side in body_of[list(pair)] if not is_held[side])
         touches.append(
             Touch(
                 geoms=pair,
-                support=support,
+                support=next(int(side) for side in body_of[list(pair)] if not is_held[side]),
                 share=len(series) / step_count,
                 **{name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()},
             )

@@ -208,7 +208,7 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
         force = float(forces[(touching == bodies).all(axis=1)].sum())
         jammed = weight > 0.0 and force > FORCE * weight
         thrown = max(fast.get(int(model.body_weldid[body]), 0.0) for body in bodies)
-        hard = jammed or bool(run.bad) or thrown > THROWN_M_S
+        hard = jammed or run.bad or thrown > THROWN_M_S
         one_tree = model.body_rootid[bodies[0]] == model.body_rootid[bodies[1]] or not any(scene.free[list(bodies)])
         names = [scene.bodies[body] for body in bodies]
         margin = " with their margin" if model.geom_margin[list(pair)].any() or model.pair_margin.any() else ""

@@ -19,7 +19,7 @@ BUDGET_S = 5.0
 MOST_STARTS = 4
 MOST_DOFS = 3000
 # After one of them mj_checkPos and mj_checkAcc reset the state, which then looks sound: only the count stays.
-BAD = {int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")): f"BAD{name}" for name in ("QPOS", "QVEL", "QACC")}
+BAD = [int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")) for name in ("QPOS", "QVEL", "QACC")]
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,8 @@ class Run:
     start: Start
     time_s: float
     """How long it was stepped; less where it blew up or took too long."""
-    bad: str
-    """The engine's name for what blew up; empty where nothing did."""
+    bad: bool
+    """Whether it blew up."""
     first: dict[tuple[int, int], float]
     """Deepest overlap of each pair of geoms at the start [m]."""
     deepest_m: float
@@ -127,7 +127,7 @@ def run_of(model: MjModel, start: Start, time_s: float) -> Run:
         iterations = data.solver_niter  # of each island, those that are not there 0
         limited = limited + (iterations.max() >= most)
         solved = solved + iterations.sum()
-        if bad := next((warning for number, warning in BAD.items() if data.warning[number].number), ""):
+        if bad := is_bad(data):
             break
         rise = np.maximum(rise, energy() - begin)
         if time.process_time() - since > BUDGET_S:
@@ -147,6 +147,11 @@ def run_of(model: MjModel, start: Start, time_s: float) -> Run:
         (time.process_time() - since) / reached,
         data,
     )
+
+
+def is_bad(data: MjData) -> bool:
+    """Tell whether a state blew up."""
+    return any(data.warning[number].number for number in BAD)
 
 
 def deepest_of(data: MjData) -> float:

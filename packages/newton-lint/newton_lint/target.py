@@ -22,7 +22,7 @@ ENDINGS = (*MUJOCOS, *USD)
 ROOTS = re.compile(rb"<(mujoco|robot)[\s>/]")
 """One of them is in a file that a folder is searched for; ``<mujocoinclude>`` is no root."""
 INCLUDE = re.compile(rb"""<include\s[^>]*file\s*=\s*["']([^"']+)""")
-READER = "newton_lint.newton_models.reader"
+NEWTONS = "newton_lint.newton_models.report"
 NEEDS_NEWTON = "takes Newton and what it reads meshes and USD with: pip install 'newton-lint[newton]'"
 
 
@@ -91,7 +91,7 @@ def _read_file(target: str, path: Path) -> Target:
     if not path.is_file() or not os.access(path, os.R_OK):
         raise TargetError(f"{path}: {'cannot be read' if path.exists() else 'there is no such file'}")
     if path.suffix.lower() in USD:
-        return Target(target, None, newtons(target, READER, "imported", path))
+        return Target(target, None, newtons(target, NEWTONS, "imported", path))
     try:
         return Target(target, compiled(path), path=path)
     except (ValueError, TypeError, mujoco.FatalError) as error:  # a TypeError of a name that is no text
@@ -151,7 +151,7 @@ def _of(target: str, scene: Any) -> Target:
             raise TargetError(f"{target}: MuJoCo refuses it: {_line(error)}") from error
     if isinstance(scene, MjModel):
         return Target(target, scene, data=data if isinstance(data, MjData) else None)
-    if "newton" in sys.modules and newtons(target, READER, "is_model", scene):
+    if "newton" in sys.modules and newtons(target, NEWTONS, "is_model", scene):
         return Target(target, None, scene)
     raise TargetError(f"{target}: returns a {type(scene).__name__}, and no model of MuJoCo's or Newton's")
 
