@@ -53,8 +53,8 @@ def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str
         subject = f"the pair of {scene.names[first]} and {scene.names[second]}"
         return Advice(gain, (Change(subject, (("solref", new),), scene.pair_element(pair)),) if new else ())
     geoms = (first,) if contacts.outranked[pair] else (first, second)
-    solrefs = {geom: new for geom in geoms if (new := solref(model.geom_solref[geom]))}
-    advices = [for_geom(scene, geom, {"solref": new}, gain) for geom, new in solrefs.items()]
+    solrefs = [(geom, solref(model.geom_solref[geom])) for geom in geoms]
+    advices = [for_geom(scene, geom, {"solref": new}, gain) for geom, new in solrefs if new]
     changes = distinct(change for advice in advices for change in advice.changes)
     singles = tuple(change for advice in advices for change in ways_of(advice)[-1].changes)
     return either(Advice(gain, changes), *([Advice("", singles)] if singles != changes else []))

@@ -10,7 +10,7 @@ import os
 import re
 import sys
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -91,6 +91,7 @@ class Tell(argparse.Action):
 
 
 def _linted(options: argparse.Namespace) -> int:
+    from newton_lint.mend import fixed, fixed_again
     from newton_lint.output import printable, written
     from newton_lint.report import report_of
     from newton_lint.settings import table_of
@@ -108,8 +109,7 @@ def _linted(options: argparse.Namespace) -> int:
         try:
             read = read_target(target)
             if (options.fix or options.dry_run) and read.path and read.model is not None:
-                mend = importlib.import_module("newton_lint.mend")
-                report, lines, why = mend.fixed(read, request, paths, options.dry_run)
+                report, lines, why = fixed(read, request, paths, options.dry_run)
                 fixes += lines
                 unread += [why] if why else []
             else:
@@ -118,17 +118,20 @@ def _linted(options: argparse.Namespace) -> int:
         except TargetError as error:
             unread.append(str(error))
     if options.fix and not options.dry_run and not unread and len(targets) > 1:
-        fixes += importlib.import_module("newton_lint.mend").fixed_again(targets, request, paths)
-    with _pipe_may_close():
+        fixes += fixed_again(targets, request, paths)
+    try:
         if reports or form in ("json", "sarif"):
-            print(written(reports, form, unread))
+            print(written(reports, form, unread), flush=True)
+    except BrokenPipeError:  # who reads the output may stop before its end, as head does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
     for line in (*unread, *fixes):
         print(printable(line), file=sys.stderr)
     if unread:
         return UNFIT
     least = options.fail_on or table.get("fail-on", "warning")
-    failed = least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports)
-    return FOUND if failed else CLEAN
+    if least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports):
+        return FOUND
+    return CLEAN
 
 
 def request_of(options: argparse.Namespace, table: dict[str, Any]):
@@ -160,16 +163,6 @@ def work_of(options: argparse.Namespace):
     from newton_lint.settle import SETTLE_S, Work
 
     return Work(options.hold, options.settle or SETTLE_S, options.turn, options.lift) if options.hold else None
-
-
-@contextlib.contextmanager
-def _pipe_may_close() -> Iterator[None]:
-    """Let who reads the output stop before its end, as head does."""
-    try:
-        yield
-        print(end="", flush=True)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
 
 
 def version() -> str:

@@ -12,7 +12,7 @@ import numpy as np
 from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Advice, Finding
 from newton_lint.scene import ELLIPTIC, Scene, changed
-from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, pair_indices, predicted_hold, touches_of
+from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, predicted_hold, touches_of
 from newton_lint.stepped import Run, Start, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
@@ -35,7 +35,8 @@ def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Findi
                 steps = max(1, round(READ_SHARE * SETTLE_S / scene.model.opt.timestep))
                 if touches := touches_of(scene, data, body, steps):
                     findings = list(_grip_findings(scene, body, touches, data, run.start))
-                    reported |= {body} if findings else set()
+                    if findings:
+                        reported.add(body)
                     yield from findings
 
 
@@ -50,7 +51,7 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
     for geoms, sign in zip(data.contact.geom[contacts].T, (-1.0, 1.0), strict=True):  # it acts on the second geom
         np.add.at(friction, model.body_weldid[model.geom_bodyid[geoms]], sign * acts)
     free = model.jnt_bodyid[free_joints(model)]
-    weight = model.body_mass * float(np.linalg.norm(model.opt.gravity))
+    weight = model.body_mass * np.linalg.norm(model.opt.gravity)
     alone = free[np.isclose(model.body_subtreemass[free], model.body_mass[free])]
     share = np.linalg.norm(friction, axis=1)[alone] / np.maximum(weight[alone], 1e-12)
     first = np.argsort(-share)[:MOST_BODIES]
@@ -58,55 +59,54 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
 
 
 def _is_between(touches: Sequence[Touch]) -> bool:
+    return _least_cosine(touches) < OPPOSE and len({touch.geoms for touch in touches}) > 1
+
+
+def _least_cosine(touches: Sequence[Touch]) -> float:
     normals = np.array([touch.normal for touch in touches])
-    return float((normals @ normals.T).min()) < OPPOSE and len({touch.geoms for touch in touches}) > 1
+    return (normals @ normals.T).min()
 
 
 def _grip_findings(
     scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: Start
 ) -> Iterator[Finding]:
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
-    normals = np.array([touch.normal for touch in touches])
     between = _is_between(touches)
-    is_sloped = float((normals @ normals.T).min()) > -OPPOSE
+    is_sloped = _least_cosine(touches) > -OPPOSE
     if between:
         yield from _turns(scene, hold, start)
-    least_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
+    least_n = scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity)
     least_n *= AGREES if between else LEAST
     if not (between or is_sloped) or hold.slides or not hold.rests or hold.load_n < least_n:
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
         where = "between fingers" if between else "down a slope"
-        message = f"{where}, by {hold.load_n:.3g} N on {hold.point_count:.3g} points, from {start}"
         impratio = max(scene.option.impratio, 1.0) * 10.0
         mended = replace(scene, model=changed(scene.model, cone=ELLIPTIC, impratio=impratio))
         after = predicted_hold(mended, body, touches, Work(hold.name), data).mm_s
         gain = f"{hold.mm_s:.2g} → {after:.2g} mm/s for the same time step"
-        option = {"cone": "elliptic", "impratio": f"{impratio:g}"}
         holds = math.isfinite(after)
-        ways = [for_option(scene, option, gain) if holds else Advice("more friction, along both of its axes")]
+        firmer = for_option(scene, {"cone": "elliptic", "impratio": f"{impratio:g}"}, gain)
+        ways = [firmer if holds else Advice("more friction, along both of its axes")]
         if scene.engine.name == "mujoco":
-            gain = "MuJoCo C alone has the pass in all releases"
-            ways.append(for_option(scene, {"noslip_iterations": "10"}, gain))
-        yield replace(
-            Finding(
-                "slip",
-                hold.name,
-                "creep",
-                hold.mm_s,
-                message,
-                _names(scene, hold),
-                after if holds else None,
-                "mm/s",
-                element=scene.source.option("impratio"),
-            ),
+            ways.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
+        yield Finding(
+            "slip",
+            hold.name,
+            "creep",
+            hold.mm_s,
+            f"{where}, by {hold.load_n:.3g} N on {hold.point_count:.3g} points, from {start}",
+            _names(scene, hold),
+            after if holds else None,
+            "mm/s",
+            element=scene.source.option("impratio"),
             advice=either(*ways),
         )
 
 
 def _turns(scene: Scene, hold: Hold, start: Start) -> Iterator[Finding]:
     points: Counter[int] = Counter(touch.support for touch in hold.touches)
-    index = pair_indices(scene)
+    index = scene.pair_indices
     condims = {int(scene.contacts.condim[index[touch.geoms]]) for touch in hold.touches}
     if len(points) == 2 and max(points.values()) == 1 and condims == {3}:
         pad = _supports(scene, hold)[0]

@@ -59,18 +59,18 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
 
 def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
     """Say whether contacts are deeper than before, or what rests moves faster."""
-    old_thrown, new_thrown = (float(run.thrown_m_s.max(initial=0.0)) for run in (old, new))
+    old_thrown, new_thrown = (run.thrown_m_s.max(initial=0.0) for run in (old, new))
     # What flew or fell touched nothing: that it lies now is no harm.
     lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
     lies |= "lost" in rules and new.deepest_m < SHALLOW_M
-    old_fall, new_fall = (float(run.speeds_m_s.max(initial=0.0)) for run in (old, new))
+    old_fall, new_fall = (run.speeds_m_s.max(initial=0.0) for run in (old, new))
     lies |= old_fall > FALLS_M_S > 2.0 * new_fall and new.late_m < SHALLOW_M
     for name, field in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
         old_depth = getattr(old, field)
         new_depth = getattr(new, field)
         if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
             return f"{name} {M * old_depth:.3g} → {M * new_depth:.3g} mm from {new.start}"
-    old_speed, new_speed = (float(np.abs(run.data.qvel).max(initial=0.0)) for run in (old, new))
+    old_speed, new_speed = (np.abs(run.data.qvel).max(initial=0.0) for run in (old, new))
     if new_speed > FASTER * old_speed + FASTER_M_S:
         return f"what moves fastest after {new.time_s:.3g} s: {old_speed:.3g} → {new_speed:.3g} m/s or rad/s"
     return ""
@@ -182,8 +182,9 @@ class Mending:
     def patch(self) -> Iterator[str]:
         """Yield the change of the files as a patch."""
         for file, text in self.texts.items():
-            versions = (file.read_bytes(), text)
-            old, new = (version.decode(errors="replace").splitlines(keepends=True) for version in versions)
+            old, new = (
+                version.decode(errors="replace").splitlines(keepends=True) for version in (file.read_bytes(), text)
+            )
             for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
                 yield line.rstrip("\r\n")
 
@@ -240,7 +241,7 @@ def _written(target: Target, texts: Texts) -> list[str]:
     assert target.path is not None  # only what a file describes is changed
     expected = compiled(target.path, texts)
     try:
-        backups = write(texts)
+        replaced = write(texts)
     except OSError as error:
         raise TargetError(f"{target.name}: is not written: {error}") from error
     try:
@@ -248,9 +249,9 @@ def _written(target: Target, texts: Texts) -> list[str]:
     except ValueError:
         is_expected = False
     if not is_expected:
-        undo([(file.resolve(), backup) for file, backup in zip(texts, backups, strict=True)])
+        undo(replaced)
         raise TargetError(f"{target.name}: is not written: MuJoCo makes another model of the file than was tried")
-    return [f"{file}: as it was it is {backup.name}" for file, backup in zip(texts, backups, strict=True)]
+    return [f"{file}: as it was it is {backup.name}" for file, (_, backup) in zip(texts, replaced, strict=True)]
 
 
 def are_same(*models: mujoco.MjModel) -> bool:

@@ -128,11 +128,17 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
         for group in grouped(report.findings)
     ]
     rules = [{"id": rule} for rule in sorted({finding.rule for report in reports for finding in report.findings})]
-    run: dict = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
-    notifications = [{"level": "error", "message": {"text": line}} for line in unread]
-    run["invocations"] = [{"executionSuccessful": not unread, "toolExecutionNotifications": notifications}]
-    schema = "https://json.schemastore.org/sarif-2.1.0.json"
-    return {"$schema": schema, "version": "2.1.0", "runs": [run]}
+    run = {
+        "tool": {"driver": {"name": "newton-lint", "rules": rules}},
+        "results": results,
+        "invocations": [
+            {
+                "executionSuccessful": not unread,
+                "toolExecutionNotifications": [{"level": "error", "message": {"text": line}} for line in unread],
+            }
+        ],
+    }
+    return {"$schema": "https://json.schemastore.org/sarif-2.1.0.json", "version": "2.1.0", "runs": [run]}
 
 
 def _with_advice(group: Sequence[Finding]) -> str:

@@ -37,10 +37,12 @@ def main(arguments: Sequence[str]) -> int:
             opened = " open"
         title = escape(printable(target))
         scenes.append(f"<details{opened}><summary>{title}</summary><pre>{escape(text)}</pre></details>")
-    table = escape("\n".join(map(printable, summary(reports))))
     title = escape(printable(", ".join(options.target)))
     options.out.mkdir(parents=True, exist_ok=True)
     page = options.out / "index.html"
-    page.write_text(PAGE.format(title=title, summary=table, scenes="\n".join(scenes)), encoding="utf-8")
+    page.write_text(
+        PAGE.format(title=title, summary=escape("\n".join(map(printable, summary(reports)))), scenes="\n".join(scenes)),
+        encoding="utf-8",
+    )
     print(page)
     return CLEAN

@@ -27,8 +27,10 @@ def main(arguments: Sequence[str]) -> int:
     options = parser.parse_args(arguments)
     target = read_target(options.target)
     engine = engine_of(options, {})
-    of_newton = (target.name, "newton_lint.newton_models.rules", "Shapes.of", target.newton_model, engine)
-    scene = newtons(*of_newton) if target.newton_model is not None else scene_of(target, engine)
+    if target.newton_model is None:
+        scene = scene_of(target, engine)
+    else:
+        scene = newtons(target.name, "newton_lint.newton_models.rules", "Shapes.of", target.newton_model, engine)
     geoms = [_geom(scene, target.name, name) for name in options.geoms]
     pairs = np.flatnonzero(np.isin(scene.contacts.first, geoms) & np.isin(scene.contacts.second, geoms))
     if not len(pairs):
@@ -92,12 +94,11 @@ def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) 
     for name, *values, rule in rows:
         yield "  ".join([f"{name:8}", *(f"{_formatted(value):{WIDTH}}" for value in values), str(rule)]).rstrip()
     dmax = clamped(contact.solimp[1])
-    response = response_of(contact, option)
     ke = stiffness(contact, option, dmax) * dmax**2
     kd = normal_damping(contact, option, dmax) * dmax
     yield f"as Newton's ke and kd: {ke:.4g} and {kd:.4g}, an acceleration for each m and each m/s, and no N/m"
     depth = M * settled_depth_m(contact, option, 1.0)
-    slide = M * response.load_m_s_n
+    slide = M * response_of(contact, option).load_m_s_n
     yield f"1 N on a point presses it {depth:.3g} mm deep; held against 1 N along it, it creeps at {slide:.3g} mm/s"
 
 

@@ -57,8 +57,11 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
             if (named := contacts.named[pair]) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
                 mu1, mu2 = scene.model.pair_friction[named, :2]
                 least, most = sorted((1.0, float(mu1 / max(mu2, mujoco.mjMINMU)) ** 2))
-                loads = least * prediction.load_deep_mm_s, most * prediction.load_shallow_mm_s
-                prediction = replace(prediction, load_deep_mm_s=loads[0], load_shallow_mm_s=loads[1])
+                prediction = replace(
+                    prediction,
+                    load_deep_mm_s=least * prediction.load_deep_mm_s,
+                    load_shallow_mm_s=most * prediction.load_shallow_mm_s,
+                )
             creeps.append(prediction)
     return sorted(creeps, key=_order)
 
@@ -66,9 +69,9 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
 def _kinds(scene: Scene) -> np.ndarray:
     contacts = scene.contacts
     model = scene.model
-    columns = (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
+    columns = np.concatenate((model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T))
     single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
-    kind = row_numbers(*np.concatenate(columns), *single, model.body_invweight0[model.geom_bodyid, 0])
+    kind = row_numbers(*columns, *single, model.body_invweight0[model.geom_bodyid, 0])
     kind1 = kind[contacts.first]
     kind2 = kind[contacts.second]
     unordered = np.minimum(kind1, kind2) * model.ngeom + np.maximum(kind1, kind2)
@@ -85,15 +88,15 @@ def predicted(
     if not 0.0 <= deep.acceleration_s < math.inf:  # undamped, or too stiff for the step, which throws it off
         return None
     inverse_b = deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s
-    loads = sorted(M * (response.load_m_s_n * load.load_n) for response in (deep, shallow))
+    least, most = sorted(M * (response.load_m_s_n * load.load_n) for response in (deep, shallow))
     return Prediction(
         pairs=tuple(pairs),
         timeconst_s=2.0 * inverse_b / dmax,
         dmax=dmax,
         response_s=inverse_b,
         acceleration_response_s=deep.acceleration_s,
-        load_deep_mm_s=loads[0],
-        load_shallow_mm_s=loads[1],
+        load_deep_mm_s=least,
+        load_shallow_mm_s=most,
         acceleration_mm_s=M * deep.acceleration_s * load.acceleration_m_s2,
         is_free=is_free,
     )

@@ -15,7 +15,7 @@ from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import ELLIPTIC, Scene, changed
-from newton_lint.settle import Hold, Work, pair_indices, predicted_hold, settled, settled_hold, started
+from newton_lint.settle import Hold, Work, predicted_hold, settled, settled_hold, started
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
@@ -133,7 +133,7 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> MjModel:
     model = changed(scene.model, **dict(setting.options))
     if setting.timeconst_s is not None:
         model.geom_solref[touched(scene, hold)] = (setting.timeconst_s, 1.0)
-        pairs = pair_indices(scene)
+        pairs = scene.pair_indices
         named = [scene.contacts.named[pairs[touch.geoms]] for touch in hold.touches]
         model.pair_solref[[index for index in named if index >= 0]] = (setting.timeconst_s, 1.0)
     return model
@@ -151,7 +151,7 @@ def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: H
     """Simulate a setting from the scene's start: how far the body moves within what holds it."""
     model = with_setting(scene, setting, hold)
     # Seen from a hand that accelerates upward, gravity is larger.
-    model.opt.gravity *= 1.0 + work.lift_m_s2 / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+    model.opt.gravity *= 1.0 + work.lift_m_s2 / max(np.linalg.norm(model.opt.gravity), 1e-9)
     data = started(model, target.data)
     settled(model, data, work.settle_s)
     return Trial(setting, predicted_mm_s, M * along(model, data, hold, MEASURED_S) / MEASURED_S)
@@ -165,7 +165,7 @@ def along(model: MjModel, data: MjData, hold: Hold, time_s: float) -> float:
     begin = within(data, hold.body, support)
     settled(model, data, time_s)
     moved = within(data, hold.body, support) - begin
-    return float(np.linalg.norm(moved - (moved @ normal) * normal))
+    return np.linalg.norm(moved - (moved @ normal) * normal)
 
 
 def within(data: MjData, body: int, support: int) -> np.ndarray:
@@ -176,8 +176,8 @@ def within(data: MjData, body: int, support: int) -> np.ndarray:
 def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Change]:
     changes = [*for_option(scene, setting.attributes(), "").changes]
     if setting.timeconst_s is not None:
-        attributes = (("solref", f"{setting.timeconst_s:g} 1"),)
-        changes += [Change(scene.names[geom], attributes, scene.source.geom(geom)) for geom in geoms]
+        solref = ("solref", f"{setting.timeconst_s:g} 1")
+        changes += [Change(scene.names[geom], (solref,), scene.source.geom(geom)) for geom in geoms]
     return changes
 
 

@@ -16,7 +16,6 @@ from newton_lint.findings import Advice, Finding
 from newton_lint.law import M
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import HINGE, Scene
-from newton_lint.settle import pair_indices
 from newton_lint.source import Element
 from newton_lint.stepped import Run, Start, is_bad
 
@@ -109,14 +108,14 @@ def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
             for _ in range(window):
                 mujoco.mj_step(model, data)
                 before = energy
-                energy = float(data.qvel @ data.qvel)
+                energy = data.qvel @ data.qvel
                 if braked and energy < before:
                     data.qvel[:] = energy = 0.0
             if is_bad(data):
                 return None
             places += [] if braked else [places_of(data)]
             mujoco.mj_differentiatePos(model, moved, window * model.opt.timestep, last, data.qpos)
-            fastest = float(np.abs(moved).max(initial=0.0))
+            fastest = np.abs(moved).max(initial=0.0)
             calm = calm + 1 if fastest < REST else 0
             if calm == 2 or time.process_time() - since > BUDGET_S:
                 break
@@ -179,7 +178,7 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
     model = scene.model
     contacts = scene.contacts
     sizes = _thin(scene.model)
-    pairs = pair_indices(scene)
+    pairs = scene.pair_indices
     speeds = np.linalg.norm(rest.data.cvel[:, 3:], axis=1)
     solrefs: dict[int, tuple[float, float]] = {}
 
@@ -199,7 +198,7 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
             continue
 
         def read(model, data, pair=pair) -> float:
-            return float(-data.contact.dist[(np.sort(data.contact.geom, axis=1) == pair).all(axis=1)].min(initial=0.0))
+            return -data.contact.dist[(np.sort(data.contact.geom, axis=1) == pair).all(axis=1)].min(initial=0.0)
 
         depth = read(model, rest.data)
         bodies = model.geom_bodyid[list(pair)]
@@ -256,7 +255,7 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
 
         def past(model, data) -> float:
             value = getattr(data, field)[at]
-            return float(max(low - value, value - high))
+            return max(low - value, value - high)
 
         return Give("limit", name, parameter, "is how far it is beyond its range", past, ways, unit, far=MUCH)
 
@@ -275,12 +274,11 @@ def unposed(model: MjModel, start: Start) -> Iterator[Finding]:
     data = start.data(model)
     for give in _limits(model, data):
         if give.parameter == "position" and (value := give.read(model, data)) > LEAST[give.unit]:
-            value = SCALE[give.unit] * value
             yield Finding(
                 give.rule,
                 give.name,
                 give.parameter,
-                value,
+                SCALE[give.unit] * value,
                 f"{give.message} at {start}, before the first step",
                 unit=give.unit,
                 severity="note",
@@ -308,18 +306,17 @@ def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
 
         def gap(model, data, equality=equality) -> float:
             rows = (data.efc_type == EQUALITY) & (data.efc_id == equality)
-            return float(np.linalg.norm(data.efc_pos[rows][:3]))
+            return np.linalg.norm(data.efc_pos[rows][:3])
 
         joint = int(model.eq_obj1id[equality])
         turns = _turns(model, joint) if kind == "tendon" else kind == "joint" and model.jnt_type[joint] == HINGE
-        ways = [(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)]
         yield Give(
             "equality",
             model.eq(equality).name or f"equality_{equality}",
             "gap",
             f"is how far this {kind} is open with a solref of {_text(model.eq_solref[equality])}",
             gap,
-            ways,
+            [(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)],
             "°" if turns else "mm",
         )
 
@@ -349,15 +346,22 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
             continue
 
         def short(model, data, servo=servo) -> float:
-            return abs(float(data.ctrl[servo] - data.actuator_length[servo]))
+            return abs(data.ctrl[servo] - data.actuator_length[servo])
 
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
         times[servo] = max(1.0, math.ceil(short(model, rest.data) / LEAST[unit]))
-        name = model.actuator(servo).name or model.joint(joint).name or f"actuator_{servo}"
-        ways = [('gravcomp="1" on the bodies that it carries', light)]
-        ways += [(f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it', stiffer)]
         yield Give(
-            "servo", name, "error", "is how far gravity pulls it from its target", short, ways, unit, needs_way=True
+            "servo",
+            model.actuator(servo).name or model.joint(joint).name or f"actuator_{servo}",
+            "error",
+            "is how far gravity pulls it from its target",
+            short,
+            [
+                ('gravcomp="1" on the bodies that it carries', light),
+                (f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it', stiffer),
+            ],
+            unit,
+            needs_way=True,
         )
 
 
@@ -375,8 +379,8 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
     for geom, wall in pairs[_crossing(model, pairs, [places_of(data), *rest.places])][:MOST_CROSSINGS].tolist():
         axis = int(model.geom_aabb[wall, 3:].argmin())
         pair = np.array([[geom, wall]])
-        thick = M * 2.0 * float(model.geom_aabb[wall, 3 + axis])
-        distance = float(np.linalg.norm(data.geom_xpos[geom] - data.geom_xpos[wall]))
+        thick = M * 2.0 * model.geom_aabb[wall, 3 + axis]
+        distance = np.linalg.norm(data.geom_xpos[geom] - data.geom_xpos[wall])
         for times in THICKER:
 
             def thicker(model, data, wall=wall, axis=axis, times=times) -> None:
@@ -432,16 +436,17 @@ def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
     """Yield a keyframe that does not say what its servos are told, so that they pull to 0."""
     model = scene.model
     servos = np.flatnonzero(is_servo(model))
-    begins = [rest.start.data(model) for _ in range(2)]
-    if rest.start.key is None or begins[0].ctrl[servos].any():
+    plain = rest.start.data(model)
+    if rest.start.key is None or plain.ctrl[servos].any():
         return
     key = scene.source.key(rest.start.key)
     if key and "ctrl" in key.attributes:
         return
-    mujoco.mj_forward(model, begins[1])
-    lengths = begins[1].actuator_length
-    begins[1].ctrl[servos] = lengths[servos]
-    before, after = (_fastest(model, data) for data in begins)
+    told = rest.start.data(model)
+    mujoco.mj_forward(model, told)
+    told.ctrl[servos] = told.actuator_length[servos]
+    before = _fastest(model, plain)
+    after = _fastest(model, told)
     if before > LEAVES and after < MENDS * before:
         yield Finding(
             "keyframe",
@@ -450,7 +455,7 @@ def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
             before,
             "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0",
             element=key,
-            advice=Advice(f'ctrl="{_text(begins[1].ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s'),
+            advice=Advice(f'ctrl="{_text(told.ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s'),
         )
 
 
@@ -458,7 +463,7 @@ def _fastest(model: MjModel, data: MjData) -> float:
     fastest = 0.0
     for _ in range(round(LEAVES_S / model.opt.timestep)):
         mujoco.mj_step(model, data)
-        fastest = max(fastest, float(np.abs(data.qvel).max(initial=0.0)))
+        fastest = max(fastest, np.abs(data.qvel).max(initial=0.0))
     return fastest
 
 

@@ -77,10 +77,10 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))  # which nobody wrote
 
     def advise(pair: int) -> Advice:
-        more = float(limit[pair] / authored[pair])
+        more = limit[pair] / authored[pair]
         step = f'timestep="{option.timestep_s / more:.3g}"'
         text = f"{step}: the contact is as stiff as it says, for {more:.2g} times the steps"
-        longer = advice.longer_solref(scene, pair, float(limit[pair]))
+        longer = advice.longer_solref(scene, pair, limit[pair])
         return advice.either(longer, Advice(text)) if more <= FAR else longer
 
     yield _pair_hits(scene, wording, pairs, authored, limit, advise)
@@ -111,7 +111,7 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     def softer(pair: int) -> Advice:
         if first[pair] > 0.0:
             return advice.longer_solref(scene, pair, 2.0 * step, "as stiff as the time step bears")
-        return advice.softer_solref(scene, pair, float(clamped(contacts.solimp[pair, 1])))
+        return advice.softer_solref(scene, pair, clamped(contacts.solimp[pair, 1]))
 
     yield _pair_hits(scene, wording, stiff, np.where(first > 0.0, first, second), np.nan, softer)
 
@@ -147,13 +147,13 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     is_stiff = (authored > 0.0) & (authored * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
-    message = "is stiff on this side only: the other geom's soft solref is mixed in, in every pair"
-    wording = Wording("one-sided", "solref", message, unit="s")
-    advise = partial(advice.of_higher_priority, scene)
-    yield _geom_hits(scene, wording, shape, authored, stiffest, lambda geom: advise(geom, stiffest[geom]))
+    message = "is {} on this side only: the other geom's {} solref is mixed in, in every pair"
+    wording = Wording("one-sided", "solref", message.format("stiff", "soft"), "s")
+    yield _geom_hits(
+        scene, wording, shape, authored, stiffest, lambda geom: advice.of_higher_priority(scene, geom, stiffest[geom])
+    )
     shape = np.flatnonzero((authored >= FAR * DEFAULT_SOLREF[0]) & (softest > 0.0) & (1.5 * softest < authored))
-    message = "is soft on this side only: the other geom's stiff solref is mixed in, in every pair"
-    wording = Wording("one-sided", "solref", message, "s", "note")
+    wording = Wording("one-sided", "solref", message.format("soft", "stiff"), "s", "note")
     advise = partial(
         advice.for_geom,
         scene,

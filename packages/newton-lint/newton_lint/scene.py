@@ -84,6 +84,12 @@ class Scene:
         owners = [self.bodies[body] if body else "" for body in model.geom_bodyid]
         return [geom if owner in ("", geom) else f"{owner}/{geom}" for owner, geom in zip(owners, geoms, strict=True)]
 
+    @cached_property
+    def pair_indices(self) -> dict[tuple[int, int], int]:
+        """Return the index of each pair by its geoms, the lower first."""
+        pairs = np.sort(np.stack([self.contacts.first, self.contacts.second], axis=1), axis=1)
+        return {(int(geom1), int(geom2)): index for index, (geom1, geom2) in enumerate(pairs)}
+
     def pair_element(self, contact: int) -> Element | None:
         """Return the ``<pair>`` that names the geoms of a contact."""
         geoms = (self.contacts.first[contact], self.contacts.second[contact])

@@ -65,7 +65,7 @@ def fixed(scene: Scene) -> Iterator[Finding]:
                 "fixed",
                 scene.bodies[body],
                 "mass",
-                float(model.body_subtreemass[body]),
+                model.body_subtreemass[body],
                 "has no joint: it is fixed to the world, where it hangs in the air",
                 (),
                 None,
@@ -96,8 +96,8 @@ def visual(scene: Scene) -> Iterator[Finding]:
         heavier = times > HEAVIER
         is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()  # else it may be meant
         for body in np.flatnonzero(heavier).tolist():
-            mass = float(model.body_mass[body])
-            used = float(light.body_mass[body])
+            mass = model.body_mass[body]
+            used = light.body_mass[body]
             yield Finding(
                 "visual",
                 scene.bodies[body],
@@ -124,7 +124,7 @@ def closed(scene: Scene) -> Iterator[Finding]:
         corners = vertices[model.mesh_face[model.mesh_faceadr[mesh] :][: model.mesh_facenum[mesh]]]
         count, faces = model.mesh_graph[start : start + 2].tolist()
         hull = vertices[model.mesh_graph[start + 2 + 3 * count + 3 * faces :][: 3 * faces].reshape(-1, 3)]
-        full, hollow = (abs(float(np.linalg.det(triangles).sum())) for triangles in (hull, corners))
+        full, hollow = (abs(np.linalg.det(triangles).sum()) for triangles in (hull, corners))
         if full > HOLLOW * hollow > 0.0:
             yield Finding(
                 "closed",
@@ -148,15 +148,27 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
     rows = contacts.condim > 1
     if option.cone != "pyramidal" or not rows.any():
         return
-    steepest = float(contacts.friction[rows, 0].max())
+    steepest = contacts.friction[rows, 0].max()
     advice = elliptic(scene, steepest)
     if option.impratio > 1.0:
-        message = "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart"
-        yield _scene_finding(scene, "pyramid", "impratio", option.impratio, message, advice)
+        yield _scene_finding(
+            scene,
+            "pyramid",
+            "impratio",
+            option.impratio,
+            "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart",
+            advice,
+        )
     if steepest > STEEP:
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)  # its R by mj_makeImpedance, of condim 3, over an ellipse's
-        message = f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more"
-        yield _scene_finding(scene, "pyramid", "friction", steepest, message, advice)
+        yield _scene_finding(
+            scene,
+            "pyramid",
+            "friction",
+            steepest,
+            f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more",
+            advice,
+        )
 
 
 def unread(scene: Scene) -> Iterator[Finding]:

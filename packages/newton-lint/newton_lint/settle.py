@@ -103,21 +103,27 @@ class Hold:
         """Say that it slides, has not settled, or creeps faster than it may."""
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
-            message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
-            creep = self.mm_s
-            yield Finding("unsettled", self.name, "speed", self.moves_mm_s, message, touching, creep, "mm/s", "note")
+            yield Finding(
+                "unsettled",
+                self.name,
+                "speed",
+                self.moves_mm_s,
+                "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle",
+                touching,
+                self.mm_s,
+                "mm/s",
+                "note",
+            )
         elif self.slides:
             message = "slides: what it has to bear is beyond the cone of friction"
             yield Finding("slides", self.name, "load", self.load_n, message, touching, None, "N", "error")
         elif self.mm_s > below_mm_s:
-            creep = self.mm_s
-            message = "creeps faster than it may"
             yield Finding(
                 "creep",
                 self.name,
                 "creep",
-                creep,
-                message,
+                self.mm_s,
+                "creeps faster than it may",
                 touching,
                 below_mm_s,
                 "mm/s",
@@ -126,8 +132,8 @@ class Hold:
 
     def as_json(self) -> dict[str, Any]:
         names = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
-        values = {name: getattr(self, name) for name in names}
-        return {"body": self.name, **values, "mm_s": None if self.slides else self.mm_s}  # JSON has no infinity
+        values = {"body": self.name} | {name: getattr(self, name) for name in names}
+        return values | ({"mm_s": None} if self.slides else {})  # JSON has no infinity
 
 
 def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
@@ -208,7 +214,7 @@ def _reading(scene: Scene, data: MjData, index: int, sign: float) -> dict[str, A
     shares = np.abs(force[1:3]) / contact.friction[:2]
     used = float(shares.sum() if scene.option.cone == "pyramidal" else np.hypot(*shares)) / force[0]
     weight = _weight(scene, data, index)
-    along1, along2 = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
+    along1, along2 = force[1:3] ** 2 / max(force[1:3] @ force[1:3], mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
     softer = along1 + along2 * (contact.friction[0] / contact.friction[1]) ** 2 if along1 + along2 else 1.0
     means = {"normal_n": force[0], "tangential_n": sign * (force[1:3] @ frame[1:]), "normal": frame[0].copy()}
@@ -227,12 +233,12 @@ def _weight(scene: Scene, data: MjData, index: int) -> float:
     if scene.option.cone == "pyramidal" and contact.dim > 1:
         mu = contact.friction[0]
         weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))  # so much of R and of the weight has an edge
-    return float(weight)
+    return weight
 
 
 def weigh(scene: Scene, data: MjData) -> None:
     """Give pairs that touch the weights of the engine, where it takes the diagonal itself and no approximation."""
-    pairs = pair_indices(scene) if scene.model.opt.enableflags & EXACT else {}
+    pairs = scene.pair_indices if scene.model.opt.enableflags & EXACT else {}
     for index in range(data.ncon if pairs else 0):
         pair = pairs.get(tuple(sorted(data.contact[index].geom.tolist())))
         if pair is not None and data.contact[index].efc_address >= 0:
@@ -243,11 +249,11 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
     """Return the creep by the law of a body that is held as in ``data``, with a scene's settings and more loads."""
     model = scene.model
     option = scene.option
-    mass = float(model.body_subtreemass[body])
+    mass = model.body_subtreemass[body]
     gravity = model.opt.gravity
-    down = gravity / max(float(np.linalg.norm(gravity)), 1e-12)
+    down = gravity / max(np.linalg.norm(gravity), 1e-12)
     flat = np.mean([np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0)
-    pairs = pair_indices(scene)
+    pairs = scene.pair_indices
     turning = np.zeros(3)
     points = []
     for touch in touches:
@@ -264,19 +270,27 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
     arm = data.subtree_com[body] - data.xpos[model.body_rootid[touches[0].support]]
     more = flat @ (mass * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down)))
     load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))  # what friction has to hold
-    total = float(np.linalg.norm(load))
+    total = np.linalg.norm(load)
     grip = sum(touch.used * touch.normal_n for touch in touches) / sum(touch.normal_n for touch in touches)
     slide = shared_slide_m_s(points, total)
     creep = np.zeros(3)
     if all(response.load_m_s_n for response, _ in points) and slide < 1.0 and total:
         linear = total / sum(1.0 / response.load_m_s_n for response, _ in points)
         creep = _slide(model, data, touches, points, body, more) * (slide / linear)
-    rate = float(np.linalg.norm(turning + creep))
+    rate = np.linalg.norm(turning + creep)
     speed = _speed(model, data, body, touches[0].support)
     if grip > AT_THE_EDGE or slide >= 1.0 or speed > RUNAWAY * (rate + LEAST_M_S):
         rate = math.inf
-    rates = (M * rate, M * float(np.linalg.norm(turning)), M * speed)
-    return Hold(body, scene.bodies[body], touches, total, *rates, data)
+    return Hold(
+        body=body,
+        name=scene.bodies[body],
+        touches=touches,
+        load_n=total,
+        mm_s=M * rate,
+        acceleration_mm_s=M * np.linalg.norm(turning),
+        moves_mm_s=M * speed,
+        data=data,
+    )
 
 
 def _slide(
@@ -308,10 +322,4 @@ def _speed(model: MjModel, data: MjData, body: int, support: int) -> float:
     for moving, into in ((body, motion), (support, carrier)):  # rotation first, then translation
         mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0)
     carried = carrier[3:] + np.cross(carrier[:3], data.xpos[body] - data.xpos[support])
-    return float(np.linalg.norm(motion[3:] - carried))
-
-
-def pair_indices(scene: Scene) -> dict[tuple[int, int], int]:
-    contacts = scene.contacts
-    pairs = np.sort(np.stack([contacts.first, contacts.second], axis=1), axis=1)
-    return {(int(geom1), int(geom2)): index for index, (geom1, geom2) in enumerate(pairs)}
+    return np.linalg.norm(motion[3:] - carried)

@@ -111,9 +111,9 @@ def _stiff(model: MjModel, data: MjData) -> list[tuple[int, int, float, float]]:
         unit[:] = 0.0
         unit[0, dof] = 1.0
         mujoco.mj_solveM(model, data, moved, unit)
-        mass = 1.0 / max(float(moved[0, dof]), mujoco.mjMINVAL)
+        mass = 1.0 / max(moved[0, dof], mujoco.mjMINVAL)
         pull = model.actuator_gainprm[servo, 0] * model.actuator_gear[servo, 0] ** 2
-        if (ratio := float(pull * model.opt.timestep**2 / mass)) > 1.0:
+        if (ratio := pull * model.opt.timestep**2 / mass) > 1.0:
             stiff.append((servo, dof, ratio, mass))
     return stiff
 
@@ -144,7 +144,7 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
     run = runs[0]
     model = scene.model
     opt = scene.model.opt
-    fast = float(run.thrown_m_s.max(initial=0.0))
+    fast = run.thrown_m_s.max(initial=0.0)
     begin = run.start.data(model)
 
     def mended(good: Callable[[Run], bool], time_s: float = HELD_S) -> Advice | None:
@@ -168,21 +168,32 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
         element = advice.changes[0].element if advice and advice.changes else None
         yield Finding("unstable", "", "", run.time_s, message, severity="error", element=element, advice=advice)
     elif fast > THROWN_M_S and mended(lambda after: after.thrown_m_s.max() < CALMER * fast, run.time_s):
-        advice = mended(lambda after: not after.bad and after.thrown_m_s.max() < CALMER * fast)
-        body = scene.bodies[model.jnt_bodyid[free_joints(model)[int(run.thrown_m_s.argmax())]]]
-        message = f"is what contacts throw it off with from {run.start}, and nothing else drives it"
-        yield Finding("thrown", body, "speed", fast, message, unit="m/s", severity="error", advice=advice)
+        body = model.jnt_bodyid[free_joints(model)[int(run.thrown_m_s.argmax())]]
+        yield Finding(
+            "thrown",
+            scene.bodies[body],
+            "speed",
+            fast,
+            f"is what contacts throw it off with from {run.start}, and nothing else drives it",
+            unit="m/s",
+            severity="error",
+            advice=mended(lambda after: not after.bad and after.thrown_m_s.max() < CALMER * fast),
+        )
     elif run.at_limit > LIMITED and opt.iterations:
         more = str(max(3, 10 * opt.iterations))
         after = run_of(changed(model, iterations=int(more)), run.start, run.time_s)
-        calmer = float(np.max(run.speeds_m_s - after.speeds_m_s, initial=0.0))
+        calmer = np.max(run.speeds_m_s - after.speeds_m_s, initial=0.0)
         if run.deepest_m - after.deepest_m > max(DIFFERS_M, DIFFERS * run.deepest_m) or calmer > 100.0 * DIFFERS_M:
-            message = f"are used up in {run.at_limit:.0%} of the steps from {run.start}, and contacts are not solved"
-            advice = for_option(
-                scene, {"iterations": more}, f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
+            gain = f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
+            yield Finding(
+                "solver",
+                "",
+                "iterations",
+                float(opt.iterations),
+                f"are used up in {run.at_limit:.0%} of the steps from {run.start}, and contacts are not solved",
+                element=scene.source.option("iterations"),
+                advice=for_option(scene, {"iterations": more}, gain),
             )
-            element = scene.source.option("iterations")
-            yield Finding("solver", "", "iterations", float(opt.iterations), message, element=element, advice=advice)
 
 
 def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
@@ -192,7 +203,7 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
     touching = np.sort(body_of[run.data.contact.geom], axis=1)
     forces = contact_forces(model, run.data, range(len(touching)))[:, 0] * (0.0 if run.bad else 1.0)
     fast = dict(zip(model.jnt_bodyid[free_joints(model)].tolist(), run.thrown_m_s.tolist(), strict=True))
-    weight = float(model.body_mass.sum() * np.linalg.norm(model.opt.gravity))
+    weight = model.body_mass.sum() * np.linalg.norm(model.opt.gravity)
     root = scene.source.root
     is_piece = (root is not None and root.tag == "robot") or len({*model.body_rootid[body_of].tolist()}) == 1
     worst: dict[tuple[int, int], tuple[float, tuple[int, int]]] = {}
@@ -204,8 +215,10 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
     loose = (bodies for bodies in worst if scene.free[list(bodies)].all())
     # A heap of loose bodies is for code to scatter: one pair stands for all.
     heap = sorted(loose, key=lambda bodies: (max(fast.get(int(body), 0.0) for body in bodies), worst[bodies]))
-    for bodies, (depth, pair) in ((bodies, worst[bodies]) for bodies in worst if bodies not in heap[:-1]):
-        force = float(forces[(touching == bodies).all(axis=1)].sum())
+    for bodies, (depth, pair) in worst.items():
+        if bodies in heap[:-1]:
+            continue
+        force = forces[(touching == bodies).all(axis=1)].sum()
         jammed = weight > 0.0 and force > FORCE * weight
         thrown = max(fast.get(int(model.body_weldid[body]), 0.0) for body in bodies)
         hard = jammed or run.bad or thrown > THROWN_M_S
@@ -247,7 +260,9 @@ def _sagging(scene: Scene, run: Run) -> Iterator[Finding]:
     model = scene.model
     sags = _sags(model, run)
     later = _sags(model, run_of(model, run.start, HELD_S)) if sags else {}  # what a weld draws to its place rests
-    for dof, rate in ((dof, rate) for dof, rate in sags.items() if later.get(dof, 0.0) > AGREES * rate):
+    for dof, rate in sags.items():
+        if later.get(dof, 0.0) <= AGREES * rate:
+            continue
         joint = model.joint(model.dof_jntid[dof])
         unit, scale = ("°/s", math.degrees(1.0)) if joint.type[0] == HINGE else ("mm/s", M)
         advice = Advice(gain := 'solimpfriction="0.999 0.999 0.001" on the joint slows it 100 times')
@@ -275,10 +290,10 @@ def _sags(model: MjModel, run: Run) -> dict[int, float]:
     driven = model.jnt_dofadr[model.actuator_trnid[model.actuator_trntype == ON_JOINT, 0]]
     for row in () if run.bad else np.flatnonzero(data.efc_type == DRY_FRICTION).tolist():
         dof = int(data.efc_id[row])
-        force = max(abs(float(data.efc_force[row])), mujoco.mjMINVAL)
-        rate = abs(float(data.qvel[dof]))
-        gives = float(data.efc_R[row]) * force / float(data.efc_KBIP[row, 1])
-        ratios = rate / gives, *(abs(float(load[dof])) / force for load in (data.qfrc_bias, data.qfrc_constraint))
+        force = max(abs(data.efc_force[row]), mujoco.mjMINVAL)
+        rate = abs(data.qvel[dof])
+        gives = data.efc_R[row] * force / data.efc_KBIP[row, 1]
+        ratios = rate / gives, *(abs(load[dof]) / force for load in (data.qfrc_bias, data.qfrc_constraint))
         is_held = rate > SAG and force < HELD * model.dof_frictionloss[dof] and dof not in driven
         if is_held and min(ratios) > AGREES and max(ratios) < 1.0 / AGREES:
             speeds[dof] = rate

@@ -156,7 +156,7 @@ def is_bad(data: MjData) -> bool:
 
 def deepest_of(data: MjData) -> float:
     """Return how deep the deepest contact is [m]; 0 where none is pressed in."""
-    return float(-data.contact.dist.min(initial=0.0)) if data.ncon else 0.0  # dist is below 0 inside
+    return -data.contact.dist.min(initial=0.0) if data.ncon else 0.0  # dist is below 0 inside
 
 
 def overlaps(data: MjData) -> dict[tuple[int, int], float]:

@@ -102,14 +102,14 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mixed = mix * kf[first] + (1.0 - mix) * kf[second]
     mu = contacts.friction[:, 0]
     lost = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
-    message = "is not read: kf is 0, which takes the friction away"
-    yield Hits(Wording("kf", "mu", message), first[lost], mu[lost], partner=second[lost])
+    wording = Wording("kf", "mu", "is not read: kf is 0, which takes the friction away")
+    yield Hits(wording, first[lost], mu[lost], partner=second[lost])
     dmax = contacts.solimp[:, 1]
     most = 1.0 / (opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax))
     counts = authored[first] | authored[second] & ~contacts.outranked
     hit = np.flatnonzero(counts & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME)))
-    message = "asks for a friction timeconst below two steps, which the engine clamps it to"
-    yield Hits(Wording("kf", "kf", message), first[hit], mixed[hit], most[hit], second[hit])
+    wording = Wording("kf", "kf", "asks for a friction timeconst below two steps, which the engine clamps it to")
+    yield Hits(wording, first[hit], mixed[hit], most[hit], second[hit])
 
 
 def kf_unread(scene: Scene) -> str:
