@@ -55,6 +55,8 @@ RESULTS = {
     "table.csv": "case;time_ms;n\nx;12.5;10\ny;13.5;20\ny;14.5;30\n",
     "values.json": {"section": {"drag": {"value": 2.5, "unit": "mm", "noise": 0.1}}},
 }
+on_posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
+
 FRESH = [  # each with the number that would be stale, which a fix makes of it again
     ("12.3 ms", "12.9 ms", "pytest.json#/benchmarks/a[1/2]/stats/mean"),
     ("**0.0123** s", "**0.0133** s", "pytest.json#/benchmarks/a[1/2]/stats/mean ms"),
@@ -73,7 +75,6 @@ MISSING = {
     "table.csv#/z/time_ms": "similar: /x/time_ms",
     "plain.json#/none": "there is no number",
     "../out.json#/a": "out.json is outside",
-    "pipe.json#/a": "no regular file",
     "plain.json#/old / 0": "division by zero",
     "((plain.json#/old": "never closed",
     "plain.json#/old (plain.json#/new )": "no arithmetic",
@@ -87,8 +88,9 @@ def folder(tmp_path, monkeypatch):
     (folder := tmp_path / "project").mkdir()
     (folder / ".git").mkdir()
     (tmp_path / "out.json").write_text('{"a": 5}')
-    (folder / "link.json").symlink_to(tmp_path / "out.json")
-    os.mkfifo(folder / "pipe.json")
+    if os.name == "posix":
+        (folder / "link.json").symlink_to(tmp_path / "out.json")
+        os.mkfifo(folder / "pipe.json")
     for name, result in RESULTS.items():
         (folder / name).write_text(
             result if isinstance(result, str) else json.dumps(result)
@@ -184,6 +186,17 @@ def test_what_leads_nowhere_or_out_of_the_project_is_one_line(audit, source, mes
     )
 
 
+@on_posix
+def test_a_pipe_is_not_read(audit):
+    status, [line], _ = audit("5<!-- = pipe.json#/a -->")
+    assert (
+        status == 1
+        and line.startswith("a.md:1: missing: ")
+        and "no regular file" in line
+    )
+
+
+@on_posix
 def test_a_folder_outside_is_read_when_allowed(audit):
     assert (
         audit(
@@ -414,6 +427,7 @@ def test_a_fix_never_overwrites_what_was_saved_in_the_meantime(audit, monkeypatc
     assert (status, after) == (1, edited) and "edited meanwhile" in line
 
 
+@on_posix
 def test_a_fix_keeps_mode_and_neighbours_and_refuses_a_file_that_is_read_only(
     audit, folder
 ):
@@ -433,6 +447,7 @@ def test_a_fix_keeps_mode_and_neighbours_and_refuses_a_file_that_is_read_only(
     assert path.read_text() == text
 
 
+@on_posix
 def test_a_name_of_a_file_writes_no_command_of_github_and_no_second_line(audit):
     name = "a,b:%\n::error::x.md"
     status, lines, _ = audit(
