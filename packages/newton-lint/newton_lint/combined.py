@@ -54,10 +54,10 @@ def option_of(model: mujoco.MjModel) -> Option:
     """Return what the engine is told of all contacts."""
     opt = model.opt
     return Option(
-        timestep_s=float(opt.timestep),
+        timestep_s=opt.timestep,
         integrator=int(opt.integrator),
         cone=CONES[int(opt.cone)],
-        impratio=max(float(opt.impratio), mujoco.mjMINVAL),
+        impratio=max(opt.impratio, mujoco.mjMINVAL),
         refsafe=not opt.disableflags & REFSAFE_OFF,
         noslip=opt.noslip_iterations > 0,
     )
