@@ -11,10 +11,10 @@ import numpy as np
 from tqdm import tqdm
 
 from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.compat import warp_has_noslip
 from experiments.simulation.mjcf_engines import ENGINES, GRAVITY_M_S2, SOLIMP, STEPS, numbers
 from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.law import Contact, Option, impedance_at, response_of
-from newton_lint.newton_models.compat import warp_has_noslip
 
 MASS_KG = 0.045
 RADIUS_M = 0.004

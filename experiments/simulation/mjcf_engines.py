@@ -17,7 +17,7 @@ from newton.solvers import SolverMuJoCo
 
 import contact_bias_c
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
-from newton_lint.newton_models.compat import make_solver
+from experiments.simulation.compat import make_solver
 
 STEPS = 2  # steps that ``advance`` runs
 CONTACT_MAX = 48
