@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import warp as wp
-from warp._src.build import init_kernel_cache
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.recorder import Recorder
@@ -42,20 +41,10 @@ def launching(instead: Launch) -> Iterator[None]:
             setattr(wp, name, function)
 
 
-def has_begun() -> bool:
-    """Tell whether this process has begun to use Warp, and devices: only then has it chosen where kernels are kept."""
-    return wp.config.kernel_cache_dir is not None
-
-
 def is_bare() -> bool:
-    """Tell whether this machine has compiled hardly anything yet: where kernels are kept there is next to nothing."""
-    begun = has_begun()
-    if not begun:
-        init_kernel_cache()
-    kept_count = len(list(Path(wp.config.kernel_cache_dir).glob("wp_*")))
-    if not begun:
-        wp.config.kernel_cache_dir = None  # for Warp to choose again
-    return kept_count < KEPT_COUNT
+    """Tell whether Warp's cache on this machine has hardly any compiled modules yet."""
+    wp.init()
+    return len(list(Path(wp.config.kernel_cache_dir).glob("wp_*"))) < KEPT_COUNT
 
 
 def launched_kernels(device: wp.Device, run: Callable[[], object]) -> dict[tuple[Any, int], list[wp.Kernel]]:
