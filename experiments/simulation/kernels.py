@@ -10,10 +10,7 @@ from typing import Any
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED
-from experiments.simulation.recorder import Recorder
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.stepper import Stepper
-from experiments.simulation.stepper_c import MuJoCoRecorder, MuJoCoStepper
 
 Launch = Callable[..., Any]
 KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
@@ -65,27 +62,8 @@ def launched_kernels(device: wp.Device, run: Callable[[], object]) -> dict[tuple
     return kernels
 
 
-class UnlaunchedRecorder(MuJoCoRecorder):
-    """Looks for no cube among the engine's geoms: no kernel has said what they are of."""
-
-    def __init__(self, stepper: Stepper, frame_count: int):
-        Recorder.__init__(self, stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
-        self.cube_geom = 0
-
-
-class UnlaunchedStepper(MuJoCoStepper):
-    def _build_recorder(self, frame_count: int) -> MuJoCoRecorder:
-        return UnlaunchedRecorder(self, frame_count)
-
-
-class Unlaunched(Simulation):
-    """A simulation whose kernels are never launched."""
-
-    stepper_of = UnlaunchedStepper
-
-
 @cache
 def scene_kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
     """Return what building the scene and its frame launch on a device; see ``launched_kernels``."""
     device = wp.get_device(alias)
-    return launched_kernels(device, lambda: Unlaunched([replace(AS_SHIPPED, frame_count=1)], device).frame())
+    return launched_kernels(device, lambda: Simulation([replace(AS_SHIPPED, frame_count=1)], device).frame())
