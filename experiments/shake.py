@@ -17,7 +17,6 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
 from experiments.simulation.backends import device_of
-from experiments.simulation.host import compile_first
 from experiments.simulation.measurement import absent, summarize
 from experiments.simulation.simulation import Simulation
 
@@ -70,10 +69,7 @@ class Example:
     def __init__(self, viewer, case: Case):
         self.viewer = viewer
         self.case = case
-        device = wp.get_device(device_of(case, None))
-        if device.is_cuda:
-            compile_first("cuda")
-        self.simulation = Simulation([case], device)
+        self.simulation = Simulation([case], wp.get_device(device_of(case, None)))
         self.model = self.simulation.model
         self.state_0 = self.simulation.state
         self.frame_count = 0
