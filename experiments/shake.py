@@ -16,6 +16,7 @@ import numpy as np
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
+from experiments.simulation import forward_only  # noqa: F401
 from experiments.simulation.backends import device_of
 from experiments.simulation.measurement import absent, summarize
 from experiments.simulation.simulation import Simulation
