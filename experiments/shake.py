@@ -17,9 +17,9 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
 from experiments.simulation import forward_only  # noqa: F401
-from experiments.simulation.backends import device_of
 from experiments.simulation.measurement import absent, summarize
 from experiments.simulation.simulation import Simulation
+from experiments.simulation.stepper_c import device_of
 
 SLIP_LIMIT_MM = 20.0  # half the cube's edge: with more slip the pads no longer cover the cube's centre
 OPTIONS = {  # options, and what they are, by the parameters of a case

@@ -4,8 +4,8 @@ from dataclasses import replace
 from importlib import metadata
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from experiments.simulation.backends import has_noslip
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
+from experiments.simulation.stepper_c import has_noslip
 
 CASES = (
     replace(AS_SHIPPED, name="iterations-15"),

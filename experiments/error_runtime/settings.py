@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
-from experiments.simulation.backends import is_in_c
 from experiments.simulation.reference import ENGINES_AGREE
+from experiments.simulation.stepper_c import is_in_c
 
 PADS = {name: replace(case, **ENGINES_AGREE) for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))}
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)

@@ -94,7 +94,7 @@ class Recorder:
         self.contact_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
         self.constraint_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
         self.contact_rows: list[list[ContactRows]] = []
-        self.failure: Failure | None = None  # that the engine itself told of
+        self.failure_in_c: Failure | None = None
 
     def watch_substep(self) -> None:
         """Watch how far the buffers are used."""
@@ -129,8 +129,7 @@ class Recorder:
                 for name, frames in overflows.items()
                 if frames[world] != NO_FRAME
             ]
-            seen += [self.failure] if self.failure else []
-            first = min(seen, key=lambda failure: failure.frame, default=None)
+            first = min([*seen, *filter(None, [self.failure_in_c])], key=lambda failure: failure.frame, default=None)
             result.append(
                 Trace(
                     frame_dt=1.0 / FRAME_RATE,

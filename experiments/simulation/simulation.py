@@ -10,13 +10,14 @@ from functools import partial
 import newton
 import numpy as np
 import warp as wp
+from newton.solvers import SolverBase
 from tqdm import tqdm
 
 from experiments.facts.case import RUN_TIME_FIELDS, Case, CaseError, build_key
 from experiments.facts.trace import Trace
-from experiments.simulation.backends import batches, device_of, stepper_of
 from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
 from experiments.simulation.stepper import Stepper
+from experiments.simulation.stepper_c import MuJoCoStepper, batches, device_of, update_data_interval
 from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
 
@@ -26,7 +27,7 @@ PROGRESS_FRAMES = 30  # frames between two updates of the progress bar, which wa
 class Simulation:
     """A batch of cases with the same ``batch_key``, one world each, ready to run frame by frame."""
 
-    stepper_of: Callable[..., Stepper] = staticmethod(stepper_of)  # makes its stepper of the scene and the cases
+    stepper_of: Callable[..., Stepper] = MuJoCoStepper  # what steps it, made of the scene and the cases
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         newton.use_coord_layout_targets = True
@@ -56,6 +57,7 @@ class Simulation:
         self.stepper.contacts = self.contacts
         self.stepper.build(self.state, self.case.frame_count)
         self.solver, self.recorder = self.stepper.solver, self.stepper.recorder
+        self._set_flags(self.solver)
 
     def _start_uncaptured(self) -> None:
         """Begin with a step that is captured anew."""
@@ -73,7 +75,8 @@ class Simulation:
             raise CaseError(f"{case.name} takes a simulation of its own: it differs in more than {RUN_TIME_FIELDS}")
         self.case = case
         self.task.ik_iterations = case.ik_iterations
-        self.stepper.vary(case)
+        self.solver.update_data_interval = update_data_interval(case)
+        self._set_flags(self.solver)
         self._start_uncaptured()
 
     def _start_at_approach_pose(self) -> None:
@@ -92,6 +95,10 @@ class Simulation:
         poses, world = np.unique(self.body_q.numpy()[:, tcp.body], axis=0, return_inverse=True)
         starts = np.array([wp.transform(*pose) * tcp.pose for pose in poses])
         self.task.phase_start.assign(starts[world.reshape(-1)])
+
+    def _set_flags(self, solver: SolverBase) -> None:
+        self.stepper.case = self.case
+        self.stepper.set_flags(solver)
 
     def queue_targets(self) -> None:
         """Queue the joint targets of this frame."""

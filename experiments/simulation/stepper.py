@@ -1,7 +1,7 @@
-"""The interface between a simulation and what steps it, whichever solver that is.
+"""The seam between a simulation and what steps it: nothing on this side asks which solver that is.
 
-There is a file for each kind: ``stepper_warp`` for MuJoCo Warp, ``stepper_c`` for MuJoCo's C engine, and
-``newton_solvers.stepper`` for Newton's other solvers.
+A file has each kind: ``stepper_warp`` MuJoCo Warp, ``stepper_c`` MuJoCo's C engine in its place where a case asks for
+it, and ``newton_solvers.stepper`` Newton's other solvers.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from experiments.simulation.recorder import Recorder
 from experiments.simulation.scene import Scene
 
 CONTACT_MAX = 64
-"""Contacts per world when a case asks for none, as ``stepper_mujoco.CONSTRAINT_MAX`` rows. The measured peaks are 49
+"""Contacts per world when a case asks for none, as ``stepper_warp.CONSTRAINT_MAX`` rows. The measured peaks are 49
 contacts and 50 constraint rows as shipped; every record keeps the peaks of its runs, and a run that needs more is
 marked, not cut."""
 
@@ -24,7 +24,8 @@ class Stepper:
     """Steps the worlds of a batch, which are cases with the same ``batch_key``, and shows what their contacts carry.
 
     ``pipeline`` and ``contacts`` are Newton's, or None where the solver finds the contacts itself. ``solver``,
-    ``state`` and ``recorder`` are there once it is built. ``case`` is the first one, until it is varied.
+    ``state`` and ``recorder`` are there once it is built. ``case`` is the first one, and may become another that
+    differs in RUN_TIME_FIELDS.
     """
 
     @property
@@ -32,11 +33,8 @@ class Stepper:
         """Tell whether a step is launches on the device alone, which a graph can hold."""
 
     def __init__(self, scene: Scene, cases: Sequence[Case]):
-        self.scene = scene
-        self.model = scene.model
-        self.world_count = len(cases)
-        self.cases = cases
-        self.case = cases[0]
+        self.scene, self.model, self.world_count = scene, scene.model, len(cases)
+        self.case, self.cases = cases[0], cases
         self.pipeline, self.contacts = self._build_collision()
 
     def build(self, state: newton.State, frame_count: int) -> None:
@@ -44,11 +42,9 @@ class Stepper:
         self.state = state
         self.solver = self._build_solver()
         self.recorder = self._build_recorder(frame_count)
-        self.vary(self.case)
 
-    def vary(self, case: Case) -> None:
-        """Go on as another case, which may differ in RUN_TIME_FIELDS only."""
-        self.case = case
+    def set_flags(self, solver: SolverBase) -> None:
+        """Switch a solver's stages on and off as ``case`` says, where it has some."""
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
         """Queue a substep of a frame, and collisions where they are due in it."""

@@ -1,20 +1,24 @@
-"""Stepping MuJoCo Warp: all worlds of a batch at once, with the contacts of Newton or its own."""
-
-from collections.abc import Iterator, Sequence
+"""MuJoCo Warp through Newton: how the worlds of a batch are stepped in it, and what it shows of their contacts."""
 
 import newton
-import numpy as np
 import warp as wp
 from mujoco_warp._src.types import vec5
 from newton import CollisionPipeline, Contacts
 from newton.solvers import SolverMuJoCo
 
-from experiments.facts.case import CaseError
-from experiments.simulation import compensated_positions, contact_bias
-from experiments.simulation.recorder import CONE, COUNT, LOADED, NORMAL, PENETRATION, SLIDE, TANGENTIAL, watch_substep
-from experiments.simulation.stepper import CONTACT_MAX
-from experiments.simulation.stepper_mujoco import CONTACT_FIELDS, Fields, MuJoCoRecorder, MuJoCoStepper
-from newton_lint.newton_models.compat import warp_has_noslip
+from experiments.simulation.recorder import (
+    CONE,
+    COUNT,
+    LOADED,
+    NORMAL,
+    PENETRATION,
+    SLIDE,
+    TANGENTIAL,
+    Recorder,
+    watch_substep,
+)
+from experiments.simulation.scene import Scene
+from experiments.simulation.stepper import CONTACT_MAX, Stepper
 
 
 @wp.func
@@ -91,22 +95,18 @@ def record_contacts(
                 wp.atomic_add(contacts, frame, world, SLIDE, wp.where(geom[contact][1] == cube, along, -along))
 
 
-class WarpStepper(MuJoCoStepper):
-    """Steps all worlds in MuJoCo Warp."""
-
-    @property
-    def is_queued(self) -> bool:
-        return True
+class WarpStepper(Stepper):
+    """Steps all worlds in MuJoCo Warp, by Newton's solver."""
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
         case = self.case
         if self.pipeline is not None and substep % (case.substeps // case.collide_count) == 0:
             self.pipeline.collide(self.state, self.contacts)
-        super().step(substep, control, step_s)
+        # Without a control the engine keeps the targets that it has.
+        control = control if substep == 0 or case.state_sync else None
+        self.solver.step(self.state, self.state, control, self.contacts, step_s)
 
     def _build_collision(self) -> tuple[CollisionPipeline | None, Contacts | None]:
-        if self.case.contacts == "mujoco":
-            return None, None
         pipeline = newton.CollisionPipeline(
             self.model,
             broad_phase=self.case.broad_phase,
@@ -115,31 +115,14 @@ class WarpStepper(MuJoCoStepper):
         )
         return pipeline, pipeline.contacts()
 
-    def _build_solver(self) -> SolverMuJoCo:
-        if self.case.noslip_iterations and not warp_has_noslip():
-            raise CaseError("noslip_iterations must be 0 here: MuJoCo Warp of this release has no noslip")
-        solver = self._make_solver()
-        self._install_remedies(solver)
-        if not solver.update_data_interval:
-            solver.reset(self.state)  # the engine starts all worlds as the first
-        return solver
 
-    def _install_remedies(self, solver: SolverMuJoCo) -> None:
-        """Give each world of a solver what its case asks for; nothing is installed that no case asks for."""
-        if any(case.compensated for case in self.cases):
-            compensated_positions.install(solver, worlds=[case.compensated for case in self.cases])
-        kinds = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]  # type: list
-        for kind in sorted(set(kinds) - {False}):
-            centred, normal = kind
-            worlds = [each == kind for each in kinds]
-            contact_bias.install(solver, worlds=worlds, centred=centred, normal=normal)
-
-    def _build_recorder(self, frame_count: int) -> "WarpRecorder":
-        return WarpRecorder(self, frame_count)
-
-
-class WarpRecorder(MuJoCoRecorder):
+class WarpRecorder(Recorder):
     """Records of MuJoCo Warp's contacts what they carry, and how far its buffers are used."""
+
+    def __init__(self, stepper: Stepper, frame_count: int):
+        super().__init__(stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
+        self.names = _geom_names(stepper.scene, stepper.solver)
+        self.cube_geom = self.names.index("cube")
 
     def watch_substep(self) -> None:
         data = self.solver.mjw_data
@@ -157,21 +140,9 @@ class WarpRecorder(MuJoCoRecorder):
             dim=data.naconmax,
             inputs=[self.cursor, data.nacon, data.contact.dist, data.contact.worldid, data.contact.dim]
             + [data.contact.friction, data.contact.frame, data.contact.geom, self.cube_geom]
-            + [data.contact.efc_address, data.efc.force, data.efc.vel, data.njmax, self.is_elliptic],
+            + [data.contact.efc_address, data.efc.force, data.efc.vel, data.njmax, is_elliptic(self.solver)],
             outputs=[self.contacts],
         )
-
-    def contacts_by_world(self) -> Iterator[tuple[Fields, np.ndarray, Sequence[np.ndarray]]]:
-        data = self.solver.mjw_data
-        count = min(int(data.nacon.numpy()[0]), data.naconmax)
-        fields = {name: getattr(data.contact, name).numpy()[:count] for name in CONTACT_FIELDS}
-        address = data.contact.efc_address.numpy()[:count, 0]
-        world_id = data.contact.worldid.numpy()[:count]
-        efc = [rows.numpy() for rows in (data.efc.force, data.efc.pos, data.efc.vel, data.efc.aref)]
-        for world in range(len(self.cursor)):
-            mine = world_id == world
-            mine_fields = {name: values[mine] for name, values in fields.items()}
-            yield mine_fields, address[mine], [array[world] for array in efc]
 
     def _contact_count(self) -> tuple[wp.array, int]:
         """Say where the generator of the contacts counts them, and the most that is sure to be all of them.
@@ -183,3 +154,19 @@ class WarpRecorder(MuJoCoRecorder):
         if self.contacts_in is None:
             return data.nacon, data.naconmax
         return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max - 1, data.naconmax)
+
+
+def is_elliptic(solver: SolverMuJoCo) -> bool:
+    return int(solver.mj_model.opt.cone) == 1
+
+
+def _geom_names(scene: Scene, solver: SolverMuJoCo) -> list[str]:
+    shapes = solver.mjc_geom_to_newton_shape.numpy()[0]
+    shape_body, labels = scene.model.shape_body.numpy(), scene.model.body_label
+    names, counts = [], {}  # type: list[str], dict[str, int]
+    for shape in shapes:
+        body = shape_body[shape] if shape >= 0 else -1
+        name = labels[body].rsplit("/", 1)[-1] if body >= 0 else "ground"
+        counts[name] = counts.get(name, 0) + 1
+        names.append(f"{name} {counts[name]}" if "finger" in name else name)
+    return names

@@ -23,7 +23,7 @@ from experiments.facts import metrics
 from experiments.facts.case import FIXED
 from experiments.facts.fix_files import fix_files
 from experiments.simulation.simulation import Simulation, run, simulate
-from experiments.simulation.stepper_warp import WarpStepper
+from experiments.simulation.stepper_c import MuJoCoStepper
 from measured_report.files.root import ROOT
 
 OPTIONS = "--viewer null --test --quiet --backend mujoco --json summary.json".split()
@@ -133,7 +133,7 @@ def test_the_lines_of_mjcf_say_of_pads_what_the_other_block_does(site):
         assert pad.priority[0] == 1 and pad.solref == pytest.approx([0.002, 1.0])
 
 
-class Pasted(WarpStepper):
+class Pasted(MuJoCoStepper):
     """A stepper with the solver that a block makes, beside the scene's own options."""
 
     block = ""

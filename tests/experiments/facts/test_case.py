@@ -13,7 +13,7 @@ from experiments.facts import case as cases
 from experiments.facts.case import AS_SHIPPED, FIXED, HOLD, LEAN, STIFF_PADS, UNTRIMMED, Case, CaseError, differences
 from experiments.facts.fix_files import FIXED_SCENE
 from experiments.facts.metrics import DROP_DISTANCE
-from experiments.simulation import scene, stepper_mujoco, task
+from experiments.simulation import scene, stepper_c, task
 from measured_report.files.root import ROOT
 
 SHIPPED = (ROOT / FIXED_SCENE).read_text(encoding="utf-8")
@@ -28,7 +28,7 @@ def test_the_scene_has_the_numbers_of_the_file_that_is_offered():
     named = {
         scene: "ROBOT_POSITION READY_POSE ARM_DOF_COUNT ROBOT_DOF_COUNT CUBE_EDGE CUBE_POSITION",
         task: "FRAME_DT PHASE_SECONDS APPROACH_HEIGHT LIFT_HEIGHT FINGER_OPEN POSITION_TOLERANCE ROTATION_TOLERANCE",
-        stepper_mujoco: "CONTACT_MAX CONSTRAINT_MAX",
+        stepper_c: "CONTACT_MAX CONSTRAINT_MAX",
     }
     for module, names in named.items():
         for name in names.split():

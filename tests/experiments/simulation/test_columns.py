@@ -12,15 +12,7 @@ from experiments import error_runtime, speed, upgrade
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Failure, Trace
-from experiments.simulation import (
-    frame_benchmark,
-    measurement,
-    recorder,
-    stepper_c,
-    stepper_mujoco,
-    stepper_warp,
-    timing,
-)
+from experiments.simulation import frame_benchmark, measurement, recorder, stepper_c, stepper_warp, timing
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.mjcf_engines import Contacts
 from experiments.simulation.paired_timing import PairedTimes
@@ -144,8 +136,7 @@ def rows_of(cone: str, geoms: tuple[int, int]) -> ContactRows:
     else:  # μ (a − b) is the force and (a − b) / (2 μ) the velocity
         force, velocity = [7.0, 2.4, 0.8, 0.8, 2.0], [7.0, 0.11, -0.09, -0.04, 0.06]
     rows = [np.array(each) for each in (force, np.arange(5.0), velocity, -np.array(velocity))]
-    recorded = SimpleNamespace(geom_names=["ground", "cube"], is_elliptic=cone == "elliptic")
-    return stepper_mujoco.MuJoCoRecorder.rows_of(recorded, 3, field, np.array([-1, 1]), rows)
+    return stepper_c._rows_of_world(field, np.array([-1, 1]), rows, 3, ["ground", "cube"], cone == "elliptic")
 
 
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
