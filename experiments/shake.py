@@ -16,7 +16,7 @@ import numpy as np
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
-from experiments.simulation import forward_only  # noqa: F401
+from experiments.simulation.host import compile_first
 from experiments.simulation.measurement import absent, summarize
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.stepper_c import device_of
@@ -70,7 +70,10 @@ class Example:
     def __init__(self, viewer, case: Case):
         self.viewer = viewer
         self.case = case
-        self.simulation = Simulation([case], wp.get_device(device_of(case, None)))
+        device = wp.get_device(device_of(case, None))
+        if device.is_cuda:
+            compile_first("cuda")
+        self.simulation = Simulation([case], device)
         self.model = self.simulation.model
         self.state_0 = self.simulation.state
         self.frame_count = 0

@@ -1,5 +1,6 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
+import os
 import re
 import time
 from collections.abc import Callable
@@ -12,12 +13,17 @@ from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only, paired_timing  # noqa: F401
+from experiments.simulation.kernels import Launch, is_bare, scene_kernels
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
+from measured_report.files.processes import workers
 from measured_report.measuring.accelerator import lacks
+from measured_report.measuring.pool import gather, start
 from measured_report.records.identity import package_versions
 
+PROCESS_COUNT = 16  # chosen: more wait for the largest module
+SHARE_COUNT = 64  # more than a frame takes modules: whoever is done takes the next
 DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 OLDEST = (1, 4, 0)  # the oldest release that can run the scene
@@ -60,6 +66,8 @@ def compile_first(kind: str) -> str:
     """
     began = time.perf_counter()
     try:
+        if is_bare():
+            _compile_beside(kind)
         device = warp_device(kind)
         Simulation([replace(AS_SHIPPED, frame_count=1)], device).step()
         wp.synchronize_device(device)
@@ -72,6 +80,22 @@ def compile_first(kind: str) -> str:
     else:
         tqdm.write(f"kernels are ready after {time.perf_counter() - began:.0f} s")
     return ""
+
+
+def _compile_beside(kind: str) -> None:
+    """Compile the kernels of a simulation and its frame in several processes at once.
+
+    They are spawned, since a fork cannot use a device that this process has begun to use.
+    """
+    with workers(min(PROCESS_COUNT, os.cpu_count() or 1), "spawn", be_quiet) as pool:
+        gather(start(pool, _compile, [(kind, index) for index in range(SHARE_COUNT)]), "kernels")
+
+
+def _compile(kind: str, index: int) -> None:
+    """Compile a share; most of that is Python that writes what is compiled, so that shares take processes."""
+    device = warp_device(kind)
+    for module, block_dim in list(scene_kernels(device.alias))[index::SHARE_COUNT]:
+        module.load(device, block_dim=block_dim)
 
 
 def be_quiet() -> None:
@@ -90,7 +114,7 @@ def note_work(note: Callable[[str], None]) -> None:
         setattr(wp, name, partial(_noted, note, getattr(wp, name)))
 
 
-def _noted(note: Callable[[str], None], launch: Callable[..., object], kernel: wp.Kernel, *args, **options) -> object:
+def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, *args, **options) -> object:
     note(f"{kernel.key} {options['dim'] if 'dim' in options else args[0]}")
     return launch(kernel, *args, **options)
 

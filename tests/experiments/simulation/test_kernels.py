@@ -1,0 +1,43 @@
+"""Kernels that are compiled before they are launched."""
+
+from itertools import chain
+
+import warp as wp
+from toys import program
+
+from experiments.simulation.kernels import launched_kernels, scene_kernels
+
+
+@wp.kernel(module="unique")
+def doubled(values: wp.array(dtype=float)):
+    i = wp.tid()
+    values[i] = 2.0 * values[i]
+
+
+def test_what_would_be_launched_is_known_and_not_launched():
+    """What fails on the way, since nothing was computed, costs what comes after it alone."""
+    values = wp.array([1.0], dtype=float, device="cpu")
+
+    def run():
+        wp.launch(doubled, 1, [values], device="cpu")
+        raise IndexError
+
+    assert launched_kernels(wp.get_device("cpu"), run) == {(doubled.module, 1): [doubled]}
+    assert not doubled.module.execs and values.numpy()[0] == 1.0
+    wp.launch(doubled, 1, [values], device="cpu")
+    assert values.numpy()[0] == 2.0
+
+
+def test_all_that_a_frame_launches_is_known_without_a_launch_with_the_types_that_it_is_launched_with():
+    """So nothing that is compiled waits for what comes before it, and nothing is compiled once more."""
+    launched = [*chain(*scene_kernels("cpu").values())]
+    assert "end_frame" in {kernel.key for kernel in launched}
+    generic = [kernel for kernel in launched if kernel.is_generic]
+    assert generic and all(kernel.overloads for kernel in generic)
+
+
+LOOK = "from experiments.simulation.kernels import is_bare; print(is_bare())"
+
+
+def test_a_machine_without_compiled_kernels_is_bare(tmp_path):
+    assert program("-c", LOOK, WARP_CACHE_PATH=str(tmp_path)).stdout.splitlines()[-1] == "True"
