@@ -2,6 +2,7 @@
 
 import os
 import re
+import threading
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,7 +14,7 @@ from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation import forward_only, paired_timing  # noqa: F401
-from experiments.simulation.kernels import Launch, is_bare, scene_kernels
+from experiments.simulation.kernels import Launch, has_begun, is_bare, scene_kernels
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
@@ -83,11 +84,13 @@ def compile_first(kind: str) -> str:
 
 
 def _compile_beside(kind: str) -> None:
-    """Compile the kernels of a simulation and its frame in several processes at once.
+    """Compile in processes beside one another what building a simulation and its frame launch.
 
-    They are spawned, since a fork cannot use a device that this process has begun to use.
+    A fork has imported all that it needs, but can't use a device that this process has begun to use, nor what another
+    of its threads, as a worker of a cluster has, may hold at that moment.
     """
-    with workers(min(PROCESS_COUNT, os.cpu_count() or 1), "spawn", be_quiet) as pool:
+    method = "spawn" if has_begun() or threading.active_count() > 1 else "fork"
+    with workers(min(PROCESS_COUNT, os.cpu_count() or 1), method, be_quiet) as pool:
         gather(start(pool, _compile, [(kind, index) for index in range(SHARE_COUNT)]), "kernels")
 
 

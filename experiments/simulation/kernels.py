@@ -8,9 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import warp as wp
+from warp._src.build import init_kernel_cache
 
 from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.recorder import Recorder
 from experiments.simulation.simulation import Simulation
+from experiments.simulation.stepper import Stepper
+from experiments.simulation.stepper_c import MuJoCoRecorder, MuJoCoStepper
 
 Launch = Callable[..., Any]
 KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
@@ -38,10 +42,20 @@ def launching(instead: Launch) -> Iterator[None]:
             setattr(wp, name, function)
 
 
+def has_begun() -> bool:
+    """Tell whether this process has begun to use Warp, and devices: only then has it chosen where kernels are kept."""
+    return wp.config.kernel_cache_dir is not None
+
+
 def is_bare() -> bool:
-    """Tell whether Warp's cache on this machine has hardly any compiled modules yet."""
-    wp.init()
-    return len(list(Path(wp.config.kernel_cache_dir).glob("wp_*"))) < KEPT_COUNT
+    """Tell whether this machine has compiled hardly anything yet: where kernels are kept there is next to nothing."""
+    begun = has_begun()
+    if not begun:
+        init_kernel_cache()
+    kept_count = len(list(Path(wp.config.kernel_cache_dir).glob("wp_*")))
+    if not begun:
+        wp.config.kernel_cache_dir = None  # for Warp to choose again
+    return kept_count < KEPT_COUNT
 
 
 def launched_kernels(device: wp.Device, run: Callable[[], object]) -> dict[tuple[Any, int], list[wp.Kernel]]:
@@ -62,8 +76,27 @@ def launched_kernels(device: wp.Device, run: Callable[[], object]) -> dict[tuple
     return kernels
 
 
+class UnlaunchedRecorder(MuJoCoRecorder):
+    """Looks for no cube among the engine's geoms: no kernel has said what they are of."""
+
+    def __init__(self, stepper: Stepper, frame_count: int):
+        Recorder.__init__(self, stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
+        self.cube_geom = 0
+
+
+class UnlaunchedStepper(MuJoCoStepper):
+    def _build_recorder(self, frame_count: int) -> MuJoCoRecorder:
+        return UnlaunchedRecorder(self, frame_count)
+
+
+class Unlaunched(Simulation):
+    """A simulation whose kernels are never launched."""
+
+    stepper_of = UnlaunchedStepper
+
+
 @cache
 def scene_kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
     """Return what building the scene and its frame launch on a device; see ``launched_kernels``."""
     device = wp.get_device(alias)
-    return launched_kernels(device, lambda: Simulation([replace(AS_SHIPPED, frame_count=1)], device).frame())
+    return launched_kernels(device, lambda: Unlaunched([replace(AS_SHIPPED, frame_count=1)], device).frame())

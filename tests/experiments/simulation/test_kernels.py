@@ -36,8 +36,16 @@ def test_all_that_a_frame_launches_is_known_without_a_launch_with_the_types_that
     assert generic and all(kernel.overloads for kernel in generic)
 
 
-LOOK = "from experiments.simulation.kernels import is_bare; print(is_bare())"
+LOOK = """
+import warp as wp
+from experiments.simulation.kernels import has_begun, is_bare
+print(is_bare(), has_begun())
+wp.init()
+print(has_begun(), wp.config.kernel_cache_dir)
+"""
 
 
-def test_a_machine_without_compiled_kernels_is_bare(tmp_path):
-    assert program("-c", LOOK, WARP_CACHE_PATH=str(tmp_path)).stdout.splitlines()[-1] == "True"
+def test_whether_a_machine_is_bare_is_known_before_warp_begins_which_then_keeps_its_kernels_where_it_would(tmp_path):
+    """So forks can compile for it."""
+    lines = program("-c", LOOK, WARP_CACHE_PATH=str(tmp_path)).stdout.splitlines()
+    assert (lines[0], lines[-1]) == ("True False", f"True {tmp_path / wp.config.version}")
