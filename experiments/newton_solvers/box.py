@@ -16,7 +16,8 @@ import warp as wp
 from newton import solvers
 
 from experiments.cure.turntable import SAMPLE_S, SETTLE_S, growth_per_s
-from experiments.engines.scenes import FOOT_M, GRAVITY_M_S2, turntable
+from experiments.drivers.scene import GRAVITY_M_S2
+from experiments.scenes.turntable import FOOT_M, turntable
 from experiments.simulation.simulation import captured
 from measured_report.measuring.measurement import Conditions, absent
 
@@ -117,25 +118,25 @@ def number_of(scene: str) -> str:
 
 def build(scene_name: str, device: str) -> newton.Model:
     """Build the turning box on four feet on a table that turns on a hinge or stands still; on a slope gravity leans."""
-    scene, builder = turntable(0.0), newton.ModelBuilder()
-    box, [table] = scene["body"], scene["supports"]
-    config = newton.ModelBuilder.ShapeConfig(density=0.0, mu=scene["friction"])
-    turned = builder.add_link(mass=table["mass_kg"], inertia=wp.mat33(*np.diag([table["inertia_kg_m2"]] * 3).ravel()))
-    builder.add_articulation([builder.add_joint_revolute(-1, turned, axis=table["axis"])])
-    hx, hy, hz = table["half_size"]
+    scene, builder = turntable(0.0, 0.0), newton.ModelBuilder()
+    box, [table] = scene.body, scene.supports
+    config = newton.ModelBuilder.ShapeConfig(density=0.0, mu=scene.friction)
+    turned = builder.add_link(mass=table.mass_kg, inertia=wp.mat33(*np.diag([table.inertia_kg_m2] * 3).ravel()))
+    builder.add_articulation([builder.add_joint_revolute(-1, turned, axis=table.axis)])
+    hx, hy, hz = table.half_size_m
     builder.add_shape_box(turned, hx=hx, hy=hy, hz=hz, cfg=config)
-    carried = builder.add_link(mass=box["mass_kg"], inertia=wp.mat33(*np.diag(box["inertia_kg_m2"]).ravel()))
+    carried = builder.add_link(mass=box.mass_kg, inertia=wp.mat33(*np.diag(box.inertia_kg_m2).ravel()))
     builder.add_articulation([builder.add_joint_free(child=carried)])
-    for position in box["feet"]:
+    for position in box.feet:
         foot = wp.transform(position, wp.quat_identity())
-        builder.add_shape_sphere(carried, xform=foot, radius=box["foot_m"], cfg=config)
+        builder.add_shape_sphere(carried, xform=foot, radius=box.foot_m, cfg=config)
     builder.color()  # VBD asks for it
     model = builder.finalize(device=device)
     joint_q = model.joint_q.numpy()
-    joint_q[1:4] = box["place"]
+    joint_q[1:4] = box.position_m
     model.joint_q.assign(joint_q)
     if scene_name == "turntable":
-        model.joint_qd.assign(scene["qvel"])
+        model.joint_qd.assign(scene.qvel)
     if scene_name == "slope":
         model.set_gravity((GRAVITY_M_S2 * SLOPE / np.hypot(1.0, SLOPE), 0.0, -GRAVITY_M_S2 / np.hypot(1.0, SLOPE)))
     newton.eval_fk(model, model.joint_q, model.joint_qd, model)  # VBD takes from here where bodies come from
