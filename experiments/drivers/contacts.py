@@ -1,4 +1,4 @@
-"""Contacts of a world as one number each, and the creep that they predict."""
+"""Contacts of a world as a few numbers, and the creep that they predict."""
 
 from dataclasses import dataclass
 
@@ -64,10 +64,11 @@ class Contacts:
         """Predict how fast a held body slides under a constant load [m/s]: each row yields R f = b v."""
         return load_n * self.softness_1_kg / self.damping_per_s
 
-    def forecast_creep_m_s(
-        self, load_n: float, contact: Contact, option: Option
-    ) -> float:
-        """Predict the same from a contact's parameters and how deep the contacts are."""
-        impedance = impedance_at(contact.solimp, self.depth_m)
-        response = response_of(contact, option, impedance)
-        return response.load_m_s_n * load_n / self.count
+
+def forecast_creep_m_s(
+    contacts: Contacts, load_n: float, contact: Contact, option: Option
+) -> float:
+    """Predict the same from a contact's parameters and how deep the contacts are [m/s]."""
+    impedance = impedance_at(contact.solimp, contacts.depth_m)
+    response = response_of(contact, option, impedance)
+    return response.load_m_s_n * load_n / contacts.count

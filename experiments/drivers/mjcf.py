@@ -1,6 +1,6 @@
 """Engines that run a scene in MJCF in this process."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -8,6 +8,8 @@ from experiments.drivers.mujoco_c import InC
 from experiments.drivers.mujoco_warp import InWarp
 from experiments.drivers.newton_mujoco import ThroughNewton
 from experiments.drivers.scene import Scene, Trace
+from experiments.simulation.c_warnings import RunFailed
+from measured_report.measuring.measurement import absent
 
 ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}  # type: dict[str, type]
 """Engines by the names that cases say."""
@@ -34,3 +36,13 @@ def run(scene: Scene, engine: str, device: str = "cpu") -> Trace:
         contacts=world.contacts(),
         model=world.model,
     )
+
+
+def columns_of(
+    measure: Callable[[], dict[str, object]], names: Sequence[str]
+) -> dict[str, object]:
+    """Return what is measured, or the reason why a run shows none of the columns."""
+    try:
+        return measure()
+    except RunFailed as failed:
+        return absent(names, str(failed))

@@ -1,4 +1,4 @@
-"""MuJoCo's C engine, in double precision."""
+"""MuJoCo's C engine, on MJCF with one free body."""
 
 import mujoco
 import numpy as np
@@ -6,11 +6,13 @@ import numpy as np
 from experiments.drivers.contacts import Contacts
 from experiments.simulation.c_warnings import refuse_warned
 
-STEPS = 2  # of an ``advance``: Newton goes from one state into another and back
+STEPS = (
+    2  # steps that ``advance`` runs: Newton goes from one state into another and back
+)
 
 
 def start(model: mujoco.MjModel) -> mujoco.MjData:
-    """Return the initial state: that of the first keyframe where there is one."""
+    """Make the initial state, which is that of the first keyframe where there is one."""
     data = mujoco.MjData(model)
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
@@ -19,15 +21,14 @@ def start(model: mujoco.MjModel) -> mujoco.MjData:
 
 
 def free_joint(model: mujoco.MjModel) -> tuple[slice, slice]:
-    """Return where position and velocity of the one free body are in qpos and qvel."""
+    """Find position and velocity of the one free body in qpos and qvel."""
     [joint] = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
-    qpos = model.jnt_qposadr[joint]
-    qvel = model.jnt_dofadr[joint]
+    qpos, qvel = model.jnt_qposadr[joint], model.jnt_dofadr[joint]
     return slice(qpos, qpos + 3), slice(qvel, qvel + 3)
 
 
 class InC:
-    """Worlds of one scene in MJCF, which has one free body and begins as ``start`` says."""
+    """Worlds of one scene in MuJoCo's C engine, in double precision; they begin in its initial state."""
 
     def __init__(self, mjcf: str, world_count: int = 1, device: str = "cpu"):
         self.model = mujoco.MjModel.from_xml_string(mjcf)
@@ -39,14 +40,14 @@ class InC:
         for data, values in zip(self.worlds, control, strict=True):
             data.ctrl[:] = values
 
-    def advance(self, step_count: int = STEPS) -> None:
-        """Run steps; RunFailed where a world shows no measurement any more."""
+    def advance(self) -> None:
+        """Run two steps; RunFailed where a world shows no measurement any more."""
         for data in self.worlds:
-            mujoco.mj_step(self.model, data, nstep=step_count)
+            mujoco.mj_step(self.model, data, nstep=STEPS)
             refuse_warned(data)
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return position [m] and velocity [m/s] of the body, shape [world, 3] each."""
+        """Return position [m] and velocity [m/s] of the free body, shape [world, 3] each."""
         position, velocity = self.free
         return (
             np.array([data.qpos[position] for data in self.worlds]),
@@ -55,15 +56,19 @@ class InC:
 
     def contacts(self) -> Contacts:
         """Return what carries force in the first world after the last step."""
-        data = self.worlds[0]
-        pairs = data.contact
-        return Contacts.of(
-            self.model,
-            np.asarray(pairs.efc_address).reshape(-1),
-            pairs.friction,
-            pairs.solref,
-            pairs.solimp,
-            pairs.dist,
-            data.efc_force,
-            data.efc_D,
-        )
+        return contacts_in_c(self.model, self.worlds[0])
+
+
+def contacts_in_c(model: mujoco.MjModel, data: mujoco.MjData) -> Contacts:
+    pairs = data.contact
+    rows = np.asarray(pairs.efc_address).reshape(-1)
+    return Contacts.of(
+        model,
+        rows,
+        pairs.friction,
+        pairs.solref,
+        pairs.solimp,
+        pairs.dist,
+        data.efc_force,
+        data.efc_D,
+    )

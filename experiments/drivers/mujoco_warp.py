@@ -1,4 +1,4 @@
-"""MuJoCo Warp, in single precision."""
+"""MuJoCo Warp, on the same scenes."""
 
 import mujoco
 import mujoco_warp as mjw
@@ -14,7 +14,7 @@ CONSTRAINT_MAX = 256
 
 
 class InWarp:
-    """The same as ``mujoco_c.InC``."""
+    """The same in MuJoCo Warp, in single precision."""
 
     def __init__(self, mjcf: str, world_count: int = 1, device: str = "cpu"):
         self.model = mujoco.MjModel.from_xml_string(mjcf)
@@ -26,14 +26,13 @@ class InWarp:
             self._build(mjcf)
 
     def _build(self, mjcf: str) -> None:
+        sizes = {
+            "nworld": self.world_count,
+            "nconmax": CONTACT_MAX,
+            "njmax": CONSTRAINT_MAX,
+        }
         self.engine = mjw.put_model(self.model)
-        self.data = mjw.put_data(
-            self.model,
-            start(self.model),
-            nworld=self.world_count,
-            nconmax=CONTACT_MAX,
-            njmax=CONSTRAINT_MAX,
-        )
+        self.data = mjw.put_data(self.model, start(self.model), **sizes)
 
     def command(self, control: np.ndarray) -> None:
         self.data.ctrl.assign(np.asarray(control, dtype=np.float32))
@@ -62,18 +61,18 @@ class InWarp:
         )
 
     def contacts(self) -> Contacts:
-        pairs = self.data.contact
-        count = int(self.data.nacon.numpy()[0])
-        is_mine = pairs.worldid.numpy()[:count] == 0
-        arrays = (
-            pairs.efc_address,
-            pairs.friction,
-            pairs.solref,
-            pairs.solimp,
-            pairs.dist,
-        )
-        rows, *parameters = (array.numpy()[:count][is_mine] for array in arrays)
-        efc = self.data.efc
-        return Contacts.of(
-            self.model, rows[:, 0], *parameters, efc.force.numpy()[0], efc.D.numpy()[0]
-        )
+        return contacts_in_warp(self.model, self.data)
+
+
+def contacts_in_warp(model: mujoco.MjModel, data: mjw.Data) -> Contacts:
+    pairs = data.contact
+    count = int(data.nacon.numpy()[0])
+    mine = pairs.worldid.numpy()[:count] == 0
+    arrays = (pairs.efc_address, pairs.friction, pairs.solref, pairs.solimp, pairs.dist)
+    rows, friction, solref, solimp, dist = (
+        array.numpy()[:count][mine] for array in arrays
+    )
+    force, stiffness = data.efc.force.numpy()[0], data.efc.D.numpy()[0]
+    return Contacts.of(
+        model, rows[:, 0], friction, solref, solimp, dist, force, stiffness
+    )

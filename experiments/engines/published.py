@@ -10,15 +10,15 @@ seen from the gripper, where an orbit is gravity that turns.
 from collections.abc import Callable, Sequence
 from functools import partial
 
+import mujoco
 import numpy as np
 
 from experiments.drivers.engine import Engine, run
-from experiments.drivers.mjcf import numbers
 from experiments.drivers.mjcf import run as run_here
 from experiments.drivers.mujoco_c import STEPS, InC
 from experiments.drivers.scene import GRAVITY_M_S2, Scene
 from experiments.scenes import capsule, pick
-from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.c_warnings import RunFailed, refuse_warned
 from experiments.simulation.measurement import Conditions, absent
 from measured_report.files.root import ROOT
 
@@ -81,14 +81,15 @@ def rows(conditions: Conditions) -> list[dict[str, object]]:
 
 def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
     """Run MuJoCo's C engine with a control in each step, from these joints on."""
-    world = InC(mjcf)
-    [data] = world.worlds
+    model = mujoco.MjModel.from_xml_string(mjcf)
+    data = mujoco.MjData(model)
     data.qpos[: len(qpos)] = qpos
     height_m = []
     force_n = []
     for control in controls:
-        world.command([control])
-        world.advance(1)
+        data.ctrl[:] = control
+        mujoco.mj_step(model, data)
+        refuse_warned(data)
         felt = data.sensordata.reshape(
             -1, 4
         )  # whether there is a contact, and its force
@@ -113,7 +114,7 @@ def grasp_mjcf(friction: float, integrator: str) -> str:
     return robot.format(
         object_geom=f'{CUBE} friction="{friction}"',
         option=f'timestep="{STEP_S}" integrator="{integrator}"',
-        pad_solref=numbers(pick.PAD_SOLREF),
+        pad_solref=f"{pick.PAD_TIMECONST_S} 1",
     ).replace("</mujoco>", TOUCH)
 
 

@@ -5,15 +5,16 @@ chosen by what it says of the loads: with a gain of 20 kN/m the pads press with 
 timeconst of 4 ms with its 60 N. The capsule is longer than the pads are wide.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
+from functools import partial
 
 import numpy as np
 from tqdm import tqdm
 
-from experiments.drivers.mjcf import ENGINES, SOLIMP, numbers, run
+from experiments.drivers.contacts import forecast_creep_m_s
+from experiments.drivers.mjcf import ENGINES, SOLIMP, columns_of, numbers, run
 from experiments.drivers.mujoco_c import STEPS
 from experiments.drivers.scene import GRAVITY_M_S2, Scene
-from experiments.simulation.c_warnings import RunFailed
 from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.law import Contact, Option
 from newton_lint.newton_models.compat import warp_has_noslip
@@ -41,10 +42,10 @@ CREEPS = (
 
 @dataclass(frozen=True)
 class Pinch:
-    """One run; options as in MJCF."""
+    """One run, whose row has these columns; options as in MJCF."""
 
-    name: str
-    engine: str = "c"
+    case: str
+    backend: str = "c"
     cone: str = "elliptic"
     impratio: float = 10.0
     noslip_iterations: int = 0
@@ -93,37 +94,24 @@ VARIANTS = (
     Pinch("within-pads", half_length_m=0.02),
 )
 CASES = [
-    replace(case, name=f"{case.name}-{engine}", engine=engine)
+    replace(variant, case=f"{variant.case}-{engine}", backend=engine)
     for engine in ENGINES
-    for case in VARIANTS
+    for variant in VARIANTS
 ]
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
     """Make a row for each run: how fast the capsule sinks, measured and predicted."""
-    found = []
+    seconds = SECONDS[conditions.profile]
+    rows = []
     for case in tqdm(CASES, desc="capsule", unit="run", delay=3.0):
-        row: dict[str, object] = {
-            "case": case.name,
-            "backend": case.engine,
-            "cone": case.cone,
-        }
-        row |= {
-            "impratio": case.impratio,
-            "noslip_iterations": case.noslip_iterations,
-            "condim": case.condim,
-        }
-        row |= {"timeconst_s": case.timeconst_s, "half_length_m": case.half_length_m}
-        if case.engine != "c" and case.noslip_iterations and not warp_has_noslip():
-            found.append(row | absent(CREEPS, "MuJoCo Warp here has no noslip"))
-            continue
-        try:
-            found.append(
-                row | sink(case, SECONDS[conditions.profile], conditions.device)
-            )
-        except RunFailed as failed:
-            found.append(row | absent(CREEPS, str(failed)))
-    return found
+        if case.backend != "c" and case.noslip_iterations and not warp_has_noslip():
+            columns = absent(CREEPS, "MuJoCo Warp here has no noslip")
+        else:
+            measure = partial(sink, case, seconds, conditions.device)
+            columns = columns_of(measure, CREEPS)
+        rows.append(asdict(case) | columns)
+    return rows
 
 
 def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
@@ -135,7 +123,7 @@ def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
     sample_s = STEPS * STEP_S
     settled, count = (round(time_s / sample_s) for time_s in (SETTLE_S, seconds))
     scene = Scene(STEP_S, sample_s, [TARGET] * (settled + count), case.mjcf())
-    trace = run(scene, case.engine, device)
+    trace = run(scene, case.backend, device)
     height_m = trace.path_m[settled:, 2]
     speed_m_s = -trace.velocity_m_s[settled + 1 :, 0, 2]
     contacts = trace.contacts
@@ -146,7 +134,7 @@ def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
     )  # an engine may drop it from the MJCF
     option = Option(0.0, cone=case.cone, impratio=case.impratio, noslip=noslip)
     contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION[0], pad + capsule)
-    forecast_m_s = contacts.forecast_creep_m_s(weight_n, contact, option)
+    forecast_m_s = forecast_creep_m_s(contacts, weight_n, contact, option)
     return {
         "creep_mm_s": 1e3 * float((height_m[0] - height_m[-1]) / (sample_s * count)),
         "steady_creep_mm_s": 1e3 * float(np.median(speed_m_s)),

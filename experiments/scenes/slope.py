@@ -1,14 +1,15 @@
 """A box on a slope that is far too flat to slide on: the plainest contact that creeps."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from functools import partial
 from itertools import product
 
-from experiments.drivers.mjcf import SOLIMP, run
+from experiments.drivers.contacts import forecast_creep_m_s
+from experiments.drivers.mjcf import SOLIMP, columns_of, run
 from experiments.drivers.mujoco_c import STEPS
 from experiments.drivers.scene import GRAVITY_M_S2, Scene
-from experiments.simulation.c_warnings import RunFailed
-from measured_report.measuring.measurement import Conditions, absent
+from measured_report.measuring.measurement import Conditions
 from newton_lint.law import Contact, Option
 
 TILT_RAD = 0.1
@@ -22,12 +23,13 @@ CREEPS = ("creep_mm_s", "forecast_creep_mm_s")
 
 @dataclass(frozen=True)
 class Slope:
-    """One run; options as in MJCF."""
+    """One run, whose row has these columns; options as in MJCF."""
 
-    name: str
+    case: str
     timeconst_s: float = 0.02
     impratio: float = 1.0
     cone: str = "elliptic"
+    backend: str = "c"
 
     def mjcf(self) -> str:
         """Write the scene in the slope's own axes."""
@@ -59,30 +61,18 @@ CASES = (
 
 def rows(_: Conditions) -> list[dict[str, object]]:
     """Make a row for each run; they take a second, whatever the profile."""
-    results = []
-    for case in CASES:
-        row = {
-            "case": case.name,
-            "backend": "c",
-            "cone": case.cone,
-            "impratio": case.impratio,
-            "timeconst_s": case.timeconst_s,
-        }
-        try:
-            results.append(row | dict(zip(CREEPS, creep_mm_s(case), strict=True)))
-        except RunFailed as failed:
-            results.append(row | absent(CREEPS, str(failed)))
-    return results
+    return [asdict(case) | columns_of(partial(creep, case), CREEPS) for case in CASES]
 
 
-def creep_mm_s(case: Slope) -> tuple[float, float]:
-    """Measure how fast the box slides in MuJoCo's C engine, and predict it [mm/s]."""
+def creep(case: Slope) -> dict[str, float]:
+    """Measure how fast the box slides in MuJoCo's C engine, and predict it."""
     settled, count = (round(time_s / STEPS / STEP_S) for time_s in (SETTLE_S, SECONDS))
-    scene = Scene(STEP_S, STEPS * STEP_S, [()] * (settled + count), case.mjcf())
-    trace = run(scene, "c")
+    targets = [()] * (settled + count)
+    trace = run(Scene(STEP_S, STEPS * STEP_S, targets, case.mjcf()), case.backend)
     option = Option(STEP_S, cone=case.cone, impratio=case.impratio)
     contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION, 1.0 / MASS_KG)
     load_n = MASS_KG * GRAVITY_M_S2 * math.sin(TILT_RAD)
-    forecast_m_s = trace.contacts.forecast_creep_m_s(load_n, contact, option)
+    forecast_m_s = forecast_creep_m_s(trace.contacts, load_n, contact, option)
     slid_m = trace.path_m[-1, 0] - trace.path_m[settled, 0]
-    return 1e3 * float(slid_m) / SECONDS, 1e3 * forecast_m_s
+    creeps = (float(slid_m) / SECONDS, forecast_m_s)
+    return {name: 1e3 * value for name, value in zip(CREEPS, creeps, strict=True)}

@@ -1,7 +1,11 @@
 """The box on four feet that a turning table carries, for engines that read no MJCF."""
 
+from dataclasses import replace
+
+import numpy as np
+
 from experiments.cure.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_RAD_S
-from experiments.drivers.scene import ORIGIN, Body, Scene, Support
+from experiments.drivers.scene import GRAVITY_M_S2, ORIGIN, Body, Scene, Support
 
 BOX_M = (0.05, 0.05, 0.04)
 FOOT_M = 0.01
@@ -40,3 +44,14 @@ def turntable(step_s: float, seconds: float) -> Scene:
         body=TURNING,
         supports=[TABLE],
     )
+
+
+def still(step_s: float, seconds: float) -> Scene:
+    """Return the same on a table that stands."""
+    return replace(turntable(step_s, seconds), qvel=(0.0,) * 7)
+
+
+def slope(step_s: float, seconds: float) -> Scene:
+    """Return the same on a slope of 0.35; friction carries up to 1."""
+    gravity = GRAVITY_M_S2 * np.array([0.35, 0.0, -1.0]) / np.hypot(1.0, 0.35)
+    return replace(still(step_s, seconds), gravity_m_s2=gravity)
