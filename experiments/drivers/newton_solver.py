@@ -130,7 +130,7 @@ def run(scene: Scene, variant: Variant, device: str) -> Trace:
                 state_in.clear_forces()
                 solver.step(state_in, state_out, control, contacts, scene.step_s)
 
-        poses = [states[0].body_q.numpy()[1:]]
+        poses = [states[0].body_q.numpy()[1:].copy()]
         queue = advance  # the first time compiles, which must not be captured
         for _ in scene.targets:
             queue()

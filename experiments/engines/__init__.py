@@ -5,9 +5,9 @@ NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, slip below 3 cm) is done wi
 shake.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import chain, product
 
 import numpy as np
 from tqdm import tqdm
@@ -29,6 +29,10 @@ SECONDS = {
     "quick": {"turntable": 1.5, "pinch": 1.5},
 }
 SCENES = {"turntable": turntable, "pinch": pinch}
+LOST = {  # what is measured, and after which fall [m] it is not, for which reason
+    "turntable": ("growth_per_s", FOOT_M, "the box is not on the table any more"),
+    "pinch": ("creep_mm_s", PAD_HALF_SIZE_M[2], "the capsule is lost"),
+}
 STICTION_M_S = 1e-3  # Drake's own
 NUMPY = "numpy==2.4.6"
 DRAKE = Engine("Drake", "1.51.1", "drake_run.py", ("drake==1.51.1", NUMPY))
@@ -108,56 +112,42 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def model_rows(models: Sequence[Model], profile: str) -> list[dict[str, object]]:
-    bar = tqdm(models, desc="engines", delay=3.0)
-    return [row for model in bar for row in rows_of(model, SECONDS[profile])]
+    """Make a row for each model, scene and step."""
+    rows = []
+    for model in tqdm(models, desc="engines", delay=3.0):
+        runs = list(product(model.scenes, model.steps_s))
+        seconds = SECONDS[profile]
+        scenes = [SCENES[name](step_s, seconds[name]) for name, step_s in runs]
+        traces = run(scenes, model.engine)
+        for (name, step_s), trace in zip(runs, traces, strict=True):
+            row = {
+                "case": f"{model.name}-{name}-{1e3 * step_s:g}ms",
+                "model": model.name,
+                "scene": name,
+                "step_ms": 1e3 * step_s,
+                "engine": model.engine.name,
+                "release": model.engine.release,
+            }
+            rows.append(row | columns(name, trace))
+    return rows
 
 
-def rows_of(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:
-    runs = [(name, step_s) for name in model.scenes for step_s in model.steps_s]
-    traces = run(
-        [SCENES[name](step_s, seconds[name]) for name, step_s in runs], model.engine
-    )
-    for (name, step_s), trace in zip(runs, traces, strict=True):
-        row = {
-            "case": f"{model.name}-{name}-{1e3 * step_s:g}ms",
-            "model": model.name,
-            "scene": name,
-            "step_ms": 1e3 * step_s,
-            "engine": model.engine.name,
-            "release": model.engine.release,
-        }
-        yield row | NUMBERS[name](trace)
-
-
-def growth(trace: Trace | str) -> dict[str, object]:
-    """Tell how fast the distance of the box from the axis grows."""
-    if reason := lost_reason(trace, FOOT_M, "the box is not on the table any more"):
-        return absent(["growth_per_s"], reason)
-    radius_m = np.hypot(*trace.path_m[:, :2].T)
-    return {"growth_per_s": growth_per_s(radius_m, SETTLE_S)}
-
-
-def sinking(trace: Trace | str) -> dict[str, object]:
-    """Tell how fast the capsule sinks."""
-    if reason := lost_reason(trace, PAD_HALF_SIZE_M[2], "the capsule is lost"):
-        return absent(["creep_mm_s"], reason)
-    time_s = SAMPLE_S * np.arange(len(trace.path_m))
-    is_settled = time_s >= SETTLE_S
-    slope = np.polyfit(time_s[is_settled], trace.path_m[is_settled, 2], 1)[0]
-    return {"creep_mm_s": -1e3 * float(slope)}
-
-
-NUMBERS = {"turntable": growth, "pinch": sinking}
-
-
-def lost_reason(trace: Trace | str, drop_m: float, lost: str) -> str:
-    """Return why a run shows no motion; nothing where it does."""
+def columns(name: str, trace: Trace | str) -> dict[str, object]:
+    """Tell how fast the distance of the box from the axis grows, or the capsule sinks."""
+    column, drop_m, lost = LOST[name]
     if isinstance(trace, str):
-        return trace
+        return absent([column], trace)
     if not np.isfinite(trace.path_m).all():
-        return "a position is not finite"
-    height_m = trace.path_m[:, 2]
-    return lost if abs(height_m[-1] - height_m[0]) > drop_m else ""
+        return absent([column], "a position is not finite")
+    x, y, height_m = trace.path_m.T
+    if abs(height_m[-1] - height_m[0]) > drop_m:
+        return absent([column], lost)
+    if name == "turntable":
+        return {column: growth_per_s(np.hypot(x, y), SETTLE_S)}
+    time_s = SAMPLE_S * np.arange(len(height_m))
+    is_settled = time_s >= SETTLE_S
+    slope = np.polyfit(time_s[is_settled], height_m[is_settled], 1)[0]
+    return {column: -1e3 * float(slope)}
 
 
 def shake_rows(conditions: Conditions) -> Sequence[Mapping[str, object]]:

@@ -8,7 +8,6 @@ seen from the gripper, where an orbit is gravity that turns.
 """
 
 from collections.abc import Callable, Sequence
-from functools import partial
 
 import mujoco
 import numpy as np
@@ -57,28 +56,6 @@ Shown = tuple[np.ndarray, np.ndarray, Sequence[float]]
 joints in the end."""
 
 
-def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each scene, with the reason where an engine cannot run it."""
-    fall, drops, creep = "fall_mm", "dropped_count", "creep_mm_s"
-    runs: dict[str, tuple[str, Callable[[], dict[str, object]]]] = {
-        "friction-motrixsim": (fall, partial(hold, in_motrixsim)),
-        "friction-euler": (fall, partial(hold, in_c)),
-        "friction-implicitfast": (fall, partial(hold, in_c, "implicitfast")),
-        "shake-cube": (drops, partial(shake, "cube", conditions.profile)),
-        "shake-ball": (drops, partial(shake, "ball", conditions.profile)),
-        "wall-c": (creep, partial(press, "c", conditions.device)),
-        "wall-warp": (creep, partial(press, "warp", conditions.device)),
-        "orbit": ("creep_mm", orbit),
-    }
-    found = []
-    for name, (column, show) in runs.items():
-        try:
-            found.append({"case": name} | show())
-        except (RunFailed, ValueError) as error:
-            found.append({"case": name} | absent([column], str(error)))
-    return found
-
-
 def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
     """Run MuJoCo's C engine with a control in each step, from these joints on."""
     model = mujoco.MjModel.from_xml_string(mjcf)
@@ -118,7 +95,9 @@ def grasp_mjcf(friction: float, integrator: str) -> str:
     ).replace("</mujoco>", TOUCH)
 
 
-def hold(show: Callable[..., Shown], integrator: str = "Euler") -> dict[str, object]:
+def hold(
+    _: Conditions, show: Callable[..., Shown], integrator: str = "Euler"
+) -> dict[str, object]:
     """Lift the cube, find the friction that just carries it, and hold it with a bit more."""
     controls = pick.pick_controls(np.arange(0.0, HOLD_S, STEP_S))
     lifted_m, force_n, qpos = show(grasp_mjcf(1.0, integrator), START, controls)
@@ -130,8 +109,9 @@ def hold(show: Callable[..., Shown], integrator: str = "Euler") -> dict[str, obj
     return {"fall_mm": fall_mm, "critical_friction": critical}
 
 
-def shake(kind: str, profile: str) -> dict[str, object]:
+def shake(conditions: Conditions, kind: str) -> dict[str, object]:
     """Shake an object in MotrixSim, targets at random in each second step; count drops."""
+    profile = conditions.profile
     lifting = pick.pick_controls(np.arange(STEP_S, pick.END_S[profile], STEP_S))
     mjcf = pick.Pick(kind, object=kind).mjcf().replace("</mujoco>", TOUCH)
     begin = round(pick.PHASES_S[-1] / STEP_S) - 1
@@ -146,17 +126,19 @@ def shake(kind: str, profile: str) -> dict[str, object]:
     return {"seed_count": pick.SEED_COUNT[profile], "dropped_count": dropped_count}
 
 
-def press(engine: str, device: str) -> dict[str, object]:
+def press(conditions: Conditions, engine: str) -> dict[str, object]:
     """Press the cube at the wall: how fast it creeps down."""
     sample_s = STEPS * WALL_STEP_S
     targets = [()] * round(WALL_S / sample_s)
-    trace = run_here(Scene(WALL_STEP_S, sample_s, targets, WALL), engine, device)
+    trace = run_here(
+        Scene(WALL_STEP_S, sample_s, targets, WALL), engine, conditions.device
+    )
     height_m = trace.path_m[:, 2]
     crept_m = height_m[round(WALL_SETTLE_S / sample_s)] - height_m[-1]
     return {"creep_mm_s": 1e3 * float(crept_m) / (WALL_S - WALL_SETTLE_S)}
 
 
-def orbit() -> dict[str, object]:
+def orbit(_: Conditions) -> dict[str, object]:
     """Hold the capsule, carry it around, and hold it: how far it creeps down in all."""
     world = InC(capsule.Pinch("orbit", impratio=1.0).mjcf())
     world.command([capsule.TARGET])
@@ -171,3 +153,26 @@ def orbit() -> dict[str, object]:
         height_m.append(world.body()[0][0, 2])
     settled = round(capsule.SETTLE_S / STEP_S / STEPS) - 1
     return {"creep_mm": 1e3 * float(height_m[settled] - height_m[-1])}
+
+
+RUNS = (  # cases, the column of each, and what measures it
+    ("friction-motrixsim", "fall_mm", hold, in_motrixsim),
+    ("friction-euler", "fall_mm", hold, in_c),
+    ("friction-implicitfast", "fall_mm", hold, in_c, "implicitfast"),
+    ("shake-cube", "dropped_count", shake, "cube"),
+    ("shake-ball", "dropped_count", shake, "ball"),
+    ("wall-c", "creep_mm_s", press, "c"),
+    ("wall-warp", "creep_mm_s", press, "warp"),
+    ("orbit", "creep_mm", orbit),
+)
+
+
+def rows(conditions: Conditions) -> list[dict[str, object]]:
+    """Make a row for each scene, with the reason where an engine cannot run it."""
+    found = []
+    for case, column, measure, *arguments in RUNS:
+        try:
+            found.append({"case": case} | measure(conditions, *arguments))
+        except (RunFailed, ValueError) as error:
+            found.append({"case": case} | absent([column], str(error)))
+    return found

@@ -36,9 +36,7 @@ SHAKES = {
     "held": replace(WEIGHTLESS, shake_amplitude_m=0.0),
     "weight": replace(WEIGHTLESS, gravity_m_s2=AS_SHIPPED.gravity_m_s2),
 }
-MUJOCO = Variant(
-    "warp", "SolverMuJoCo"
-)  # as ``simulation`` has it, which the others are compared with
+MUJOCO = Variant("warp", "SolverMuJoCo")  # as ``simulation`` has it
 QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
 TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
@@ -47,6 +45,7 @@ START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 SLOW_MS = 100.0
 """A solver of which a frame takes longer is not timed with more worlds: it would take minutes to get into the shake."""
 FORCES = ("friction_share", "normal_force_n")
+UNTOLD = "this solver, or release, does not say the forces of contacts"
 HAND = "hand_amplitude_mm"
 
 
@@ -123,10 +122,6 @@ class SolverSimulation(Simulation):
         self.stepper_of = stepper_of
         super().__init__(cases, device)
 
-    @property
-    def observed(self) -> object | None:
-        return self.stepper.observed
-
 
 def measure_shakes(conditions: Conditions, variant: Variant) -> list[dict[str, object]]:
     """Return a row for each shake, all of them worlds of one simulation."""
@@ -134,33 +129,26 @@ def measure_shakes(conditions: Conditions, variant: Variant) -> list[dict[str, o
         replace(case, frame_count=conditions.frame_count(case.frame_count))
         for case in SHAKES.values()
     ]
+    device = wp.get_device(conditions.device)
     try:
-        simulation = build(
-            variant, cases, wp.get_device(conditions.device), is_counting=True
-        )
+        simulation = build(variant, cases, device, is_counting=True)
         [traces] = run([simulation], title=variant.name)
     except Exception as error:  # as in ``box``
-        empty = {
-            "variant": variant.name,
-            **absent(("slip_mm", *GRASP, HAND), box.reason_of(error)),
-        }
+        empty = absent(("slip_mm", *GRASP, HAND), box.reason_of(error))
         return [
-            {"case": f"{variant.name}-{shake}", "shake": shake, **empty}
+            {"case": f"{variant.name}-{shake}", "variant": variant.name, "shake": shake}
+            | empty
             for shake in SHAKES
         ]
-    rows = [
-        row_of(variant.name, *each) for each in zip(SHAKES, cases, traces, strict=True)
+    untold = {}
+    if isinstance(simulation.stepper, SolverStepper):
+        untold |= simulation.stepper.row_peak()
+        if simulation.stepper.observed is None:
+            untold |= absent(FORCES, UNTOLD)
+    return [
+        row_of(variant.name, *each) | untold
+        for each in zip(SHAKES, cases, traces, strict=True)
     ]
-    untold = (
-        simulation.stepper.row_peak()
-        if isinstance(simulation, SolverSimulation)
-        else {}
-    )
-    if isinstance(simulation, SolverSimulation) and simulation.observed is None:
-        untold |= absent(
-            FORCES, "this solver, or release, does not say the forces of contacts"
-        )
-    return [row | untold for row in rows]
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:

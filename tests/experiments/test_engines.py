@@ -14,6 +14,7 @@ from experiments.drivers.scene import Scene, Trace
 from experiments.engines import published, robot
 from experiments.facts.trace import Trace as FrameTrace
 from experiments.scenes.turntable import turntable
+from experiments.simulation.measurement import Conditions
 from measured_report.files.errors import UsageError
 
 
@@ -25,17 +26,17 @@ def test_rows_of_what_an_engine_answers():
     """A box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and what is lost, not finite or not run."""
     time_s = np.arange(41) * engines.SAMPLE_S
     walking = np.stack([0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert engines.growth(shown(walking)) == {"growth_per_s": pytest.approx(0.01)}
+    assert engines.columns("turntable", shown(walking)) == {"growth_per_s": pytest.approx(0.01)}
     sinking = np.stack([0.0 * time_s, 0.0 * time_s, -0.002 * time_s], axis=1)
-    assert engines.sinking(shown(sinking)) == {"creep_mm_s": pytest.approx(2.0)}
+    assert engines.columns("pinch", shown(sinking)) == {"creep_mm_s": pytest.approx(2.0)}
     falling = walking - np.outer(time_s, [0.0, 0.0, 0.01])
     for path, reason in ((falling, "not on the table"), (np.full((41, 3), np.nan), "not finite")):
-        row = engines.growth(shown(path))
+        row = engines.columns("turntable", shown(path))
         assert row["growth_per_s"] is None and reason in row["growth_per_s_reason"]
     late = sinking * (time_s[:, None] > 3.95)  # the last place, 8 mm down, says it alone: 20 mm may be
-    assert engines.sinking(shown(2.4 * late))["creep_mm_s"] > 0.0
-    assert engines.sinking(shown(2.6 * late))["creep_mm_s_reason"] == "the capsule is lost"
-    assert engines.sinking("no such contact")["creep_mm_s_reason"] == "no such contact"
+    assert engines.columns("pinch", shown(2.4 * late))["creep_mm_s"] > 0.0
+    assert engines.columns("pinch", shown(2.6 * late))["creep_mm_s_reason"] == "the capsule is lost"
+    assert engines.columns("pinch", "no such contact")["creep_mm_s_reason"] == "no such contact"
 
 
 def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(monkeypatch):
@@ -50,26 +51,22 @@ def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(mon
     assert "dartpy" in reason
 
 
-WORLD = """
-import apart
+QUICK = Conditions("cpu", quick=True)
+SCRIPT = """
+from apart import World
 
-class World(apart.World):
-    height = 0.0
+def load(scene):
+    place = [0.0, 0.0, 0.0]
 
-    def step(self):
-        self.height += 1 / self.target[0]
+    def step(target):
+        place[2] += 1 / target[0]
 
-    def poses(self):
-        yield [0.0, 0.0, self.height]
-
-    def forces(self):
-        yield 3.0, 1.0, 1e-3
-        yield 4.0, -0.5, 2e-3
+    return World(step, lambda: [place], lambda: [(3.0, 1.0, 1e-3), (4.0, -0.5, 2e-3)])
 """
 
 
 def test_a_scene_is_sampled_after_its_steps_and_what_goes_wrong_in_it_leaves_the_others(tmp_path, monkeypatch):
-    (tmp_path / "world.py").write_text(WORLD)
+    (tmp_path / "world.py").write_text(SCRIPT)
     monkeypatch.setattr(engine, "python_with", lambda *_: sys.executable)
     own = engine.Engine("own", "", str(tmp_path / "world.py"), ())
     reason, trace = engine.run([Scene(0.02, 0.1, [[number], [2.0]]) for number in (0, 1.0)], own)
@@ -80,11 +77,11 @@ def test_a_scene_is_sampled_after_its_steps_and_what_goes_wrong_in_it_leaves_the
 
 def test_the_critical_friction_is_the_weight_over_what_the_fingers_press_with(monkeypatch):
     """By hand: 350 N/m times half an edge are 7 N; an engine that cannot run it is a reason."""
-    row = published.hold(published.in_c)
+    row = published.hold(QUICK, published.in_c)
     assert row["critical_friction"] == pytest.approx(0.064 * 9.81 / 7.0, rel=0.01)
     monkeypatch.setattr(published, "run", lambda *_: ["offline"])
     with pytest.raises(ValueError, match="offline"):
-        published.hold(published.in_motrixsim)
+        published.hold(QUICK, published.in_motrixsim)
 
 
 def test_a_robot_whose_engine_has_no_armature_gets_it_with_its_links(tmp_path):
@@ -105,17 +102,20 @@ def test_a_robot_whose_engine_has_no_armature_gets_it_with_its_links(tmp_path):
 
 def test_rows_of_a_shake_that_an_engine_shows():
     """A cube that moves by 1 mm/s in the tool, one that is lost, and an engine that fails."""
-    case = replace(robot.WEIGHTLESS, name="shown")
-    own = FrameTrace(1 / 60, np.full(301, 4), np.tile([0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (301, 2, 1)), np.empty(0))
-    poses = own.poses.copy()
-    poses[:, 0, 0] += 1e-3 * np.arange(301) / 60
+    poses = np.tile([0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (301, 2, 1))
+    frames = FrameTrace(1 / 60, np.full(301, 4), poses, np.empty(0))
+    own = robot.Reference(replace(robot.WEIGHTLESS, name="3cm"), frames, np.empty(0))
+    moved = poses.copy()
+    moved[:, 0, 0] += 1e-3 * np.arange(301) / 60
     forces = np.array([[20.0, 5.0, math.nan]] * 301)
-    found = Trace(np.concatenate([poses[:1], poses]), forces)  # the first one is before the first frame
-    row = robot.row_of(case, robot.traced(found, own), own)
+    found = Trace(np.concatenate([poses[:1], moved]), forces)  # the first one is before the first frame
+    row = robot.row_of("dart", "links", own, robot.traced(found, frames))
+    names = ("case", "backend", "model", "shake", "armature")
+    assert [row[name] for name in names] == ["dart-shake-3cm", "dart", "dart", "3cm", "links"]
     numbers = [row[name] for name in ("slip_mm", "drift_mm_s", "creep_mm_per_cycle", "friction_share", "path_off_mm")]
     assert numbers == pytest.approx((5.0, 1.0, 1.0, 0.25, 0.0))
     assert row["penetration_mm"] is None and row["penetration_mm_reason"]
     found.poses[-1, 0, 2] = 0.02
-    lost = robot.row_of(case, robot.traced(found, own), own)
+    lost = robot.row_of("dart", "links", own, robot.traced(found, frames))
     assert (lost["slip_mm"], lost["dropped"], lost["slip_mm_reason"]) == (None, True, "the cube is lost")
-    assert robot.row_of(case, "no such engine", own)["slip_mm_reason"] == "no such engine"
+    assert robot.row_of("dart", "links", own, "no such engine")["slip_mm_reason"] == "no such engine"

@@ -10,6 +10,7 @@ import warp as wp
 
 from experiments import contacts, error_runtime, hold, leave_out, newton_solvers, poses, stability, stiffness
 from experiments.cure import bodies, combinations, controls, turntable
+from experiments.drivers import newton_solver
 from experiments.drivers.apart import apart
 from experiments.drivers.contacts import Contacts
 from experiments.drivers.scene import Trace as Shown
@@ -22,6 +23,8 @@ from experiments.newton_solvers import box
 from experiments.newton_solvers.stepper import weight_of_the_arm
 from experiments.scenes import pick, slope
 from experiments.scenes.pinch import pinch
+from experiments.scenes.turntable import slope as slope_of_table
+from experiments.scenes.turntable import still
 from experiments.scenes.turntable import turntable as turning_box
 from experiments.simulation.task import SHAKE
 
@@ -300,7 +303,7 @@ def test_drops_are_counted_from_when_the_object_should_be_up(monkeypatch):
     shown = iter([*heights])
     world = SimpleNamespace(command=lambda _: None, advance=lambda: None, body=lambda: (next(shown), None))
     monkeypatch.setitem(pick.ENGINES, "c", lambda *_: world)
-    case = pick.Pick("", timestep_s=1.0)  # up after the second sample of 2 s
+    case = pick.Pick("", timestep=1.0)  # up after the second sample of 2 s
     row = pick.shake(case, np.zeros((9, 4, 8)), "cpu")
     assert list(row.values()) == [3, 1, 4.0, 12.0, 16.0]
 
@@ -316,29 +319,27 @@ def test_bodies_have_the_inertia_that_mujoco_gives_their_shapes():
     rod = f'<geom type="cylinder" size="0.004 0.02" zaxis="0 1 0" mass="{made.mass_kg}"/>'
     shape = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody><body>{rod}</body></worldbody></mujoco>")
     assert made.inertia_kg_m2 == pytest.approx(np.array(shape.body_inertia[1])[[0, 2, 1]])
-    cube = robot.scene_of(replace(AS_SHIPPED, cube_edge_m=0.06), "", np.zeros((2, 9))).body
+    cube = robot.scene_of(robot.Reference(replace(AS_SHIPPED, cube_edge_m=0.06), None, np.zeros((2, 9))), "").body
     box_ = f'<geom type="box" size="0.03 0.03 0.03" mass="{500.0 * 0.06**3}"/>'
     shape = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody><body>{box_}</body></worldbody></mujoco>")
     assert cube.inertia_kg_m2 == pytest.approx(shape.body_inertia[1]) and cube.half_size_m == [0.03] * 3
 
 
 def test_drives_of_engines_apart():
-    robot = SimpleNamespace(ke=400.0, kd=40.0, effort=[5.0, 100.0, 3.0])
-    world = apart.World(SimpleNamespace(robot=robot))
-    world.command([0.02, 0.1, 0.0])
-    forces = world.drive([0.01, 0.2, 0.1], [0.05, -0.5, 0.0])
+    arm = SimpleNamespace(ke=400.0, kd=40.0, effort=[5.0, 100.0, 3.0])
+    forces = apart.drive(arm, [0.02, 0.1, 0.0], [0.01, 0.2, 0.1], [0.05, -0.5, 0.0])
     assert forces == pytest.approx([4.0 - 2.0, -40.0 + 20.0, -3.0])
 
 
 def test_a_box_walks_by_its_radius_or_creeps_by_its_way_along_a_table_that_stands():
     time_s = 0.1 * np.arange(21)
     path = np.stack([0.2 * np.exp(0.03 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert box.columns("turntable", path) == {"stays": True, "growth_per_s": pytest.approx(0.03)}
+    assert box.columns("growth_per_s", path) == {"stays": True, "growth_per_s": pytest.approx(0.03)}
     path[:, :2] = 0.2 + np.outer(time_s, (0.003, 0.004)) + (time_s < 0.95)[:, None]
-    assert box.columns("still", path) == {"stays": True, "creep_mm_s": pytest.approx(5.0)}
+    assert box.columns("creep_mm_s", path) == {"stays": True, "creep_mm_s": pytest.approx(5.0)}
     for drop_m, stays in ((0.0099, True), (0.0101, False)):
         path[-1, 2] = 0.1 - drop_m
-        assert box.columns("slope", path)["stays"] is stays
+        assert box.columns("creep_mm_s", path)["stays"] is stays
 
 
 def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
@@ -350,16 +351,17 @@ def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
         places[1, 0] += 1e-3
         there.body_q.assign(places)
 
-    monkeypatch.setattr(box.solvers, "SolverMuJoCo", lambda *_, **options: SimpleNamespace(step=step))
+    monkeypatch.setattr(newton_solver.solvers, "SolverMuJoCo", lambda *_, **options: SimpleNamespace(step=step))
     pipeline = SimpleNamespace(contacts=lambda: None, collide=lambda *_: found.append(0))
-    monkeypatch.setattr(box.newton, "CollisionPipeline", lambda *_, **options: pipeline)
-    path = box.run(box.Variant("", "SolverMuJoCo", steps_between_contacts=4), "still", 0.01, 0.3, "cpu")
+    monkeypatch.setattr(newton_solver.newton, "CollisionPipeline", lambda *_, **options: pipeline)
+    variant = newton_solver.Variant("", "SolverMuJoCo", steps_between_contacts=4)
+    path = newton_solver.run(still(0.01, 0.3), variant, "cpu").path_m
     assert path == pytest.approx(np.outer([0.0, 0.01, 0.02, 0.03], [1.0, 0.0, 0.0]) + [0.2, 0.0, 0.1])
     assert len(found) == 3 * 3
 
 
 def test_gravity_leans_on_the_slope_by_a_tangent_of_035_and_arms_carry_their_weight():
-    gravity = box.build("slope", "cpu").gravity.numpy().reshape(-1, 3)[0]
+    gravity = newton_solver.build(slope_of_table(0.01, 0.3), "cpu").gravity.numpy().reshape(-1, 3)[0]
     assert np.linalg.norm(gravity) == pytest.approx(G) and -gravity[0] / gravity[2] == pytest.approx(0.35)
     labels = ["base", "arm/fr3_link1", "cube"] * 2
     model = SimpleNamespace(body_label=labels, body_count=6, device="cpu", body_mass=wp.array([1.0, 2.0, 3.0] * 2))
@@ -385,4 +387,4 @@ def test_what_others_published_is_measured_over_its_own_times(monkeypatch):
     height_m = np.cumsum([0.0, *(-0.02 * speed_m_s)])
     falling = Shown(np.outer(height_m, [0.0, 0.0, 1.0])[:, None])
     monkeypatch.setattr(published, "run_here", lambda scene, *_: falling)
-    assert published.press("c", "cpu")["creep_mm_s"] == pytest.approx(5.0)
+    assert published.press(SimpleNamespace(device="cpu"), "c")["creep_mm_s"] == pytest.approx(5.0)

@@ -2,13 +2,14 @@
 
 import math
 
-import apart
 import pybullet
+from apart import World, drive
 
 JOINTS = {"hinge": pybullet.JOINT_REVOLUTE, "slide": pybullet.JOINT_PRISMATIC}
 FREE = {
     "linearDamping": 0.0,
     "angularDamping": 0.0,
+    "jointDamping": 0.0,
     "activationState": pybullet.ACTIVATION_STATE_DISABLE_SLEEPING,
 }
 UPRIGHT = [0.0, 0.0, 0.0, 1.0]
@@ -17,124 +18,102 @@ ORIGIN = [0.0, 0.0, 0.0]
 pybullet.connect(pybullet.DIRECT)
 
 
-class World(apart.World):
-    def __init__(self, scene):
-        super().__init__(scene)
-        pybullet.resetSimulation()
-        pybullet.setGravity(*scene.gravity_m_s2)
-        pybullet.setPhysicsEngineParameter(
-            fixedTimeStep=scene.step_s, solverResidualThreshold=0.0
-        )
-        self.supports = [self.add_support(support) for support in scene.supports]
-        self.body = self.add_body(scene.body)
-        self.robot = self.add_robot(scene.robot) if scene.robot else None
+def load(scene):
+    pybullet.resetSimulation()
+    pybullet.setGravity(*scene.gravity_m_s2)
+    pybullet.setPhysicsEngineParameter(
+        fixedTimeStep=scene.step_s, solverResidualThreshold=0.0
+    )
+    pushed = [(add_support(each, scene.friction), each) for each in scene.supports]
+    body = add_body(scene.body)
+    if scene.robot:
+        robot, driven, tool = add_robot(scene)
 
-    def add_support(self, support):
-        shape = pybullet.createCollisionShape(
-            pybullet.GEOM_BOX, halfExtents=support.half_size_m
-        )
-        body = pybullet.createMultiBody(
-            baseMass=0.0,
-            basePosition=support.position_m,
-            linkMasses=[support.mass_kg],
-            linkCollisionShapeIndices=[shape],
-            linkVisualShapeIndices=[-1],
-            linkPositions=[ORIGIN],
-            linkOrientations=[UPRIGHT],
-            linkInertialFramePositions=[ORIGIN],
-            linkInertialFrameOrientations=[UPRIGHT],
-            linkParentIndices=[0],
-            linkJointTypes=[JOINTS[support.joint]],
-            linkJointAxis=[support.axis],
-        )
-        pybullet.changeDynamics(
-            body,
-            0,
-            localInertiaDiagonal=[support.inertia_kg_m2] * 3,
-            lateralFriction=self.scene.friction,
-            jointDamping=0.0,
-            **FREE,
-        )
-        pybullet.changeDynamics(body, 0, jointLowerLimit=-1e9, jointUpperLimit=1e9)
-        pybullet.setJointMotorControl2(body, 0, pybullet.VELOCITY_CONTROL, force=0.0)
-        pybullet.resetJointState(body, 0, 0.0, support.speed)
-        return body
-
-    def add_body(self, body):
-        if body.feet:
-            shape = pybullet.createCollisionShapeArray(
-                [pybullet.GEOM_SPHERE] * len(body.feet),
-                radii=[body.foot_m] * len(body.feet),
-                collisionFramePositions=body.feet,
-            )
-        else:
-            shape = pybullet.createCollisionShape(
-                pybullet.GEOM_BOX, halfExtents=body.half_size_m
-            )
-        number = pybullet.createMultiBody(
-            body.mass_kg, shape, basePosition=body.position_m
-        )
-        # Bullet multiplies the two frictions.
-        pybullet.changeDynamics(
-            number,
-            -1,
-            localInertiaDiagonal=body.inertia_kg_m2,
-            lateralFriction=1.0,
-            **FREE,
-        )
-        pybullet.resetBaseVelocity(number, body.velocity_m_s, body.spin_rad_s)
-        return number
-
-    def add_robot(self, robot):
-        """Add the robot without its motors, which would reach a target within a step."""
-        number = pybullet.loadURDF(
-            robot.file, useFixedBase=True, flags=pybullet.URDF_USE_INERTIA_FROM_FILE
-        )
-        infos = [
-            pybullet.getJointInfo(number, joint)
-            for joint in range(pybullet.getNumJoints(number))
-        ]
-        self.driven = [info[0] for info in infos if info[2] != pybullet.JOINT_FIXED]
-        [self.tool] = [info[0] for info in infos if info[12].decode() == robot.tool]
-        for joint in range(-1, len(infos)):
-            pybullet.changeDynamics(
-                number,
-                joint,
-                lateralFriction=self.scene.friction,
-                jointDamping=0.0,
-                **FREE,
-            )
-        for joint, position in zip(self.driven, self.scene.qpos, strict=True):
-            pybullet.resetJointState(number, joint, position)
-            pybullet.setJointMotorControl2(
-                number, joint, pybullet.VELOCITY_CONTROL, force=0.0
-            )
-        return number
-
-    def step(self):
-        for number, support in zip(self.supports, self.scene.supports, strict=True):
-            pybullet.setJointMotorControl2(
-                number, 0, pybullet.TORQUE_CONTROL, force=support.force_n
-            )
-        if self.robot is not None:
-            states = pybullet.getJointStates(self.robot, self.driven)
+    def step(target):
+        for support, each in pushed:
+            push(support, 0, pybullet.TORQUE_CONTROL, each.force_n)
+        if scene.robot:
+            states = pybullet.getJointStates(robot, driven)
             positions, velocities, *_ = zip(*states, strict=True)
-            pybullet.setJointMotorControlArray(
-                self.robot,
-                self.driven,
-                pybullet.TORQUE_CONTROL,
-                forces=self.drive(positions, velocities),
-            )
+            forces = drive(scene.robot, target, positions, velocities)
+            for joint, force in zip(driven, forces, strict=True):
+                push(robot, joint, pybullet.TORQUE_CONTROL, force)
         pybullet.stepSimulation()
 
-    def poses(self):
-        yield sum(pybullet.getBasePositionAndOrientation(self.body), ())
-        if self.robot is not None:
-            state = pybullet.getLinkState(
-                self.robot, self.tool, computeForwardKinematics=True
-            )
+    def poses():
+        yield sum(pybullet.getBasePositionAndOrientation(body), ())
+        if scene.robot:
+            state = pybullet.getLinkState(robot, tool, computeForwardKinematics=True)
             yield sum(state[4:6], ())
 
-    def forces(self):
-        for contact in pybullet.getContactPoints(bodyA=self.body):
+    def forces():
+        for contact in pybullet.getContactPoints(bodyA=body):
             yield contact[9], math.hypot(contact[10], contact[12]), -contact[8]
+
+    return World(step, poses, forces)
+
+
+def push(body, joint, mode, force):
+    pybullet.setJointMotorControl2(body, joint, mode, force=force)
+
+
+def add_support(support, friction):
+    box = pybullet.GEOM_BOX
+    shape = pybullet.createCollisionShape(box, halfExtents=support.half_size_m)
+    body = pybullet.createMultiBody(
+        baseMass=0.0,
+        basePosition=support.position_m,
+        linkMasses=[support.mass_kg],
+        linkCollisionShapeIndices=[shape],
+        linkVisualShapeIndices=[-1],
+        linkPositions=[ORIGIN],
+        linkOrientations=[UPRIGHT],
+        linkInertialFramePositions=[ORIGIN],
+        linkInertialFrameOrientations=[UPRIGHT],
+        linkParentIndices=[0],
+        linkJointTypes=[JOINTS[support.joint]],
+        linkJointAxis=[support.axis],
+    )
+    inertia = [support.inertia_kg_m2] * 3
+    change = pybullet.changeDynamics
+    change(body, 0, localInertiaDiagonal=inertia, lateralFriction=friction, **FREE)
+    change(body, 0, jointLowerLimit=-1e9, jointUpperLimit=1e9)
+    push(body, 0, pybullet.VELOCITY_CONTROL, 0.0)
+    pybullet.resetJointState(body, 0, 0.0, support.speed)
+    return body
+
+
+def add_body(body):
+    if body.feet:
+        shape = pybullet.createCollisionShapeArray(
+            [pybullet.GEOM_SPHERE] * len(body.feet),
+            radii=[body.foot_m] * len(body.feet),
+            collisionFramePositions=body.feet,
+        )
+    else:
+        box = pybullet.GEOM_BOX
+        shape = pybullet.createCollisionShape(box, halfExtents=body.half_size_m)
+    number = pybullet.createMultiBody(body.mass_kg, shape, basePosition=body.position_m)
+    inertia = body.inertia_kg_m2
+    # Bullet multiplies the two frictions.
+    pybullet.changeDynamics(
+        number, -1, localInertiaDiagonal=inertia, lateralFriction=1.0, **FREE
+    )
+    pybullet.resetBaseVelocity(number, body.velocity_m_s, body.spin_rad_s)
+    return number
+
+
+def add_robot(scene):
+    """Add the robot without its motors, which would reach a target within a step."""
+    flags = pybullet.URDF_USE_INERTIA_FROM_FILE
+    robot = pybullet.loadURDF(scene.robot.file, useFixedBase=True, flags=flags)
+    count = pybullet.getNumJoints(robot)
+    infos = [pybullet.getJointInfo(robot, joint) for joint in range(count)]
+    driven = [info[0] for info in infos if info[2] != pybullet.JOINT_FIXED]
+    [tool] = [info[0] for info in infos if info[12].decode() == scene.robot.tool]
+    for joint in range(-1, count):
+        pybullet.changeDynamics(robot, joint, lateralFriction=scene.friction, **FREE)
+    for joint, position in zip(driven, scene.qpos, strict=True):
+        pybullet.resetJointState(robot, joint, position)
+        push(robot, joint, pybullet.VELOCITY_CONTROL, 0.0)
+    return robot, driven, tool

@@ -1,49 +1,46 @@
 """MuJoCo C with its integrator ``discrete``, or MJX, its engine in JAX, in single precision."""
 
-import apart
 import mujoco
 import numpy as np
+from apart import World
 
 
-class World(apart.World):
-    """A scene in MJCF, of which the last body is watched; its controls never change."""
+def load(scene, discrete=False, timeconst_s=0.02):
+    """Load MJCF, of which the last body is watched; its controls never change."""
+    model = mujoco.MjModel.from_xml_string(scene.mjcf)
+    model.opt.timestep = scene.step_s
+    model.geom_solref[:, 0] = timeconst_s
+    data = mujoco.MjData(model)
+    data.qvel[:] = scene.qvel
+    data.ctrl[:] = scene.targets[0]
+    mujoco.mj_forward(model, data)
+    start = model.jnt_qposadr[model.body_jntadr[-1]]
+    place = slice(start, start + 3)
+    if not discrete:
+        return in_mjx(scene, model, data, place)
+    model.opt.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
+    return World(lambda _: mujoco.mj_step(model, data), lambda: [data.qpos[place]])
 
-    def __init__(self, scene, discrete=False, timeconst_s=0.02):
-        super().__init__(scene)
-        self.model = mujoco.MjModel.from_xml_string(scene.mjcf)
-        self.model.opt.timestep = scene.step_s
-        self.model.geom_solref[:, 0] = timeconst_s
-        self.data = mujoco.MjData(self.model)
-        self.data.qvel[:] = scene.qvel
-        self.data.ctrl[:] = scene.targets[0]
-        mujoco.mj_forward(self.model, self.data)
-        if discrete:
-            self.model.opt.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
-        else:
-            self.use_mjx()
 
-    def use_mjx(self):
-        import jax  # takes long, and C does without
-        from mujoco import mjx
+def in_mjx(scene, model, data, place):
+    import jax  # takes long, and C does without
+    from mujoco import mjx
 
-        engine = mjx.put_model(self.model)
-        count = round(self.scene.sample_s / self.scene.step_s)
+    engine = mjx.put_model(model)
+    state = mjx.put_data(model, data)
+    count = round(scene.sample_s / scene.step_s)
 
-        @jax.jit
-        def sample(state):
-            return jax.lax.fori_loop(
-                0, count, lambda _, each: mjx.step(engine, each), state
-            )
+    @jax.jit
+    def sample(state):
+        return jax.lax.fori_loop(
+            0, count, lambda _, each: mjx.step(engine, each), state
+        )
 
-        def advance():
-            self.data = sample(self.data)
+    def step(_):
+        nonlocal state
+        state = sample(state)
 
-        self.data = mjx.put_data(self.model, self.data)
-        self.advance = advance
+    def poses():
+        yield np.asarray(state.qpos, dtype=float)[place]
 
-    def step(self):
-        mujoco.mj_step(self.model, self.data)
-
-    def poses(self):
-        address = self.model.jnt_qposadr[self.model.body_jntadr[-1]]
-        yield np.asarray(self.data.qpos, dtype=float)[address : address + 7]
+    return World(step, poses, step_count=1)
