@@ -72,3 +72,17 @@ def forecast_creep_m_s(
     impedance = impedance_at(contact.solimp, contacts.depth_m)
     response = response_of(contact, option, impedance)
     return response.load_m_s_n * load_n / contacts.count
+
+
+def load_columns(
+    contacts: Contacts, load_n: float, contact: Contact, option: Option
+) -> dict[str, float]:
+    """Return both predictions of the creep under a load, and what carries it."""
+    predicted_m_s = 0.0 if option.noslip else contacts.creep_m_s(load_n)
+    forecast_m_s = forecast_creep_m_s(contacts, load_n, contact, option)
+    return {
+        "predicted_creep_mm_s": 1e3 * predicted_m_s,
+        "forecast_creep_mm_s": 1e3 * forecast_m_s,
+        "normal_force_n": contacts.normal_n,
+        "loaded_contact_count": contacts.count,
+    }

@@ -1,6 +1,6 @@
 """Engines that run a scene in MJCF in this process."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -39,10 +39,10 @@ def run(scene: Scene, engine: str, device: str = "cpu") -> Trace:
 
 
 def columns_of(
-    measure: Callable[[], dict[str, object]], names: Sequence[str]
+    measure: Callable[[], Mapping[str, object]], names: Sequence[str]
 ) -> dict[str, object]:
     """Return what is measured, or the reason why a run shows none of the columns."""
     try:
-        return measure()
+        return dict(measure())
     except RunFailed as failed:
         return absent(names, str(failed))

@@ -96,7 +96,7 @@ def grasp_mjcf(friction: float, integrator: str) -> str:
 
 
 def hold(
-    _: Conditions, show: Callable[..., Shown], integrator: str = "Euler"
+    conditions: Conditions, show: Callable[..., Shown], integrator: str = "Euler"
 ) -> dict[str, object]:
     """Lift the cube, find the friction that just carries it, and hold it with a bit more."""
     controls = pick.pick_controls(np.arange(0.0, HOLD_S, STEP_S))

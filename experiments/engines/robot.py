@@ -63,9 +63,8 @@ def rows(conditions: Conditions, models: Sequence[Any]) -> list[dict[str, object
             scenes = [scene_of(each, file) for each in references]
             shown = engine.run(scenes, model.engine)
         for own, trace in zip(references, shown, strict=True):
-            if not isinstance(trace, str):
-                trace = traced(trace, own.trace)
-            found.append(row_of(model.name, model.armature, own, trace))
+            run = trace if isinstance(trace, str) else traced(trace, own.trace)
+            found.append(row_of(model.name, model.armature, own, run))
     return found
 
 
@@ -158,7 +157,7 @@ def row_of(
 ) -> dict[str, object]:
     """Make a row of a trace, or of the reason why there is none."""
     case = replace(own.case, name=f"{model}-shake-{own.case.name}")
-    row = {
+    row: dict[str, Any] = {
         "case": case.name,
         "backend": model.partition("-")[0],
         "model": model,

@@ -140,7 +140,7 @@ def measure_shakes(conditions: Conditions, variant: Variant) -> list[dict[str, o
             | empty
             for shake in SHAKES
         ]
-    untold = {}
+    untold: dict[str, object] = {}
     if isinstance(simulation.stepper, SolverStepper):
         untold |= simulation.stepper.row_peak()
         if simulation.stepper.observed is None:

@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 from tqdm import tqdm
 
-from experiments.drivers.contacts import forecast_creep_m_s
+from experiments.drivers.contacts import load_columns
 from experiments.drivers.mjcf import ENGINES, SOLIMP, columns_of, numbers, run
 from experiments.drivers.mujoco_c import STEPS
 from experiments.drivers.scene import GRAVITY_M_S2, Scene
@@ -126,20 +126,14 @@ def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
     trace = run(scene, case.backend, device)
     height_m = trace.path_m[settled:, 2]
     speed_m_s = -trace.velocity_m_s[settled + 1 :, 0, 2]
-    contacts = trace.contacts
-    weight_n = MASS_KG * GRAVITY_M_S2
     pad, capsule = trace.model.body_invweight0[[1, -1], 0].tolist()
     noslip = bool(
         trace.model.opt.noslip_iterations
     )  # an engine may drop it from the MJCF
     option = Option(0.0, cone=case.cone, impratio=case.impratio, noslip=noslip)
     contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION[0], pad + capsule)
-    forecast_m_s = forecast_creep_m_s(contacts, weight_n, contact, option)
     return {
         "creep_mm_s": 1e3 * float((height_m[0] - height_m[-1]) / (sample_s * count)),
         "steady_creep_mm_s": 1e3 * float(np.median(speed_m_s)),
-        "predicted_creep_mm_s": 0.0 if noslip else 1e3 * contacts.creep_m_s(weight_n),
-        "forecast_creep_mm_s": 1e3 * forecast_m_s,
-        "normal_force_n": contacts.normal_n,
-        "loaded_contact_count": contacts.count,
+        **load_columns(trace.contacts, MASS_KG * GRAVITY_M_S2, contact, option),
     }

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-from experiments.drivers.contacts import forecast_creep_m_s
+from experiments.drivers.contacts import load_columns
 from experiments.drivers.mjcf import ENGINES, SOLIMP, columns_of, numbers
 from experiments.drivers.mujoco_c import STEPS, InC
 from measured_report.files.root import ROOT
@@ -204,7 +204,6 @@ def hold(case: Pick) -> dict[str, float]:
         engine.advance()
         if time_s >= HOLD_S[0]:
             height_m.append(world.body("object").xpos[2] - world.geom("pad1").xpos[2])
-    contacts = engine.contacts()
     model = engine.model
     weight_n = float(-model.opt.gravity[2] * model.body_mass[-1])
     contact = Contact(
@@ -214,15 +213,11 @@ def hold(case: Pick) -> dict[str, float]:
         sum(model.body_invweight0[[-2, -1], 0]),
     )
     option = Option(case.timestep, cone=case.cone, impratio=case.impratio)
-    forecast_mm_s = 1e3 * forecast_creep_m_s(contacts, weight_n, contact, option)
+    row = load_columns(engine.contacts(), weight_n, contact, option)
     margin_mm = 1e3 * float(height_m[0] + PAD_HEIGHT_M + TOUCHED_M[case.object])
     watched_s = sample_s * (len(height_m) - 1)
-    return {
+    return row | {
         "creep_mm_s": 1e3 * float((height_m[0] - height_m[-1]) / watched_s),
-        "predicted_creep_mm_s": 1e3 * contacts.creep_m_s(weight_n),
-        "forecast_creep_mm_s": forecast_mm_s,
-        "normal_force_n": contacts.normal_n,
-        "loaded_contact_count": contacts.count,
         "margin_mm": margin_mm,
-        "forecast_drop_s": HOLD_S[0] + margin_mm / forecast_mm_s,
+        "forecast_drop_s": HOLD_S[0] + margin_mm / row["forecast_creep_mm_s"],
     }
