@@ -14,7 +14,7 @@ from measured_report.editions.environment import python_with
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
-FOLDER = ROOT / "experiments/drivers/apart"
+APART = "experiments/drivers/apart/apart.py"  # and scripts: freshness follows paths
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def run(scenes: Sequence[Scene], engine: Engine) -> list[Trace | str]:
         asked = {"scenes": list(map(asdict, scenes)), "options": engine.options}
         question.write_text(json.dumps(asked), encoding="utf-8")
         process = subprocess.run(
-            [python, FOLDER / "apart.py", FOLDER / engine.script, question, answer],
+            [python, ROOT / APART, ROOT / engine.script, question, answer],
             cwd=folder,
             capture_output=True,
             text=True,

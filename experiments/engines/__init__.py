@@ -35,25 +35,37 @@ LOST = {  # what is measured, and after which fall [m] it is not, for which reas
 }
 STICTION_M_S = 1e-3  # Drake's own
 NUMPY = "numpy==2.4.6"
-DRAKE = Engine("Drake", "1.51.1", "drake_run.py", ("drake==1.51.1", NUMPY))
-BULLET = Engine("PyBullet", "3.2.7", "bullet_run.py", ("pybullet==3.2.7", NUMPY))
-DART = Engine("DART", "6.20.0", "dart_run.py", ("dartpy==6.20.0", NUMPY))
+DRAKE = Engine(
+    "Drake",
+    "1.51.1",
+    "experiments/drivers/apart/drake_run.py",
+    ("drake==1.51.1", NUMPY),
+)
+BULLET = Engine(
+    "PyBullet",
+    "3.2.7",
+    "experiments/drivers/apart/bullet_run.py",
+    ("pybullet==3.2.7", NUMPY),
+)
+DART = Engine(
+    "DART", "6.20.0", "experiments/drivers/apart/dart_run.py", ("dartpy==6.20.0", NUMPY)
+)
 PHYSX = Engine(
     "PhysX",
     "SAPIEN 3.0.3",
-    "physx_run.py",
+    "experiments/drivers/apart/physx_run.py",
     ("sapien==3.0.3", NUMPY, "setuptools==81.0.0"),
 )
 MJX = Engine(
     "MJX",
     "3.17.0",
-    "mujoco_run.py",
+    "experiments/drivers/apart/mujoco_run.py",
     ("mujoco-mjx==3.17.0", "mujoco==4.0.0", "jax==0.10.2", "jaxlib==0.10.2"),
 )
 MUJOCO = Engine(
     "MuJoCo",
     "4.0.0",
-    "mujoco_run.py",
+    "experiments/drivers/apart/mujoco_run.py",
     ("mujoco==4.0.0", NUMPY),
     {"discrete": True, "timeconst_s": 0.02},
 )

@@ -22,7 +22,9 @@ from experiments.simulation.measurement import Conditions, absent
 from measured_report.files.root import ROOT
 
 WITH_MOTRIXSIM = ("motrixsim==0.10.0", "numpy==2.4.6")
-MOTRIXSIM = Engine("MotrixSim", "0.10.0", "motrix_run.py", WITH_MOTRIXSIM)
+MOTRIXSIM = Engine(
+    "MotrixSim", "0.10.0", "experiments/drivers/apart/motrix_run.py", WITH_MOTRIXSIM
+)
 STEP_S = 0.002
 START = (*pick.READY, pick.OPEN_M, pick.OPEN_M)
 TOUCH = """<sensor>
