@@ -163,7 +163,7 @@ def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, obje
         return row | absent((*GRASP, HAND), row["slip_mm_reason"])
     hand = TRACKED_BODIES.index("fr3_hand_tcp")
     hand_m = trace.poses[trace.phase == metrics.SHAKE, hand, 0]
-    far = {HAND: 1e3 * float(np.ptp(hand_m)) / 2.0}
+    far = {HAND: float(1e3 * np.ptp(hand_m) / 2.0)}
     untouched = "the fingers did not touch the cube"
     return row | grasp_columns(case, trace, far, untouched, metrics.shake_mean)
 
