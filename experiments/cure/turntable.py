@@ -23,10 +23,11 @@ import mujoco
 import numpy as np
 from tqdm import tqdm
 
+import contact_bias
+import contact_bias_c
 from experiments.drivers.contacts import Contacts
 from experiments.drivers.mjcf import ENGINES, numbers
 from experiments.drivers.mujoco_c import STEPS
-from experiments.simulation import contact_bias, contact_bias_c
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.measurement import Conditions, absent
 from newton_lint.newton_models.compat import warp_has_noslip

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from experiments.simulation import contact_bias_c
+import contact_bias_c
 from newton_lint.law import Contact, Option, impedance_at, response_of
 
 
