@@ -26,7 +26,7 @@ from experiments.simulation.limits import reference_stiffness, solref, step_s
 from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation
 from newton_lint.law import impedance_at
-from experiments.simulation.compat import kf_is_read
+from newton_lint.newton_models.compat import kf_is_read
 
 BISECTION_COUNT = 50
 

@@ -16,7 +16,7 @@ from experiments.simulation.c_warnings import failure_of
 from experiments.simulation.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
-from experiments.simulation.compat import kf_is_read
+from newton_lint.newton_models.compat import kf_is_read
 
 ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}  # type: dict
 """What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""

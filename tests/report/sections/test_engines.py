@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from experiments.newton_solvers.box import EXCUSED
+from experiments.drivers.newton_solver import EXCUSED
 from measured_report.editions.project import Project
 from measured_report.records.record import load_record
 from measured_report.values.results import Results

@@ -5,8 +5,8 @@ import math
 import pytest
 from stepping import BALL
 
+from experiments.drivers.mjcf import ENGINES
 from experiments.simulation.c_warnings import RunFailed
-from experiments.simulation.mjcf_engines import ENGINES
 
 
 @pytest.mark.parametrize("name", ["c", "warp"])
