@@ -33,7 +33,11 @@ class Plugins(plugins.Plugins):
 
     @cached_property
     def clips(self) -> Clips | None:
-        return Clips(self.edition.project, self._clips_state, self.edition.root) if self._clips_state.record else None
+        return (
+            Clips(self.edition.project, self._clips_state, self.edition.root)
+            if self._clips_state.record
+            else None
+        )
 
     @cached_property
     def _clips_state(self) -> State:
@@ -44,7 +48,13 @@ class Plugins(plugins.Plugins):
                 _ = shown.picture, shown.video(FIRST, Markup())  # as pages have them
         except (AttributeError, LookupError, TypeError, ResultsError) as error:
             place = short_path(self.edition.project.record_path(CLIPS))
-            return State(CLIPS, "damaged", notes=(f"{place}: no clip can be shown ({' '.join(str(error).split())})",))
+            return State(
+                CLIPS,
+                "damaged",
+                notes=(
+                    f"{place}: no clip can be shown ({' '.join(str(error).split())})",
+                ),
+            )
         return state
 
     @property
@@ -59,13 +69,18 @@ class Plugins(plugins.Plugins):
         project, results = self.edition.project, self.edition.chapters["poses"].results
 
         def make() -> dict[str, Any] | None:
-            from report.media.packed import packed_runs  # it takes NumPy, which takes long to import
+            from report.media.packed import (
+                packed_runs,
+            )  # it takes NumPy, which takes long to import
 
             with suppress(ReportError, LookupError, TypeError, ValueError):
                 return packed_runs(results)
             return None
 
-        name, code = f"{project.profile}.{project.release}.replay", Path(__file__).parent / "media/packed.py"
+        name, code = (
+            f"{project.profile}.{project.release}.replay",
+            Path(__file__).parent / "media/packed.py",
+        )
         return self.edition.cache.value(name, code, [results_digest(results)], make)
 
     @property
@@ -73,13 +88,32 @@ class Plugins(plugins.Plugins):
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
-        read = Sections({section: chapter.results for section, chapter in self.edition.chapters.items()})
-        record = next((chapter.results.record for chapter in self.edition.chapters.values()), None)
+        read = Sections(
+            {
+                section: chapter.results
+                for section, chapter in self.edition.chapters.items()
+            }
+        )
+        record = next(
+            (chapter.results.record for chapter in self.edition.chapters.values()), None
+        )
         packages = record.identity.packages if record else {}
         # These decide most of what is measured; the foot of the page has all.
-        engine = [f"{name} {packages[name]}" for name in (config().edition, "mujoco-warp") if name in packages]
-        names = {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
-        names |= {"machine": record.machine_text.partition(" (")[0] if record else "", "packages": " and ".join(engine)}
+        engine = [
+            f"{name} {packages[name]}"
+            for name in (config().edition, "mujoco-warp")
+            if name in packages
+        ]
+        names = {
+            "value": read.value,
+            "cell": read.cell,
+            "clips": self.clips,
+            "replay": REPLAY if self.replay else "",
+        }
+        names |= {
+            "machine": record.machine_text.partition(" (")[0] if record else "",
+            "packages": " and ".join(engine),
+        }
         return {**names, "lint": wheel(LINT)[0], "root": self.edition.root}
 
     @property
@@ -91,14 +125,28 @@ class Plugins(plugins.Plugins):
         if not self.replay:
             return {}
         project, poses = self.edition.project, self.edition.chapters["poses"]
-        return {REPLAY: replay_page(project, poses, self.replay, self.clips, templates, self.edition.root)}
+        return {
+            REPLAY: replay_page(
+                project, poses, self.replay, self.clips, templates, self.edition.root
+            )
+        }
 
     @property
     def files(self) -> Mapping[str, Path | bytes]:
         name, packed = wheel(LINT)
-        files = (*LAB.glob("dist/*"), LAB / "lab.css") if "lab" in self.edition.chapters else ()
-        return {f"download/{name}": packed, **{f"lab/{file.name}": file for file in files}}
+        files = (
+            (*LAB.glob("dist/*"), LAB / "lab.css")
+            if "lab" in self.edition.chapters
+            else ()
+        )
+        return {
+            f"download/{name}": packed,
+            **{f"lab/{file.name}": file for file in files},
+        }
 
 
 def scripts() -> Sequence[str]:
-    return (script(), *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")))
+    return (
+        script(),
+        *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")),
+    )

@@ -32,7 +32,10 @@ class Clips:
     @property
     def files(self) -> list[Path]:
         """Return what the site has to carry, the record first."""
-        return [self.results.path, *(self.project.results / name for name, _ in files_of(self.state.record))]
+        return [
+            self.results.path,
+            *(self.project.results / name for name, _ in files_of(self.state.record)),
+        ]
 
     def video(self, case: str, caption: Markup) -> Markup:
         """Return a clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
@@ -40,14 +43,22 @@ class Clips:
         poster = self.picture if case == FIRST else self._address(row.poster)
         files = self.root + poster, self.root + self._address(row.file)
         label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
-        return macros(MACROS).video(row, *files, label, self._sources(row), self._marked(caption))
+        return macros(MACROS).video(
+            row, *files, label, self._sources(row), self._marked(caption)
+        )
 
     def still(self, link: str, caption: Markup) -> Markup:
         """Return the long exposure, which leads to ``link``, where there is one."""
         first = self.results.row[FIRST]
         alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
-        row, file, sources = self.results.row[STILL], self.root + self.picture, self._sources(first)
-        return macros(MACROS).still(row, file, alt, sources, link, self._marked(caption))
+        row, file, sources = (
+            self.results.row[STILL],
+            self.root + self.picture,
+            self._sources(first),
+        )
+        return macros(MACROS).still(
+            row, file, alt, sources, link, self._marked(caption)
+        )
 
     @property
     def picture(self) -> str:
@@ -63,14 +74,21 @@ class Clips:
         return macros(MACROS).stale(caption, self.state.words)
 
     def _moved(self, row: Row) -> dict[str, Quantity]:
-        return {CASES[name]: row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+        return {
+            CASES[name]: row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]
+        }
 
     def _sources(self, row: Row) -> str:
-        return " ".join(slip.source for slip in self._moved(row).values() if slip.value is not None)
+        return " ".join(
+            slip.source for slip in self._moved(row).values() if slip.value is not None
+        )
 
     def _said(self, row: Row) -> str:
         moved = self._moved(row)
-        return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
+        return ", ".join(
+            f"{name} {slip.reason if slip.value is None else slip}"
+            for name, slip in moved.items()
+        )
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"

@@ -28,11 +28,22 @@ def packed_runs(results: Results) -> dict[str, Any]:
     rows = {row["case"]: row for row in results.record.rows}
     first = rows[next(iter(SHAKES["3 cm"]))]
     shakes = [
-        {"name": name, "runs": [packed_run(label, rows[case], results.path) for case, label in runs.items()]}
+        {
+            "name": name,
+            "runs": [
+                packed_run(label, rows[case], results.path)
+                for case, label in runs.items()
+            ],
+        }
         for name, runs in SHAKES.items()
     ]
     base = [first[f"base_{axis}_m"] for axis in "xyz"]
-    return {"base_m": base, "edge_m": first["cube_edge_m"], "columns": COLUMNS, "shakes": shakes}
+    return {
+        "base_m": base,
+        "edge_m": first["cube_edge_m"],
+        "columns": COLUMNS,
+        "shakes": shakes,
+    }
 
 
 def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any]:
@@ -42,11 +53,18 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
     chosen = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
     turn = quaternions(run.cube_in_hand)
     contact = np.stack([run.contact[name] for name in COLUMNS[16:]], axis=1)
-    values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
+    values = np.concatenate(
+        [run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1
+    )
     # a billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
-    low, high = (np.round(side, 9) for side in (values[chosen].min(axis=0), values[chosen].max(axis=0)))
+    low, high = (
+        np.round(side, 9)
+        for side in (values[chosen].min(axis=0), values[chosen].max(axis=0))
+    )
     turned = np.round(turn[run.shake_start], 9).tolist()
-    whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * 65535).astype("<u2")
+    whole = np.round(
+        (values[chosen] - low) / np.where(high > low, high - low, 1.0) * 65535
+    ).astype("<u2")
     return {
         "name": name,
         "start_s": float(run.time_s[chosen[0]]),
@@ -69,7 +87,10 @@ def quaternions(poses: np.ndarray) -> np.ndarray:
     trace = np.trace(r, axis1=1, axis2=2)
     k = np.zeros((len(r), 4, 4))
     k[:, :3, :3] = r + r.transpose(0, 2, 1) - trace[:, None, None] * np.eye(3)
-    k[:, 3, :3] = np.stack([r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]], axis=1)
+    k[:, 3, :3] = np.stack(
+        [r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]],
+        axis=1,
+    )
     k[:, :3, 3] = k[:, 3, :3]
     k[:, 3, 3] = trace
     axes = np.linalg.eigh(k)[1][:, :, -1]

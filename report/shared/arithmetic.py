@@ -7,15 +7,28 @@ from dataclasses import dataclass, replace
 from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section
 from measured_report.records.columns import PLAIN, column_of
-from measured_report.values.quantities import PERCENT, Quantity, Term, absent, combined, constant
+from measured_report.values.quantities import (
+    PERCENT,
+    Quantity,
+    Term,
+    absent,
+    combined,
+    constant,
+)
 from measured_report.values.results import Results, Row
 
-CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}  # cases that many sections measure, by label
+CASES = {
+    "as-shipped": "shipped pads",
+    "stiff-pads": "stiff pads",
+}  # cases that many sections measure, by label
 PUBLISHED = "published, and not measured here"  # formula of a constant
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 MS_PER_S, MM_PER_M = constant(1e3, "ms/s"), constant(1e3, "mm/m")
-SETTLES = ("a change that settles the matter", 10.0)  # a bound that sections choose: why, and how many times less
+SETTLES = (
+    "a change that settles the matter",
+    10.0,
+)  # a bound that sections choose: why, and how many times less
 
 
 def departure(a: Quantity, b: Quantity) -> Term:
@@ -31,7 +44,11 @@ def spread(cells: Sequence[Quantity]) -> Term:
     return combined(max, *cells) - combined(min, *cells)
 
 
-def gathered(function: Callable[[Sequence[float]], float], cells: Iterable[Quantity], unit: str = "") -> Term:
+def gathered(
+    function: Callable[[Sequence[float]], float],
+    cells: Iterable[Quantity],
+    unit: str = "",
+) -> Term:
     """Return what a function makes of a sequence, as ``sum`` or ``fmean`` do."""
     return combined(lambda *numbers: function(numbers), *cells, unit=unit)
 
@@ -60,7 +77,9 @@ def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outc
     """Tell whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
     outcome = at_most(noise, bound, why=why)
     reason = "the noise is larger than what is looked for"
-    return replace(outcome, name="unknown", reason=reason) if outcome == FAILS else outcome
+    return (
+        replace(outcome, name="unknown", reason=reason) if outcome == FAILS else outcome
+    )
 
 
 @dataclass(frozen=True)
@@ -88,12 +107,20 @@ def other_value(results: Results, section: str, name: str) -> Quantity:
 
 def rows_with(results: Results, *columns: str) -> list[Row]:
     """Return the rows with something in each of these columns, by which the parts of a section tell their rows."""
-    return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
+    return [
+        row
+        for row in results.rows
+        if all(row.plain.get(column) not in (None, "") for column in columns)
+    ]
 
 
-def cell_or_absent(row: Row | None, column: str, reason: str = "it was not measured") -> Quantity:
+def cell_or_absent(
+    row: Row | None, column: str, reason: str = "it was not measured"
+) -> Quantity:
     """Return a cell that not every record has; without a number, and with the reason, when it isn't there."""
-    return row[column] if row and column in row else absent(column_of(column).unit, reason)
+    return (
+        row[column] if row and column in row else absent(column_of(column).unit, reason)
+    )
 
 
 def is_held(row: Row) -> bool:
@@ -105,6 +132,8 @@ def joined(parts: Sequence[Section]) -> Section:
     """Make one section of its parts, in their order."""
     return Section(
         tables={name: table for part in parts for name, table in part.tables.items()},
-        figures={name: figure for part in parts for name, figure in part.figures.items()},
+        figures={
+            name: figure for part in parts for name, figure in part.figures.items()
+        },
         claims=[claim for part in parts for claim in part.claims],
     )

@@ -32,9 +32,17 @@ class RowsBy(dict):
 
 def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
     """Derive to within what share all ratios of these rows are known [%], but of the reference and of lost times."""
-    formula = "half the 95 % interval of the ratio of two times measured in turn, the largest"
-    cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row and row.ratio_resolution.value]
-    return results.value(name, formula, PERCENT * combined(max, *cells), is_noise=True)
+    cells = [
+        row.ratio_resolution
+        for row in rows
+        if "ratio_resolution" in row and row.ratio_resolution.value
+    ]
+    return results.value(
+        name,
+        "half the 95 % interval of the ratio of two times measured in turn, the largest",
+        PERCENT * combined(max, *cells),
+        is_noise=True,
+    )
 
 
 def fine_enough(unseen: Quantity) -> Outcome:

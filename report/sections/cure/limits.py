@@ -3,13 +3,22 @@
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 
-from measured_report.parts.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
-from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, rows_with
+from report.shared import (
+    Claim,
+    Results,
+    Row,
+    Section,
+    Value,
+    all_of,
+    at_least,
+    at_most,
+    case_html,
+    cell_count,
+    rows_with,
+    some_html,
+    table_of,
+)
 from report.shared.maps import HELD_HEIGHT_M, lost_count
-from report.shared.tables import case_html, some_html, table_of
 
 VARIANTS = {  # names by variant, and which of them a run has to be tried with to be counted
     "term": ("the term", ("term", "best")),
@@ -28,23 +37,50 @@ def derive(results: Results) -> Section:
     table = table_of("way", [name for name, _ in VARIANTS.values()], columns)
     # Whether the root cure keeps the cube over the map of section envelope.
     held = results.chosen("held_height", "lower has left the hand", HELD_HEIGHT_M, "m")
-    lost, cells = lost_count(results, results.trace("map"), "best", held), results.row["map-best"].cell_count
-    never = all_of(at_most(lost, 0, why="no cell is lost"), at_least(cells, 100, why="a map"))
-    return Section(tables={"limits": table}, claims=[Claim("best_never_drops", never, {"cells": cells, "lost": lost})])
+    lost, cells = (
+        lost_count(results, results.trace("map"), "best", held),
+        results.row["map-best"].cell_count,
+    )
+    never = all_of(
+        at_most(lost, 0, why="no cell is lost"), at_least(cells, 100, why="a map")
+    )
+    return Section(
+        tables={"limits": table},
+        claims=[Claim("best_never_drops", never, {"cells": cells, "lost": lost})],
+    )
 
 
-def _line(results: Results, runs: Mapping[str, Mapping[str, Row]], variant: str) -> dict[str, Value | str]:
-    tried = {run: rows for run, rows in runs.items() if {"plain", *VARIANTS[variant][1]} <= set(rows)}
-    plain, mine = ([run for run, rows in tried.items() if rows[which].kept] for which in ("plain", variant))
-    lost, won = [run for run in plain if run not in mine], [run for run in mine if run not in plain]
+def _line(
+    results: Results, runs: Mapping[str, Mapping[str, Row]], variant: str
+) -> dict[str, Value | str]:
+    tried = {
+        run: rows
+        for run, rows in runs.items()
+        if {"plain", *VARIANTS[variant][1]} <= set(rows)
+    }
+    plain, mine = (
+        [run for run, rows in tried.items() if rows[which].kept]
+        for which in ("plain", variant)
+    )
+    lost, won = (
+        [run for run in plain if run not in mine],
+        [run for run in mine if run not in plain],
+    )
     name = variant.replace("-", "_")
 
     def count(name: str, formula: str, counted: Iterable[str]) -> Value:
-        return results.value(name, formula, cell_count([tried[run]["plain"].substeps for run in counted]))
+        return results.value(
+            name, formula, cell_count([tried[run]["plain"].substeps for run in counted])
+        )
 
     return {
-        "kept without": count(f"kept_{name}", "runs that keep the cube with nothing done", plain),
-        "lost of these": count(f"limit_lost_{name}", "of these, runs that lose it this way", lost),
+        "kept without": count(
+            f"kept_{name}", "runs that keep the cube with nothing done", plain
+        ),
+        "lost of these": count(
+            f"limit_lost_{name}", "of these, runs that lose it this way", lost
+        ),
         "kept only so": count(f"won_{name}", "runs that keep it only this way", won),
-        "which are lost": some_html([case_html(tried[run]["plain"]) for run in lost]) or "none",
+        "which are lost": some_html([case_html(tried[run]["plain"]) for run in lost])
+        or "none",
     }

@@ -5,12 +5,10 @@ from itertools import filterfalse
 from typing import NamedTuple
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.parts.claim import Claim
-from measured_report.values.quantities import Quantity, absent
-from measured_report.values.results import Results, Row
 from report.sections.reproduction import FRAME_RATE
 from report.sections.stability.claims import family, least, most
 from report.sections.stability.passing import is_stable
+from report.shared import Claim, Quantity, Results, Row, absent
 
 NONE = absent("1", "it was not seen")
 
@@ -23,16 +21,28 @@ class Limit(NamedTuple):
     high: Quantity
     broken: Quantity
     shipped: float
-    over: tuple[Quantity, Quantity] | None = None  # what holds and what breaks, in percent over a limit
+    over: tuple[Quantity, Quantity] | None = (
+        None  # what holds and what breaks, in percent over a limit
+    )
 
 
-def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row], alone: Sequence[Row]) -> list[Limit]:
+def limits(
+    results: Results,
+    claims: Mapping[str, Claim],
+    critical: Sequence[Row],
+    alone: Sequence[Row],
+) -> list[Limit]:
     """Collect them from the claims on each, and from the rows where a claim has one end alone."""
 
     def ends(name: str, rows: Sequence[Row], column: str) -> tuple[Quantity, Quantity]:
-        formula, held = "{} of the runs of " + name + " that hold", list(filter(is_stable, rows))
+        formula, held = (
+            "{} of the runs of " + name + " that hold",
+            list(filter(is_stable, rows)),
+        )
         low = least(results, f"{name}_low", formula.format("least"), held, column)
-        return low, most(results, f"{name}_high", formula.format("largest"), held, column)
+        return low, most(
+            results, f"{name}_high", formula.format("largest"), held, column
+        )
 
     def said(claim: str, name: str) -> Quantity:
         number = claims[claim].numbers.get(name)
@@ -41,18 +51,54 @@ def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row
     def loads(label: str, name: str) -> Limit:
         rows = [row for row in family(results, name) if row.load.value is not None]
         over = said(f"{name}_crossover", "kept"), said(f"{name}_crossover", "lost")
-        return Limit(label, *ends(f"{name}_load", rows, "load"), results.derived.get(f"{name}_lost", NONE), 1.0, over)
+        return Limit(
+            label,
+            *ends(f"{name}_load", rows, "load"),
+            results.derived.get(f"{name}_lost", NONE),
+            1.0,
+            over,
+        )
 
     steps = [row for row in family(results, "steps") if row.pads == "stiff"]
     sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
-    small = most(results, "edge_lost", "largest that is lost", filterfalse(is_stable, sizes), "cube_edge_mm")
+    small = most(
+        results,
+        "edge_lost",
+        "largest that is lost",
+        filterfalse(is_stable, sizes),
+        "cube_edge_mm",
+    )
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
-    heavy = least(results, "gravity_lost", "least that loses it", filterfalse(is_stable, pulls), "gravity_m_s2")
+    heavy = least(
+        results,
+        "gravity_lost",
+        "least that loses it",
+        filterfalse(is_stable, pulls),
+        "gravity_m_s2",
+    )
     first, up_to = said("safe_settings", "least"), said("safe_settings", "limit")
-    safe = [row for row in critical if first.value is not None and row.pad_ke.value >= first.value]
-    soft = [row for row in critical if first.value is not None and row.pad_ke.value < first.value]
-    sunk = most(results, "ke_critical_lost", "largest below these that fails", filterfalse(is_stable, soft), "pad_ke")
-    below = [row for row in alone if row.substeps.value == AS_SHIPPED.substeps and up_to.value is not None]
+    safe = [
+        row
+        for row in critical
+        if first.value is not None and row.pad_ke.value >= first.value
+    ]
+    soft = [
+        row
+        for row in critical
+        if first.value is not None and row.pad_ke.value < first.value
+    ]
+    sunk = most(
+        results,
+        "ke_critical_lost",
+        "largest below these that fails",
+        filterfalse(is_stable, soft),
+        "pad_ke",
+    )
+    below = [
+        row
+        for row in alone
+        if row.substeps.value == AS_SHIPPED.substeps and up_to.value is not None
+    ]
     below = [row for row in below if row.pad_ke.value <= up_to.value]
     mass = AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3
     step = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
