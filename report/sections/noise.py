@@ -1,6 +1,5 @@
-"""An A/A test: how far apart runs of one and the same case come out, and what is called a difference for that."""
+"""An A/A test: how far apart runs of one case come out."""
 
-from collections.abc import Mapping, Sequence
 from statistics import fmean
 
 from measured_report.records.columns import column_of
@@ -12,7 +11,6 @@ from report.shared import (
     Results,
     Row,
     Section,
-    Value,
     all_of,
     at_most,
     combined,
@@ -24,15 +22,13 @@ page = "releases"
 label = "the same again"
 labels = {"as-shipped": "shipped pads"}
 
-METRICS = {"slip": "slip_mm", "drift": "drift_mm_s"}
-
 
 def derive(results: Results) -> Section:
     repeats: dict[str, list[Row]] = {}
     for row in results.rows:
         if row.plain.get("of"):
             repeats.setdefault(row.of, []).append(row)
-    floors = {metric: _floor(results, repeats, metric) for metric in METRICS}
+    first = next(iter(repeats.values()))
     results.chosen(
         "pairs", "hundreds of differences are compared with it", 100 * PAIRS, "%"
     )
@@ -42,51 +38,40 @@ def derive(results: Results) -> Section:
         "measured again, some other pair of runs may differ by that",
         NEAR_NOISE,
     )
-    first, shares = next(iter(repeats.values())), {}
-    for metric, floor in floors.items():
-        mean = gathered(fmean, (row[METRICS[metric]] for row in first))
-        share = PERCENT * floor / abs(mean)
+    floors, shares = {}, {}
+    for metric, name in (("slip", "slip_mm"), ("drift", "drift_mm_s")):
+        tolerances = [
+            results.value(
+                f"{case.replace('-', '_')}_{metric}_tolerance",
+                f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more,"
+                " by the spread of those measured",
+                gathered(tolerance, [row[name] for row in rows]),
+                is_noise=True,
+            )
+            for case, rows in repeats.items()
+        ]
+        # Where all runs are alike to the last bit, rounding moves them.
+        column = column_of(name)
+        least = results.chosen(
+            f"{metric}_resolution",
+            "what rounding may do",
+            column.resolution,
+            column.unit,
+        )
+        floors[metric] = results.value(
+            f"{metric}_floor",
+            "largest of the cases, and at least the resolution",
+            combined(max, *tolerances, least),
+            is_noise=True,
+        )
+        mean = gathered(fmean, (row[name] for row in first))
         shares[metric] = results.value(
             f"{metric}_floor_share",
             f"noise floor of the {metric}, of the mean {metric} of the first case",
-            share,
+            PERCENT * floors[metric] / abs(mean),
             is_noise=True,
         )
+    why = "far less than what is looked for"
+    outcome = all_of(*(at_most(share, 1.0, why=why) for share in shares.values()))
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
-    outcome = all_of(
-        *(
-            at_most(share, 1.0, why="far less than what is looked for")
-            for share in shares.values()
-        )
-    )
     return Section(claims=[Claim("noise_is_small", outcome, numbers)])
-
-
-def _floor(
-    results: Results, repeats: Mapping[str, Sequence[Row]], metric: str
-) -> Value:
-    """Say how far apart two runs may come out, or, where all are alike to the last bit, how far rounding moves them."""
-    bounds = []
-    for case, rows in repeats.items():
-        name, cells = (
-            f"{case.replace('-', '_')}_{metric}_tolerance",
-            [row[METRICS[metric]] for row in rows],
-        )
-        bounds.append(
-            results.value(
-                name,
-                f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured",
-                gathered(tolerance, cells),
-                is_noise=True,
-            )
-        )
-    column = column_of(METRICS[metric])
-    least = results.chosen(
-        f"{metric}_resolution", "what rounding may do", column.resolution, column.unit
-    )
-    return results.value(
-        f"{metric}_floor",
-        "largest of the cases, and at least the resolution",
-        combined(max, *bounds, least),
-        is_noise=True,
-    )

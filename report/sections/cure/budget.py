@@ -45,14 +45,15 @@ NAMES = {  # names by case, which has a gap for the shake: contacts, integrator,
     "newton-euler-400-stiff-{}-centred-kept": "the same, Euler",
     KF_OFF: "as shipped, kf off",
 }
-PARTS = {
-    "left_out": "the term",
-    "step": "step",
-    "damping": "damping",
-    "creep": "load",
-    "rounding": "rounding",
+PARTS = {  # by label, what a part is called and its columns
+    "the term": ("left_out", "left_out"),
+    "step": ("step", "step"),
+    "damping": ("damping", "damping"),
+    "load": ("creep", "creep"),
+    "rounding": ("rounding", "rounding"),
+    "sum": ("sum", "predicted"),
+    "measured": ("slip", "slip"),
 }
-"""Columns of the parts of the slip that are predicted from the arm's motion, and what they are called."""
 SHOWN = (SHIPPED, STIFF, TERM, BEST)  # variants whose parts are shown
 SHAKES = {  # label, colour and mark of each shake
     "3cm": ("the shake", SERIES[0], "o"),
@@ -66,24 +67,135 @@ OTHER_CONTACTS = {  # the root cure with other contacts than Newton's and with a
 
 
 def derive(results: Results) -> Section:
-    others, why = [], "as good as with Newton's contacts, or nearly"
-    for name, case in OTHER_CONTACTS.items():
-        slip = results.row[case].slip_mm
-        others.append(
-            Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip})
-        )
-    claims = [_what_to_use(results), _budget_closes(results), *others]
-    cases = [
-        case for case in NAMES if case != KF_OFF or results.row[case.format("3cm")]
-    ]
-    rows = {
-        shake: [results.row[case.format(shake)] for case in cases] for shake in SHAKES
-    }
-    cells = [row.slip_mm for column in rows.values() for row in column if row]
-    use = Figure(lambda: _draw_use([NAMES[case] for case in cases], rows), cells)
-    return Section(
-        tables={"budget": _budget_table(results)}, figures={"use": use}, claims=claims
+    def row_of(case: str, shake: str = "3cm") -> Row:
+        return results.row[case.format(shake)]
+
+    # Whether the cure on stiff pads loses no cube that they keep, and slips less.
+    slip, shipped = row_of(FIRM).slip_mm, row_of(SHIPPED).slip_mm
+    wide = row_of(FIRM, "10cm")
+    amplitude = results.value(
+        "amplitude_10cm",
+        "in whole mm",
+        combined(round, MM_PER_M * wide.shake_amplitude_m),
     )
+    share = results.value(
+        "held_share", "of the slip as shipped, that", PERCENT * slip / shipped
+    )
+    lost, kept = results.derived["limit_lost_firm"], results.derived["kept_firm"]
+    to_use = all_of(
+        at_most(lost, 0, why="none of them is lost"),
+        at_most(wide.slip_mm, 0.05, why="hardly more, shaken three times as wide"),
+        at_most(share, 50.0, why="less by half"),
+    )
+
+    # Whether the parts add up to the slip.
+    least = results.chosen(
+        "remainder_least", "what a grasp of this kind does not show", 0.02, "mm"
+    )
+    most = results.chosen("remainder_share", "as good as the law", 5.0, "%")
+    runs = [
+        row
+        for row in rows_with(results, "kind", "pads", "shake")
+        if row.kind == "run" and row.slip_mm.value is not None
+    ]
+    far_runs = [row for row in runs if (row.pads, row.shake) == ("shipped", "10cm")]
+
+    def counted(name: str, runs: list[Row]) -> tuple[Value, Value]:
+        closed = results.value(
+            f"{name}closed_count",
+            "runs whose remainder is below either bound",
+            _closed_count,
+            least,
+            most,
+            *(cell for row in runs for cell in (row.remainder_mm, row.slip_mm)),
+        )
+        count = cell_count([row.slip_mm for row in runs])
+        name = f"{name}kept_count"
+        return closed, results.value(name, "runs that keep the cube", count)
+
+    closed, count = counted("", runs)
+    far_closed, far = counted("far_", far_runs)
+    others = results.value(
+        "others_share",
+        "of the other runs that keep the cube, those of them",
+        PERCENT * (closed - far_closed) / (count - far),
+    )
+    few = results.value(
+        "far_share",
+        "of shipped pads in the farther shake, those of them",
+        PERCENT * far_closed / far,
+    )
+    closes = all_of(
+        at_least(closed, 8.0, why="not by chance"),
+        at_least(others, 90.0, why="nearly all of them"),
+        at_most(few, 60.0, why="no more than some"),
+    )
+
+    # Parts along the way of the cube, their sum, and how far it went.
+    columns = {}
+    for label, (name, column) in PARTS.items():
+        columns[label] = [
+            results.value(
+                f"{row.case}_{name}",
+                f"{column} of {row.case} along the pads, in the direction of its slip",
+                _along,
+                row[f"{column}_x_mm"],
+                row[f"{column}_z_mm"],
+                row.slip_x_mm,
+                row.slip_z_mm,
+                unit="mm",
+            )
+            for row in map(row_of, SHOWN)
+        ]
+    budget = table_of("what is done", [NAMES[case] for case in SHOWN], columns)
+
+    cases = [case for case in NAMES if case != KF_OFF or row_of(case)]
+    rows = {shake: [row_of(case, shake) for case in cases] for shake in SHAKES}
+    slips = [row.slip_mm for column in rows.values() for row in column if row]
+    use = Figure(lambda: _draw_use([NAMES[case] for case in cases], rows), slips)
+    claims = [
+        Claim(
+            "what_to_use",
+            to_use,
+            {
+                "slip": slip,
+                "shipped": shipped,
+                "far": wide.slip_mm,
+                "amplitude": amplitude,
+                "lost": lost,
+                "kept": kept,
+            },
+        ),
+        Claim(
+            "budget_closes",
+            closes,
+            {
+                "closed": closed,
+                "count": count,
+                "far_closed": far_closed,
+                "far": far,
+                "least": least,
+                "most": most,
+            },
+        ),
+    ]
+    for name, case in OTHER_CONTACTS.items():
+        slip = row_of(case).slip_mm
+        near = at_most(slip, 0.1, why="as good as with Newton's contacts, or nearly")
+        claims.append(Claim(f"with_{name}", near, {"slip": slip}))
+    return Section(tables={"budget": budget}, figures={"use": use}, claims=claims)
+
+
+def _closed_count(least: float, most: float, *found: float) -> int:
+    """Count the runs whose remainder, in turn with its slip, is below either bound."""
+    cells = np.array(found)  # of a thousand runs, each moved in turn to find the noise
+    bounds = np.maximum(least, 0.01 * most * cells[1::2])
+    return np.count_nonzero(cells[::2] <= bounds)
+
+
+def _along(x: float, z: float, slip_x: float, slip_z: float) -> float:
+    length = (slip_x**2 + slip_z**2) ** 0.5
+    return (x * slip_x + z * slip_z) / length + 0.0  # no negative zero
 
 
 def _draw_use(names: Sequence[str], rows: Mapping[str, Sequence[Row]]) -> Drawing:
@@ -120,137 +232,3 @@ def _draw_use(names: Sequence[str], rows: Mapping[str, Sequence[Row]]) -> Drawin
     axes.margins(y=0.1)
     drawing.legend(loc="outside upper left", ncols=3)
     return drawing
-
-
-def _what_to_use(results: Results) -> Claim:
-    """Tell whether the cure on stiff pads loses no cube that they keep, shaken 10 cm as well, and slips less."""
-    narrow, wide = (results.row[FIRM.format(shake)] for shake in ("3cm", "10cm"))
-    slip, shipped, far = (
-        narrow.slip_mm,
-        results.row[SHIPPED.format("3cm")].slip_mm,
-        wide.slip_mm,
-    )
-    amplitude = results.value(
-        "amplitude_10cm",
-        "in whole mm",
-        combined(round, MM_PER_M * wide.shake_amplitude_m),
-    )
-    lost, kept = results.derived["limit_lost_firm"], results.derived["kept_firm"]
-    part = results.value(
-        "held_share", "of the slip as shipped, that", PERCENT * slip / shipped
-    )
-    keeps, near = (
-        at_most(lost, 0, why="none of them is lost"),
-        at_most(part, 50.0, why="less by half"),
-    )
-    outcome = all_of(
-        keeps, at_most(far, 0.05, why="hardly more, shaken three times as wide"), near
-    )
-    numbers = {
-        "slip": slip,
-        "shipped": shipped,
-        "far": far,
-        "amplitude": amplitude,
-        "lost": lost,
-        "kept": kept,
-    }
-    return Claim("what_to_use", outcome, numbers)
-
-
-def _budget_closes(results: Results) -> Claim:
-    least = results.chosen(
-        "remainder_least", "what a grasp of this kind does not show", 0.02, "mm"
-    )
-    most = results.chosen("remainder_share", "as good as the law", 5.0, "%")
-    runs = [
-        row for row in rows_with(results, "kind", "pads", "shake") if row.kind == "run"
-    ]
-    holding = [row for row in runs if row.slip_mm.value is not None]
-
-    def count_closed(least: float, most: float, *found: float) -> int:
-        cells = np.array(
-            found
-        )  # of a thousand runs, each moved in turn to find the noise
-        return np.count_nonzero(
-            cells[::2] <= np.maximum(least, 0.01 * most * cells[1::2])
-        )
-
-    def counted(name: str, rows: list[Row]) -> tuple[Value, Value]:
-        cells = (cell for row in rows for cell in (row.remainder_mm, row.slip_mm))
-        closed = results.value(
-            f"{name}closed_count",
-            "runs whose remainder is below either bound",
-            count_closed,
-            least,
-            most,
-            *cells,
-        )
-        slips = [row.slip_mm for row in rows]
-        return closed, results.value(
-            f"{name}kept_count", "runs that keep the cube", cell_count(slips)
-        )
-
-    closed, count = counted("", holding)
-    far_closed, far = counted(
-        "far_",
-        [row for row in holding if (row["pads"], row.shake) == ("shipped", "10cm")],
-    )
-    part = results.value(
-        "others_share",
-        "of the other runs that keep the cube, those of them",
-        PERCENT * (closed - far_closed) / (count - far),
-    )
-    numbers = {
-        "closed": closed,
-        "count": count,
-        "far_closed": far_closed,
-        "far": far,
-        "least": least,
-        "most": most,
-    }
-    few = results.value(
-        "far_share",
-        "of shipped pads in the farther shake, those of them",
-        PERCENT * far_closed / far,
-    )
-    tests = [
-        at_least(closed, 8.0, why="not by chance"),
-        at_least(part, 90.0, why="nearly all of them"),
-    ]
-    return Claim(
-        "budget_closes",
-        all_of(*tests, at_most(few, 60.0, why="no more than some")),
-        numbers,
-    )
-
-
-def _budget_table(results: Results) -> Table:
-    """Make the table of the parts at 3 cm along the way of the cube, their sum, and how far it went."""
-
-    def along(x: float, z: float, slip_x: float, slip_z: float) -> float:
-        return (x * slip_x + z * slip_z) / (
-            slip_x**2 + slip_z**2
-        ) ** 0.5 + 0.0  # no negative zero
-
-    def part(row: Row, name: str, column: str) -> Value:
-        cells = (
-            row[f"{column}_x_mm"],
-            row[f"{column}_z_mm"],
-            row.slip_x_mm,
-            row.slip_z_mm,
-        )
-        return results.value(
-            f"{row.case}_{name}",
-            f"{column} of {row.case} along the pads, in the direction of its slip",
-            along,
-            *cells,
-            unit="mm",
-        )
-
-    shown = {label: (name, name) for name, label in PARTS.items()}
-    shown |= {"sum": ("sum", "predicted"), "measured": ("slip", "slip")}
-    rows = [results.row[case.format("3cm")] for case in SHOWN]
-    columns = {
-        label: [part(row, *names) for row in rows] for label, names in shown.items()
-    }
-    return table_of("what is done", [NAMES[case] for case in SHOWN], columns)

@@ -1,13 +1,13 @@
-"""Where the grasp holds, creeps, drops and explodes: maps, the largest stable step, and what is safe."""
+"""Where the grasp holds, creeps, drops and explodes."""
 
 from collections.abc import Sequence
 
 import numpy as np
 from markupsafe import Markup
 
-from report.sections.stability import claims, limits
-from report.sections.stability.claims import count, family
+from report.sections.stability import claims
 from report.sections.stability.figures import draw_limits, draw_maps
+from report.sections.stability.limits import limits
 from report.sections.stability.passing import (
     CLASSES,
     DEPTH_LARGEST,
@@ -34,33 +34,30 @@ labels = {
 
 
 def derive(results: Results) -> Section:
-    critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
-    margin = results.chosen(
-        "limit_margin", "well below the limit, or well above", LIMIT_MARGIN, "%"
-    )
-    depth = results.chosen(
-        "depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, "%"
-    )
+    critical = claims.family(results, "ke-critical")
+    default_kd = claims.family(results, "ke-kd-100")
+    why = "well below the limit, or well above"
+    margin = results.chosen("limit_margin", why, LIMIT_MARGIN, "%")
+    why = "depth in stiff pads, of the edge"
+    depth = results.chosen("depth_largest", why, DEPTH_LARGEST, "%")
     safe = claims.safe(results, critical, default_kd)
-    stiffest = max((row.pad_ke.value for row in default_kd), default=None)
-    is_so = safe.outcome == HOLDS and not any(
-        is_stable(row) for row in default_kd if row.pad_ke.value == stiffest
-    )
-    tests = [safe, claims.gain_goes(results), claims.clamp(results)]
-    tests += [
-        *(claims.crossover(results, name, margin) for name in ("shake", "grip")),
+    tests = [
+        safe,
+        claims.gain_goes(results),
+        claims.clamp(results),
+        claims.crossover(results, "shake", margin),
+        claims.crossover(results, "grip", margin),
         claims.friction(results),
-    ]
-    tests += [
         claims.masses(results),
         claims.size(results, depth),
         claims.overlap(results),
         claims.gravity(results),
+        claims.long(results),
     ]
-    tests += [claims.long(results)]
-    lines = limits.limits(
-        results, {claim.name: claim for claim in tests}, critical, default_kd
-    )
+    stiffest = max((row.pad_ke.value for row in default_kd), default=None)
+    breaks = [row for row in default_kd if row.pad_ke.value == stiffest]
+    is_so = safe.outcome == HOLDS and not any(map(is_stable, breaks))
+    lines = limits(results, critical, default_kd)
     cells = [
         cell
         for line in lines
@@ -93,18 +90,15 @@ def _maps(
         ),
     ]
     rows = [*critical, *default_kd]
-    mine = {name: [row for row in rows if row["class"] == name] for name in CLASSES}
-    formula = "cells of both maps that are"
-    ends = [
-        (count(results, f"maps_{name}_count", f"{formula} {name}", found), name)
-        for name, found in mine.items()
-    ]
-    counts = Markup(", ").join(
-        Markup("{} {}").format(*end) for end in ends if end[0].value
-    )
-    cells = (
-        [row.step_ms for row in rows]
-        if critical and default_kd
-        else [absent("s", "it was not measured")]
-    )
-    return Figure(lambda: draw_maps(panels), cells, {"ends": counts, "is_so": is_so})
+    ends = []
+    for name in CLASSES:
+        mine = [row for row in rows if row["class"] == name]
+        formula = f"cells of both maps that are {name}"
+        number = claims.count(results, f"maps_{name}_count", formula, mine)
+        if mine:
+            ends.append(Markup("{} {}").format(number, name))
+    cells = [absent("s", "it was not measured")]
+    if critical and default_kd:
+        cells = [row.step_ms for row in rows]
+    numbers = {"ends": Markup(", ").join(ends), "is_so": is_so}
+    return Figure(lambda: draw_maps(panels), cells, numbers)
