@@ -33,11 +33,11 @@ from measured_report.values.quantities import (
 )
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import (
+    AS_PUBLISHED,
     CASES,
     DEVICES,
     MM_PER_M,
     MS_PER_S,
-    PUBLISHED,
     SETTLES,
     Sections,
     cell_count,

@@ -21,7 +21,7 @@ CASES = {
     "as-shipped": "shipped pads",
     "stiff-pads": "stiff pads",
 }  # cases that many sections measure, by label
-PUBLISHED = "published, and not measured here"  # formula of a constant
+AS_PUBLISHED = "published, and not measured here"  # formula of a constant
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 MS_PER_S, MM_PER_M = constant(1e3, "ms/s"), constant(1e3, "mm/m")

@@ -14,7 +14,6 @@ from report.shared import (
     Results,
     Row,
     Section,
-    Table,
     Value,
     all_of,
     at_least,

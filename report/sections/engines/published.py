@@ -6,9 +6,9 @@ from decimal import Decimal
 from measured_report.records.columns import column_of
 from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
 from report.shared import (
+    AS_PUBLISHED,
     Claim,
     Column,
-    Quantity,
     Results,
     Section,
     Sections,
@@ -103,54 +103,40 @@ PUBLISHED = (
 
 def derive(results: Results) -> Section:
     sections = Sections({**results.others, results.record.section: results})
-    ours = [sections.cell(each.section, each.case, each.column) for each in PUBLISHED]
-    lines = [
-        _line(results, each, cell) for each, cell in zip(PUBLISHED, ours, strict=True)
-    ]
+    lines, compared, agreed = [], [], []
+    for each in PUBLISHED:
+        ours = sections.cell(each.section, each.case, each.column)
+        agrees = "" if ours.value is None else each.agrees(ours.value)
+        name = f"{each.case}_{each.column}"
+        published = constant(float(each.theirs), column_of(each.column).unit)
+        theirs = results.value(f"theirs_{name}", AS_PUBLISHED, published)
+        off, within = "", "a bound"
+        if not each.is_bound:
+            off = results.value(
+                f"off_{name}", "ours less theirs, in size", abs(ours - theirs)
+            )
+            within = results.chosen(
+                f"within_{name}",
+                "half the last digit, or noise of the source",
+                each.within,
+                theirs.unit,
+            )
+            compared.append(ours)
+            agreed.append(agrees is True)
+        lines.append((each.what, theirs, ours, off, within, agrees))
     above = ("what", "theirs", "ours", "off by", "within", "agrees")
     columns: dict[str, Column] = dict(zip(above, zip(*lines, strict=True), strict=True))
     table = table_of("published by", [each.source for each in PUBLISHED], columns)
-    cells = [
-        cell for each, cell in zip(PUBLISHED, ours, strict=True) if not each.is_bound
-    ]
-    agreed = [
-        line[-1] is True
-        for each, line in zip(PUBLISHED, lines, strict=True)
-        if not each.is_bound
-    ]
     agreeing = results.value(
-        "agreeing", "how many agree", lambda *_: sum(agreed), *cells, across=True
+        "agreeing", "how many agree", lambda *_: sum(agreed), *compared, across=True
     )
     count = results.value(
-        "compared", "numbers beside published ones", cell_count(cells), across=True
+        "compared", "numbers beside published ones", cell_count(compared), across=True
     )
-    values = {
-        "count": count,
-        "agreeing": agreeing,
-        "are_most": 2 * sum(agreed) > len(agreed),
-    }
-    claim = Claim("as_others_published", at_least(agreeing, count), values)
+    are_most = 2 * sum(agreed) > len(agreed)
+    claim = Claim(
+        "as_others_published",
+        at_least(agreeing, count),
+        {"count": count, "agreeing": agreeing, "are_most": are_most},
+    )
     return Section(tables={"published": table}, claims=[claim])
-
-
-def _line(
-    results: Results, each: Published, ours: Quantity
-) -> tuple[Quantity | str | bool, ...]:
-    """Return the cells of a line of the table."""
-    name, formula = f"{each.case}_{each.column}", "published, and not measured here"
-    theirs = results.value(
-        f"theirs_{name}",
-        formula,
-        constant(float(each.theirs), column_of(each.column).unit),
-    )
-    agrees = "" if ours.value is None else each.agrees(ours.value)
-    if each.is_bound:
-        return each.what, theirs, ours, "", "a bound", agrees
-    off = results.value(f"off_{name}", "ours less theirs, in size", abs(ours - theirs))
-    within = results.chosen(
-        f"within_{name}",
-        "half the last digit, or noise of the source",
-        each.within,
-        theirs.unit,
-    )
-    return each.what, theirs, ours, off, within, agrees

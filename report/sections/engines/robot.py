@@ -1,4 +1,4 @@
-"""The shake itself in other engines: a line for each, and whether the cube slips farthest in MuJoCo."""
+"""The shake itself in other engines: whether the cube slips farthest in MuJoCo."""
 
 from collections.abc import Mapping
 
@@ -27,6 +27,7 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
     """Make the table, of models under their ``labels``, and its claims."""
     rows = RowsBy(results, results.rows, "model", "shake")
     models = list(dict.fromkeys(model for model, _ in rows))
+    near = [rows[model, "3cm"] for model in models]
     columns: dict[str, Column] = {
         "slip": "slip_mm",
         "creep": creep_or_unseen,
@@ -36,56 +37,44 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
         "held still": [
             cell_or_lost(rows[model, "held"], "slip_mm") for model in models
         ],
-        **{
-            "along over normal force": "friction_share",
-            "penetration": "penetration_mm",
-            "path off": "path_off_mm",
-        },
-        "armature": [
-            ARMATURES.get(rows[model, "3cm"].plain.get("armature"), "")
-            for model in models
-        ],
+        "along over normal force": "friction_share",
+        "penetration": "penetration_mm",
+        "path off": "path_off_mm",
+        "armature": [ARMATURES.get(row.plain.get("armature"), "") for row in near],
     }
     names = [{MUJOCO: "MuJoCo C", **labels}[model] for model in models]
     step = results.chosen(
         "robot_step", "given: the time step of the shake", 1000.0 / 960.0, "ms"
     )
-    table = table_of(
-        "engine", names, columns, [rows[model, "3cm"] for model in models], step=step
-    )
+    table = table_of("engine", names, columns, near, step=step)
+
+    # Whether the cube slips farther in MuJoCo than in each other engine that keeps it.
     others = [model for model in models if model != MUJOCO]
-    wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
-    lost, amplitudes = (
-        [row.plain.get("dropped") for row in wide],
-        [row.shake_amplitude_m for row in wide],
-    )
-    loses = decided(lost[0] is True and not any(lost[1:]), *amplitudes)
-    claims = [
-        _slips_farthest(results, rows, others),
-        Claim("only_it_loses", loses, {"wide": amplitudes[0]}),
-    ]
-    return Section(tables={"robots": table}, claims=claims)
-
-
-def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
-    """Tell whether the cube slips farther in MuJoCo than in every other engine that keeps it."""
-    mine, held = (rows[MUJOCO, shake].slip_mm for shake in ("3cm", "held"))
-    slips = [
-        rows[model, "3cm"].slip_mm
-        for model in others
-        if rows[model, "3cm"].slip_mm.value is not None
-    ]
+    mine, held = rows[MUJOCO, "3cm"].slip_mm, rows[MUJOCO, "held"].slip_mm
+    slips = [rows[model, "3cm"].slip_mm for model in others]
+    slips = [slip for slip in slips if slip.value is not None]
+    still = [rows[model, "held"].slip_mm for model in others]
     worst = results.value(
         "robot_worst", "farthest slip in another engine", extreme(max, slips)
     )
     count = results.value(
         "robot_count", "other contact models that keep the cube", cell_count(slips)
     )
-    stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
-    still = [rows[model, "held"].slip_mm for model in others]
     still_worst = results.value(
         "robot_worst_held", "the same with the arm held still", extreme(max, still)
     )
+    stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
+    # Measured on another machine, in the same engine, which repeats to the last bit.
+    is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value
+    farthest = all_of(
+        *(greater(mine, slip) for slip in (worst, held, still_worst)),
+        decided(is_less, stiff),
+    )
+
+    wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
+    is_lost, *are_lost = (row.plain.get("dropped") for row in wide)
+    amplitudes = [row.shake_amplitude_m for row in wide]
+    loses = decided(is_lost is True and not any(are_lost), *amplitudes)
     numbers = {
         "mine": mine,
         "held": held,
@@ -94,10 +83,10 @@ def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
         "stiff": stiff,
         "still": still_worst,
     }
-    # Stiff pads were measured on another machine, in the same engine, which repeats to the last bit.
-    is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value
-    outcome = all_of(
-        *(greater(mine, slip) for slip in (worst, held, still_worst)),
-        decided(is_less, stiff),
+    return Section(
+        tables={"robots": table},
+        claims=[
+            Claim("slips_farthest", farthest, numbers),
+            Claim("only_it_loses", loses, {"wide": amplitudes[0]}),
+        ],
     )
-    return Claim("slips_farthest", outcome, numbers)

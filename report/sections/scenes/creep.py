@@ -1,7 +1,7 @@
 """The creep predicted and measured, in every scene that there is."""
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure as Drawing
@@ -12,7 +12,6 @@ from report.shared import (
     Claim,
     Figure,
     Outcome,
-    Quantity,
     Results,
     Section,
     Value,
@@ -58,77 +57,15 @@ class Point(NamedTuple):
 def derive(results: Results) -> Section:
     points = [point for scene in SCENES for point in _points(results, scene)]
     predicted = [point for point in points if point.factor.value is not None]
-    claim = _predicted(results, predicted)
-    numbers = {name: claim.numbers[name] for name in ("count", "scenes", "bound")}
-    numbers["predicted"] = claim.outcome == HOLDS
-    figure = Figure(
-        lambda: _draw(predicted), [point.measured for point in points], numbers
-    )
-    return Section(figures={"creep": figure}, claims=[claim])
-
-
-def _points(results: Results, scene: str) -> Iterator[Point]:
-    """Derive measured and predicted creep [mm/s], in size, of the runs of a scene in which it would be seen."""
-    least = other_value(results, "cure", "resolution").value
-    columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
-    words = {
-        "turntable": "growth times the distance at the start",
-        "contacts": f"slide by the {SHAKE_S:g} s",
-    }
-    other = results.others.get(OTHERS[scene]) if scene in OTHERS else None
-    for row in (
-        other.rows if other else (row for row in results.rows if row.scene == scene)
-    ):
-        if any(column not in row or row[column].value is None for column in columns):
-            continue
-        # a growth [1/s] may be below what single precision shows, as that section has it [%/s].
-        if (
-            scene == "turntable"
-            and row.backend == "warp"
-            and 100.0 * abs(row[columns[1]].value) < (least or 0.0)
-        ):
-            continue
-        scale: Quantity | float = row.start_radius_mm if scene == "turntable" else 1.0
-        scale = 1 / constant(SHAKE_S, "s") if scene == "contacts" else scale
-        creeps = dict(
-            zip(
-                ("measured", "predicted"),
-                (abs(row[column] * scale) for column in columns),
-                strict=True,
-            )
-        )
-        if creeps["predicted"].value:
-            name, formula = f"{scene}_{row.case}", words.get(scene, "creep")
-            values = [
-                results.value(f"{name}_{kind}", f"{formula}, {kind}", creep)
-                for kind, creep in creeps.items()
-            ]
-            measured, predicted = values
-            factor = combined(max, measured / predicted, predicted / measured)
-            yield Point(
-                scene,
-                measured,
-                predicted,
-                results.value(
-                    f"{name}_factor",
-                    "the larger of measured and predicted creep, of the smaller",
-                    factor,
-                ),
-            )
-
-
-def _predicted(results: Results, points: list[Point]) -> Claim:
-    factors, measured = (
-        [point.factor for point in points],
-        [point.measured for point in points],
-    )
+    factors = [point.factor for point in predicted]
+    measured = [point.measured for point in predicted]
+    names = {point.scene for point in predicted}
     largest = results.value(
         "largest_factor",
         "largest factor between measured and predicted creep",
         combined(max, *factors),
         across=True,
     )
-    bound = results.chosen("factor_bound", "a prediction to go by", 1.5)
     fast = results.value(
         "fastest_creep", "fastest creep measured", combined(max, *measured), across=True
     )
@@ -138,11 +75,12 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
     spanned = results.value(
         "creep_range", "the first of these over the second", fast / slow
     )
-    names, formula = (
-        {point.scene for point in points},
+    count = results.value(
+        "point_count",
         "runs with a creep and a prediction",
+        cell_count(factors),
+        across=True,
     )
-    count = results.value("point_count", formula, cell_count(factors), across=True)
     scenes = results.value(
         "scene_count",
         "scenes that these runs are of",
@@ -150,21 +88,67 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
         *factors,
         across=True,
     )
+    bound = results.chosen("factor_bound", "a prediction to go by", 1.5)
     outcome = all_of(
         at_most(largest, bound),
         at_least(spanned, 1000.0, why="a range to test it over"),
     )
     if missing := [label for scene, label in SCENES.items() if scene not in names]:
-        outcome = Outcome(
-            "unknown", f"nothing is there of: {', '.join(missing)}"
-        ).having_read(largest, spanned)
-    numbers: dict[str, Any] = {
-        "largest": largest,
-        "bound": bound,
-        "count": count,
-        "scenes": scenes,
-    }
-    return Claim("predicted", outcome, numbers | {"fast": fast, "slow": slow})
+        outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}")
+        outcome = outcome.having_read(largest, spanned)
+    counts = {"count": count, "scenes": scenes}
+    figure = Figure(
+        lambda: _draw(predicted),
+        [point.measured for point in points],
+        {**counts, "bound": bound, "predicted": outcome == HOLDS},
+    )
+    numbers = {"largest": largest, **counts, "fast": fast, "slow": slow}
+    claim = Claim("predicted", outcome, numbers)
+    return Section(figures={"creep": figure}, claims=[claim])
+
+
+def _points(results: Results, scene: str) -> Iterator[Point]:
+    """Derive measured and predicted creep [mm/s], in size, where it would be seen."""
+    least = other_value(results, "cure", "resolution").value or 0.0
+    columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
+    if scene in OTHERS:
+        other = results.others.get(OTHERS[scene])
+        rows = other.rows if other else []
+    else:
+        rows = [row for row in results.rows if row.scene == scene]
+    for row in rows:
+        if any(column not in row or row[column].value is None for column in columns):
+            continue
+        measured, predicted = (row[column] for column in columns)
+        words = "creep"
+        if scene == "turntable":
+            # A growth may be below what single precision shows, as that section says.
+            if row.backend == "warp" and 100.0 * abs(predicted.value) < least:
+                continue
+            words = "growth times the distance at the start"
+            measured, predicted = (
+                cell * row.start_radius_mm for cell in (measured, predicted)
+            )
+        if scene == "contacts":
+            words = f"slide by the {SHAKE_S:g} s"
+            measured, predicted = (
+                cell * (1 / constant(SHAKE_S, "s")) for cell in (measured, predicted)
+            )
+        if not predicted.value:
+            continue
+        name = f"{scene}_{row.case}"
+        measured = results.value(
+            f"{name}_measured", f"{words}, measured", abs(measured)
+        )
+        predicted = results.value(
+            f"{name}_predicted", f"{words}, predicted", abs(predicted)
+        )
+        factor = results.value(
+            f"{name}_factor",
+            "the larger of measured and predicted creep, of the smaller",
+            combined(max, measured / predicted, predicted / measured),
+        )
+        yield Point(scene, measured, predicted, factor)
 
 
 def _draw(points: list[Point]) -> Drawing:
