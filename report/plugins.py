@@ -21,7 +21,7 @@ from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
-from report.shared.arithmetic import Sections
+from report.shared.arithmetic import sections_of
 from report.shared.wheel import wheel
 
 LINT = ROOT / "packages/newton-lint"
@@ -88,12 +88,7 @@ class Plugins(plugins.Plugins):
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
-        read = Sections(
-            {
-                section: chapter.results
-                for section, chapter in self.edition.chapters.items()
-            }
-        )
+        read = sections_of(self.edition.chapters)
         record = next(
             (chapter.results.record for chapter in self.edition.chapters.values()), None
         )

@@ -53,6 +53,7 @@ from report.shared.arithmetic import (
     quantile,
     resolved,
     rows_with,
+    sections_of,
     spread,
 )
 from report.shared.tables import (

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section
@@ -96,8 +97,16 @@ class Sections:
         row = self.results[section].row.get(case) if section in self.results else None
         return cell_or_absent(row, column, self._reason(section))
 
+    def rows(self, section: str) -> list[Row]:
+        return self.results[section].rows if section in self.results else []
+
     def _reason(self, section: str) -> str:
         return f"section {section} {'does not say' if section in self.results else 'has no results here'}"
+
+
+def sections_of(chapters: Mapping[str, Any]) -> Sections:
+    """Return what the chapters of an edition found."""
+    return Sections({name: chapter.results for name, chapter in chapters.items()})
 
 
 def other_value(results: Results, section: str, name: str) -> Quantity:

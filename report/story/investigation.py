@@ -1,7 +1,7 @@
 """What the investigation that this follows had found, statement by statement, and what was measured of each here."""
 
 from measured_report.findings.chapters import Chapters
-from report.shared import Claim, Outcome, Section, Sections, all_of
+from report.shared import Claim, Outcome, Section, all_of, sections_of
 
 SHIPPED, STIFF, HELD = (
     "reproduction/as-shipped/",
@@ -39,34 +39,26 @@ STATEMENTS = {  # by name: the claims that decide a statement, and the cells and
     ),
     "static_creep": ("hold.creep_goes_on", f"{HELD}slip_mm", f"{HELD}shake_duration_s"),
 }
-NAMES = ("first", "second")  # of the numbers
 
 
 def derive(chapters: Chapters) -> Section:
-    sections = Sections({name: chapter.results for name, chapter in chapters.items()})
+    sections = sections_of(chapters)
     tests = {
         f"{name}.{claim.name}": claim
-        for name, each in chapters.items()
-        for claim in each.section.claims
+        for name, chapter in chapters.items()
+        for claim in chapter.section.claims
     }
-    unmeasured, claims = (
-        Claim("unmeasured", Outcome("unknown", "it was not measured")),
-        [],
-    )
+    unmeasured = Claim("unmeasured", Outcome("unknown", "it was not measured"))
+    claims = []
     for name, (needs, *places) in STATEMENTS.items():
-        cells = [
-            (sections.cell if place.count("/") > 1 else sections.value)(
-                *place.split("/")
-            )
-            for place in places
-        ]
-        first, *more = (tests.get(need, unmeasured) for need in needs.split())
-        outcome = all_of(first.outcome, *(claim.outcome for claim in more)).having_read(
-            *cells
-        )
-        numbers = {
-            "unseen": first.numbers.get("unseen", ""),
-            **dict(zip(NAMES, cells, strict=False)),
-        }
+        found = [tests.get(need, unmeasured) for need in needs.split()]
+        cells = []
+        for place in places:
+            parts = place.split("/")
+            read = sections.cell if len(parts) > 2 else sections.value
+            cells.append(read(*parts))
+        outcome = all_of(*(claim.outcome for claim in found)).having_read(*cells)
+        numbers = {"unseen": found[0].numbers.get("unseen", "")}
+        numbers |= dict(zip(("first", "second"), cells, strict=False))
         claims.append(Claim(name, outcome, numbers))
     return Section(claims=claims)
