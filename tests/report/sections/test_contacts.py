@@ -9,10 +9,12 @@ GIVEN = {
     "*": {"friction_residual_mm": 0, "normal_residual_mm": 5},
     "as-shipped": {
         "cone_use_max": 0.09,
+        "tangential_force_n": 1.57,
         "normal_residual_mm": 0.02,
         "slide_mm": 4.4,
         "along_mm": 4,
     },
+    ("reproduction", "cube_weight"): 0.5,
     "as-shipped-missing-term": {"slide_mm": 2, "predicted_slide_mm": 2.04},
     "stiff-pads-missing-term": {"predicted_slide_mm": 0.97, "slide_mm": 1},
     "as-shipped-term-restored": {"slide_mm": -0.08},
@@ -28,6 +30,8 @@ GIVEN = {
             {
                 "grip_used_shipped": 9,
                 "far_inside_cone": "holds",
+                "load_along": 1.57,
+                "load_by_weight": 3.14,
                 "friction_residual": 0,
                 "normal_residual": 0.02,
                 "no_friction_residual": "holds",

@@ -236,3 +236,9 @@ GIVEN = {
 )
 def test_cure_follows_from_its_cells(cells, expected):
     assert_found("cure", GIVEN, cells, expected=expected)
+
+
+def test_the_ball_that_ends_farthest_aside_counts():
+    run = {"motion": "pivot", "body": "sphere", "variant": "exact", "backend": "c"}
+    straight = {"pivot-sphere-exact-c": run | {"sideways_mm": 0.1, "travel_mm": 600}}
+    assert_found("cure", GIVEN, straight, expected={"aside_most": 0.4})
