@@ -39,7 +39,7 @@ def derive(results: Results) -> Section:
         "most of its friction cone that a contact uses through the shake, with shipped pads",
         PERCENT * run.cone_use_max,
     )
-    inside = at_most(run.cone_use_max, 0.1, why="far from the limit, which is 1")
+    inside = at_most(run.cone_use_max, 0.1, "far from the limit, which is 1")
     load = results.value(
         "load_along",
         "most that all contacts carry along the pads, over all looks",

@@ -4,7 +4,6 @@ from report.shared import (
     PERCENT,
     TIMED_WORLDS,
     Claim,
-    Column,
     Results,
     RowsBy,
     Section,
@@ -60,7 +59,7 @@ def derive(results: Results) -> Section:
                 is_noise=True,
             )
             noises.append(noise)
-            tests.append(within(more, noise, why="the resolution of the ratio"))
+            tests.append(within(more, noise, "the resolution of the ratio"))
             if None in (more.value, noise.value) or more.value > noise.value:
                 slower.append(more)
         longest = results.value(
@@ -78,7 +77,7 @@ def derive(results: Results) -> Section:
         outcome = all_of(fine_enough(unseen), *tests).having_read(worst)
         numbers = {"worst": longest, "unseen": unseen}
         claims.append(Claim(f"{case}_costs_nothing", outcome, numbers))
-    columns: dict[str, Column] = {
+    columns = {
         worlds_name(count): [extra[case, count] for case in CASES]
         for count in TIMED_WORLDS
     }

@@ -2,9 +2,6 @@
 
 from functools import partial
 
-from matplotlib.figure import Figure as Drawing
-
-from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from report.sections.poses import MOTION
 from report.shared import (
     FAILS,
@@ -35,6 +32,7 @@ from report.shared import (
     quantile,
     resolved,
 )
+from report.shared.drawing import INK, SERIES, Drawing, new_figure, tick_125
 
 order = 126  # after the runs that are shown moving
 page = "cause"
@@ -73,7 +71,7 @@ def derive(results: Results) -> Section:
         "how far that is from what the law takes",
         departure(swing, results.derived["g"]),
     )
-    same = at_most(off, 5.0, why="the same acceleration")
+    same = at_most(off, 5.0, "the same acceleration")
     same = same.having_read(swing, *motion.values())
     arc = Claim("arc", same, motion | {"swing": swing})
 
@@ -111,7 +109,7 @@ def _by_hand(results: Results, law: Value | None) -> Claim:
         "how far that is from the drift, of the latter",
         departure(rough, row.drift_mm_s),
     )
-    outcome = at_most(off, 5.0, why="nearly all of it")
+    outcome = at_most(off, 5.0, "nearly all of it")
     return Claim(
         "by_hand",
         outcome.having_read(g, dmax, timeconst, step),
@@ -202,8 +200,8 @@ def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim
         "tried": tried,
     }
     wide = all_of(
-        at_least(width, 3.0, why="enough to see a law"),
-        at_least(distinct, 5, why="more than a line takes"),
+        at_least(width, 3.0, "enough to see a law"),
+        at_least(distinct, 5, "more than a line takes"),
     )
     if outcome != FAILS and wide != HOLDS:
         reason = "no cube is kept"

@@ -8,7 +8,6 @@ import pandas as pd
 from report.shared import (
     HOLDS,
     Claim,
-    Column,
     Figure,
     Results,
     Row,
@@ -38,7 +37,7 @@ def derive(results: Results) -> Section:
     )
     shipped, stiff = (lost_count(results, trace, side, held) for side in SIDES)
     drops = decided(bool(shipped.value), shipped)
-    never = at_most(stiff, 0, why="no cell is dropped")
+    never = at_most(stiff, 0, "no cell is dropped")
     cells = results.value(
         "cells",
         "cells of the map on each side",
@@ -66,7 +65,7 @@ def derive(results: Results) -> Section:
         unit="mm",
     )
     gains = all_of(
-        at_least(least, 1.0, why="less slip"),
+        at_least(least, 1.0, "less slip"),
         resolved(noise_floor(results, "slip_floor"), gap),
     )
 
@@ -75,7 +74,7 @@ def derive(results: Results) -> Section:
         row["case"] for row in results.rows if row["case"].startswith("stiff-")
     )
     shakes = [case.removeprefix("stiff-") for case in stiff_cases]
-    columns: dict[str, Column] = {}
+    columns: dict[str, list] = {}
     for side, name in SIDES.items():
         rows = [results.row[f"{side}-{shake}"] for shake in shakes]
         slips = [row.slip_mm if _is_held(row) else "lost" for row in rows]

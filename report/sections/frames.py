@@ -37,8 +37,8 @@ def derive(results: Results) -> Section:
     )
     floor = noise_floor(results, "slip_floor")
     in_fingers = all_of(
-        at_least(least, 95.0, why="as good as all of it"),
-        at_most(most, 105.0, why="no more than all of it"),
+        at_least(least, 95.0, "as good as all of it"),
+        at_most(most, 105.0, "no more than all of it"),
         greater(whole, 0.0, noise=floor, why="no motion at all"),
     )
     # Drift and displacement: what creeps, and what only rests elsewhere.

@@ -1,9 +1,7 @@
 """The same grasp with the arm held still: how much of the drift needs the load cycle?"""
 
 import numpy as np
-from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import new_figure
 from report.shared import (
     HOLDS,
     PERCENT,
@@ -21,7 +19,7 @@ from report.shared import (
     noise_floor,
     resolved,
 )
-from report.shared.drawing import SHIPPED, STIFF
+from report.shared.drawing import SHIPPED, STIFF, Drawing, new_figure
 
 order = 80
 page = "cause"
@@ -62,7 +60,7 @@ def derive(results: Results) -> Section:
         PERCENT * last * duration / slip / constant(1, "s"),
     )
     goes_on = all_of(
-        at_least(final, 50.0, why="not dying out"),
+        at_least(final, 50.0, "not dying out"),
         greater(last, 0.0, noise=floor, why="no motion at all"),
         greater(slip, 0.0, noise=floor, why="no motion at all"),
     )
@@ -72,7 +70,7 @@ def derive(results: Results) -> Section:
         " as shipped",
         PERCENT * stiff.slip_mm / slip,
     )
-    keeps = all_of(goes_on, at_least(remaining, 50.0, why="most of it remains"))
+    keeps = all_of(goes_on, at_least(remaining, 50.0, "most of it remains"))
 
     # In C, with positions in double and in single precision; all from one state.
     double = results.row["precision-c-double"].creep_mm_s
@@ -98,8 +96,8 @@ def derive(results: Results) -> Section:
     )
     is_rounding = all_of(
         greater(warp, 0.0, noise=drift_floor, why="a creep to explain"),
-        at_most(left, 50.0, why="most of it is gone"),
-        at_most(rounded, 10.0, why="the same creep"),
+        at_most(left, 50.0, "most of it is gone"),
+        at_most(rounded, 10.0, "the same creep"),
         resolved(noise, 10.0, why="the same creep"),
     )
 

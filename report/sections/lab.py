@@ -37,7 +37,7 @@ def derive(results: Results) -> Section:
         "way with it, of that without",
         with_it.wander_mm / without.wander_mm,
     )
-    outcome = at_least(farther, 10.0, why="out of the grasp in place of along it")
+    outcome = at_least(farther, 10.0, "out of the grasp in place of along it")
     claim = Claim(
         "midphase_loses",
         outcome,

@@ -4,9 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import FAINT, INK, new_figure, say_value, write
 from report.shared import (
     DEVICES,
     PERCENT,
@@ -28,7 +26,16 @@ from report.shared import (
     within,
     worlds_name,
 )
-from report.shared.drawing import STIFF, name_lines
+from report.shared.drawing import (
+    FAINT,
+    INK,
+    STIFF,
+    Drawing,
+    name_lines,
+    new_figure,
+    say_value,
+    write,
+)
 
 order = 150
 page = "error"

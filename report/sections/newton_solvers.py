@@ -8,7 +8,6 @@ from report.shared import (
     PERCENT,
     TIMED_WORLDS,
     Claim,
-    Column,
     Outcome,
     Quantity,
     Results,
@@ -73,7 +72,7 @@ def derive(results: Results) -> Section:
     timed = [
         name for name in dict.fromkeys(name for name, _ in times) if name != "warp"
     ]
-    columns: dict[str, Column] = {  # over a frame in MuJoCo Warp with as many worlds
+    columns = {  # over a frame in MuJoCo Warp with as many worlds
         worlds_name(count): [times[name, count].frame_ratio for name in timed]
         for count in TIMED_WORLDS
     }
@@ -121,7 +120,7 @@ def _box_table(results: Results, walk: Value) -> Table:
         dict.fromkeys(row["solver"] for row in results.rows if "solver" in row)
     )
     excused = [row for row in results.rows if "of" in row and "solver" not in row]
-    columns: dict[str, Column] = {
+    columns = {
         above: [cell_of(name, scene) for name in names] + [""] * len(excused)
         for above, scene in SCENES.items()
     }
@@ -144,11 +143,11 @@ def _shake_table(rows: RowsBy) -> Table:
             for row in (rows[name, shake] for name in names)
         ]
 
-    columns: dict[str, Column] = {
+    columns = {
         "hand goes": "hand_amplitude_mm",
         "slip": slips("3cm"),
         "on the way": slips("3cm", "wander_mm"),
-        "creep": creep_or_unseen,
+        "creep": map(creep_or_unseen, shaken),
         "along over normal force": means("friction_share"),
         "normal force": means("normal_force_n"),
         "penetration": means("penetration_mm"),
@@ -229,7 +228,7 @@ def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
     alike = Outcome("unknown", "none of them keeps the cube")
     if hands:
         alike = all_of(
-            *(at_most(hand, as_far, why="another shake") for hand in hands.values())
+            *(at_most(hand, as_far, "another shake") for hand in hands.values())
         )
     is_farther = None not in (far.value, mine.value) and far.value > mine.value
     hands_go_as_far = Claim(
@@ -319,7 +318,7 @@ def _of_steel(
         ),
         Claim(
             "contacts_strain",
-            at_least(strain, 50.0, why="most of it"),
+            at_least(strain, 50.0, "most of it"),
             {"shaken": used, "held": used_held},
         ),
         Claim(

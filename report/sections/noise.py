@@ -72,6 +72,6 @@ def derive(results: Results) -> Section:
             is_noise=True,
         )
     why = "far less than what is looked for"
-    outcome = all_of(*(at_most(share, 1.0, why=why) for share in shares.values()))
+    outcome = all_of(*(at_most(share, 1.0, why) for share in shares.values()))
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
     return Section(claims=[Claim("noise_is_small", outcome, numbers)])

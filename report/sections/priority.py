@@ -7,7 +7,6 @@ from report.shared import (
     HOLDS,
     PERCENT,
     Claim,
-    Column,
     Results,
     Row,
     Section,
@@ -61,7 +60,7 @@ def derive(results: Results) -> Section:
         "that spread, of the slip as shipped",
         PERCENT * change / shipped.slip_mm,
     )
-    small = at_most(share, 2.0, why="no change to speak of")
+    small = at_most(share, 2.0, "no change to speak of")
     if small == HOLDS:
         stays = small.having_read(floor)
     else:
@@ -78,19 +77,19 @@ def derive(results: Results) -> Section:
         greater(before, after, noise=0.0, why="what a material gives is exact"),
         greater(shipped.slip_mm, mixed.slip_mm, noise=floor),
     )
-    columns: dict[str, Column] = {
+    columns = {
         "timeconst": "timeconst_s",
         "dampratio": "dampratio",
         "friction": "friction",
         "slip": "slip_mm",
-        "material": _material,
+        "material": map(_material, results.rows),
     }
     return Section(
         tables={"materials": by_case(results.rows, columns)},
         claims=[
             Claim(
                 "cube_does_not_count",
-                at_most(largest, 0.0, why="no difference at all"),
+                at_most(largest, 0.0, "no difference at all"),
                 {
                     "low": low.cube_ke,
                     "high": high.cube_ke,

@@ -101,7 +101,7 @@ def derive(results: Results) -> Section:
         "size of the difference between both, of what even cycles add",
         departure(odd, even),
     )
-    differ = at_least(apart, 10.0, why="more than steps that count as steady differ by")
+    differ = at_least(apart, 10.0, "more than steps that count as steady differ by")
 
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     for suffix, name in OTHER_PLACES.items():

@@ -99,6 +99,6 @@ def _noslip_does_not_help(results: Results, engine: str) -> Claim:
     iterations = results.row[f"as-shipped-{engine}-noslip"].noslip_iterations
     return Claim(
         f"noslip_does_not_help_in_{engine.replace('-', '_')}",
-        at_most(largest, 10.0, why="the same drift"),
+        at_most(largest, 10.0, "the same drift"),
         {"iterations": iterations, **drifts},
     )

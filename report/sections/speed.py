@@ -35,7 +35,7 @@ def derive(results: Results) -> Section:
         PERCENT * (abs(one.frame_ratio - 1) + one.ratio_resolution),
         is_noise=True,
     )
-    same = at_most(change, 3.0, why="a slowdown that would matter").having_read(worst)
+    same = at_most(change, 3.0, "a slowdown that would matter").having_read(worst)
     numbers = {"change": change, "ratio": one.frame_ratio}
     claims = [Claim("stiff_pads_only_same_time", same, numbers)]
     columns = {

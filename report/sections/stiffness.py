@@ -4,10 +4,8 @@ from dataclasses import replace
 from functools import partial
 
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from report.shared import (
     FAILS,
     HOLDS,
@@ -33,6 +31,7 @@ from report.shared import (
     noise_floor,
     quantile,
 )
+from report.shared.drawing import INK, SERIES, Drawing, new_figure, tick_125
 
 order = 90
 page = "cause"
@@ -117,7 +116,7 @@ def derive(results: Results) -> Section:
         for row in (shipped, hardest)
     )
     not_load = all_of(
-        at_least(stiffer, 2.0, why="clearly stiffer"),
+        at_least(stiffer, 2.0, "clearly stiffer"),
         greater(after, before, noise=noise_floor(results, "drift_floor")),
     )
 
@@ -159,7 +158,7 @@ def derive(results: Results) -> Section:
     most = results.value(
         "ke_alone_last", "largest ke of these runs", extreme(max, stiffnesses)
     )
-    no_help = at_least(share, 80.0, why="no help")
+    no_help = at_least(share, 80.0, "no help")
     if slips == FAILS:
         reason = "with shipped pads there is no slip to bring down"
         no_help = Outcome("unknown", reason, reads=slips.reads)
@@ -223,7 +222,7 @@ def derive(results: Results) -> Section:
             ),
             Claim(
                 "ke_is_no_spring",
-                at_most(follows, 50.0, why="does not follow"),
+                at_most(follows, 50.0, "does not follow"),
                 {
                     "ke": shipped.pad_ke,
                     "k": shipped.stiffness_n_m,

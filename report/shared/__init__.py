@@ -57,7 +57,6 @@ from report.shared.arithmetic import (
     spread,
 )
 from report.shared.tables import (
-    Column,
     by_case,
     case_html,
     cell_or_lost,

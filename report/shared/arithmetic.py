@@ -76,7 +76,7 @@ def noise_floor(results: Results, name: str) -> Quantity:
 
 def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:
     """Tell whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
-    outcome = at_most(noise, bound, why=why)
+    outcome = at_most(noise, bound, why)
     reason = "the noise is larger than what is looked for"
     return (
         replace(outcome, name="unknown", reason=reason) if outcome == FAILS else outcome

@@ -1,11 +1,26 @@
-"""What figures of several sections draw alike."""
+"""All that figures are drawn with, and what several draw alike."""
+
+# ruff: noqa: F401
 
 from collections.abc import Iterable, Sequence
 
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Annotation
 
-from measured_report.parts.figures import SERIES
+from measured_report.parts.figures import (
+    FAINT,
+    INK,
+    MAP_INK,
+    SERIES,
+    is_narrow,
+    new_figure,
+    plain_labels,
+    say_value,
+    tick_125,
+    tick_at,
+    write,
+)
 
 # The colour of a condition, the same in every figure.
 STIFF, SHIPPED, TERM, CURE = SERIES[:4]

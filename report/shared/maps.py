@@ -6,18 +6,18 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
-from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 
-from measured_report.parts.figures import (
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Series
+from report.shared.drawing import (
     INK,
     MAP_INK,
+    Drawing,
     new_figure,
     plain_labels,
     tick_at,
 )
-from measured_report.values.quantities import Value
-from measured_report.values.results import Results, Series
 
 SLIP_RANGE_MM = (
     0.01,

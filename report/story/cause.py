@@ -75,8 +75,8 @@ def derive(chapters: Chapters) -> Section:
         if section not in chapters:
             continue
         results = chapters[section].results
-        cases = cases or [each.removesuffix("_difference") for each in results.derived]
-        rows = [row for row in results.rows if row.case in cases]
+        compared = [each.removesuffix("_difference") for each in results.derived]
+        rows = [row for row in results.rows if row.case in (cases or compared)]
         if all(row.slip_mm.value is None for row in rows):
             continue
         claims = chapters[section].section.claims

@@ -2,11 +2,9 @@
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Drawing
 from matplotlib.patches import Arc, Rectangle
 
-from measured_report.parts.figures import FAINT, INK, SERIES, new_figure
-from report.shared.drawing import draw_line
+from report.shared.drawing import FAINT, INK, SERIES, Drawing, draw_line, new_figure
 
 PAD, LEFT_OUT = SERIES[:2]  # colours of the pad's velocity and of the left-out term
 

@@ -6,9 +6,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import INK, SERIES, new_figure, tick_at, write
 from report.sections.reproduction import FRAME_RATE
 from report.shared import (
     HOLDS,
@@ -26,7 +24,18 @@ from report.shared import (
     decided,
     worlds_name,
 )
-from report.shared.drawing import CURE, SHIPPED, STIFF, TERM
+from report.shared.drawing import (
+    CURE,
+    INK,
+    SERIES,
+    SHIPPED,
+    STIFF,
+    TERM,
+    Drawing,
+    new_figure,
+    tick_at,
+    write,
+)
 
 ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
 SHAKE = ("shake_duration_s", "shake_frequency_hz")
@@ -50,7 +59,8 @@ class Way:
     marker: str = "o"
 
     def slip(self, sections: Sections, column: str = "slip_mm") -> Quantity:
-        return sections.cell(*self.run.split("/"), column)
+        section, _, case = self.run.partition("/")
+        return sections.cell(section, case, column)
 
     def keeps(self, sections: Sections, bound: Quantity) -> Outcome:
         """Tell whether the slip stays below a bound.
@@ -248,7 +258,7 @@ def figure(sections: Sections) -> Figure:
     ]
     gain, stiff = sections.value("reproduction", "stiff_gain"), WAYS[1].slip(sections)
     is_cut = all_of(
-        at_least(gain, 10.0, why="an order of magnitude"), at_most(stiff, bounds[0])
+        at_least(gain, 10.0, "an order of magnitude"), at_most(stiff, bounds[0])
     )
     patches = [way for way in ways if way.effort == PATCH]
     numbers = {

@@ -56,7 +56,8 @@ def derive(releases: Releases, shown: str) -> Section:
         for way, places in WAYS.items()
     }
     needed = {
-        way: [_advice(*pair, bound) for pair in pairs] for way, pairs in slips.items()
+        way: [_advice(before, after, bound) for before, after in pairs]
+        for way, pairs in slips.items()
     }
     shipped = {
         way: {name: pair[0] for name, pair in zip(every, pairs, strict=True)}

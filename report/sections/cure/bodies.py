@@ -88,19 +88,19 @@ def derive(results: Results) -> Section:
     straight = results.chosen("straight_bound", "a sixtieth of the ball", 0.5, "mm")
     goes_straight = all_of(
         at_most(aside, straight),
-        at_least(drift, 10.0, why="it is seen"),
-        at_least(travel, 500.0, why="a way on which it would be seen"),
+        at_least(drift, 10.0, "it is seen"),
+        at_least(travel, 500.0, "a way on which it would be seen"),
     )
     return Section(
         claims=[
             Claim(
                 "free_motion_stays",
-                at_most(moved_most, 1.0, why="the same motion"),
+                at_most(moved_most, 1.0, "the same motion"),
                 {"largest": moved_most, "count": free_count},
             ),
             Claim(
                 "stands_on_any_feet",
-                at_most(left_most, 1.0, why="it stands"),
+                at_most(left_most, 1.0, "it stands"),
                 {"largest": left_most, "count": table_count},
             ),
             Claim(

@@ -3,9 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import SERIES, new_figure, write
 from report.shared import (
     MM_PER_M,
     PERCENT,
@@ -23,7 +21,14 @@ from report.shared import (
     rows_with,
     table_of,
 )
-from report.shared.drawing import mark_points, name_lines
+from report.shared.drawing import (
+    SERIES,
+    Drawing,
+    mark_points,
+    name_lines,
+    new_figure,
+    write,
+)
 
 SHIPPED = "newton-implicitfast-50-shipped-{}-plain-rounded"
 STIFF = "newton-implicitfast-50-stiff-{}-plain-rounded"
@@ -82,9 +87,9 @@ def derive(results: Results) -> Section:
     )
     lost, kept = results.derived["limit_lost_firm"], results.derived["kept_firm"]
     to_use = all_of(
-        at_most(lost, 0, why="none of them is lost"),
-        at_most(wide.slip_mm, 0.05, why="hardly more, shaken three times as wide"),
-        at_most(share, 50.0, why="less by half"),
+        at_most(lost, 0, "none of them is lost"),
+        at_most(wide.slip_mm, 0.05, "hardly more, shaken three times as wide"),
+        at_most(share, 50.0, "less by half"),
     )
 
     # Whether the parts add up to the slip.
@@ -125,9 +130,9 @@ def derive(results: Results) -> Section:
         PERCENT * far_closed / far,
     )
     closes = all_of(
-        at_least(closed, 8.0, why="not by chance"),
-        at_least(others, 90.0, why="nearly all of them"),
-        at_most(few, 60.0, why="no more than some"),
+        at_least(closed, 8.0, "not by chance"),
+        at_least(others, 90.0, "nearly all of them"),
+        at_most(few, 60.0, "no more than some"),
     )
 
     # Parts along the way of the cube, their sum, and how far it went.
@@ -180,7 +185,7 @@ def derive(results: Results) -> Section:
     ]
     for name, case in OTHER_CONTACTS.items():
         slip = row_of(case).slip_mm
-        near = at_most(slip, 0.1, why="as good as with Newton's contacts, or nearly")
+        near = at_most(slip, 0.1, "as good as with Newton's contacts, or nearly")
         claims.append(Claim(f"with_{name}", near, {"slip": slip}))
     return Section(tables={"budget": budget}, figures={"use": use}, claims=claims)
 

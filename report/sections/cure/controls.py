@@ -44,8 +44,8 @@ def derive(results: Results) -> Section:
     off = results.value("turning_off", "largest of these", extreme(max, offs))
     only_turning = all_of(
         at_most(still, bound),
-        at_least(turning, 1.0, why="a creep that anyone would see"),
-        at_most(off, 1.0, why="the same creep"),
+        at_least(turning, 1.0, "a creep that anyone would see"),
+        at_most(off, 1.0, "the same creep"),
     )
 
     # Walls that carry a cube along an arc: on slides, on a hinge, upright on two hinges.
@@ -62,9 +62,9 @@ def derive(results: Results) -> Section:
     )
     joints_turn = all_of(
         at_most(slides, arc_bound),
-        at_least(hinge, 0.1, why="six millimetres a minute"),
+        at_least(hinge, 0.1, "six millimetres a minute"),
         at_most(
-            apart, 5.0, why="the same creep, where the walls turn and where they do not"
+            apart, 5.0, "the same creep, where the walls turn and where they do not"
         ),
     )
 
@@ -91,8 +91,8 @@ def derive(results: Results) -> Section:
     )
     helps = all_of(
         at_most(kept.increment_final_mm, creep),
-        at_least(gain, 2.0, why="less by half"),
-        at_most(rest, 50.0, why="less by half"),
+        at_least(gain, 2.0, "less by half"),
+        at_most(rest, 50.0, "less by half"),
     )
     return Section(
         claims=[
@@ -109,7 +109,7 @@ def derive(results: Results) -> Section:
             Claim(
                 "sparse_is_dense",
                 at_most(
-                    jacobian_off, 5.0, why="wrong accelerations would change it by more"
+                    jacobian_off, 5.0, "wrong accelerations would change it by more"
                 ),
                 {
                     "dense": dense.slip_mm,

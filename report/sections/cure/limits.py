@@ -75,7 +75,7 @@ def derive(results: Results) -> Section:
     lost_cells = lost_count(results, results.trace("map"), "best", held)
     cells = results.row["map-best"].cell_count
     never = all_of(
-        at_most(lost_cells, 0, why="no cell is lost"), at_least(cells, 100, why="a map")
+        at_most(lost_cells, 0, "no cell is lost"), at_least(cells, 100, "a map")
     )
     numbers = {"cells": cells, "lost": lost_cells}
     return Section(

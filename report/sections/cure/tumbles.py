@@ -75,9 +75,9 @@ def derive(results: Results) -> Section:
     )
     chance = "three standard deviations: more is hardly chance"
     outcome = all_of(
-        *(at_most(value, 3.0, why=chance) for value in (more, gained, risen)),
-        at_most(surprise, 1.05, why="more than an error of the step"),
-        at_least(pairs, 20_000, why="enough to see what is rare"),
+        *(at_most(value, 3.0, chance) for value in (more, gained, risen)),
+        at_most(surprise, 1.05, "more than an error of the step"),
+        at_least(pairs, 20_000, "enough to see what is rare"),
     )
     steps = [row.step_ms for row in rows]
     numbers = {

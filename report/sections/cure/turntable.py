@@ -82,7 +82,7 @@ def derive(results: Results) -> Section:
     count = results.value(
         "fast_count", "runs for which it gives more", cell_count(offs)
     )
-    as_law = at_most(off, 0.5, why="the same growth")
+    as_law = at_most(off, 0.5, "the same growth")
     follows = all_of(as_law, at_least(growths["plain-warp"], resolution))
 
     # The law by hand, without the contacts' regularization.
@@ -124,7 +124,7 @@ def derive(results: Results) -> Section:
     )
     contacts = row.loaded_contact_count
     closes = all_of(
-        at_most(rough_off, 5.0, why="nearly all of it"),
+        at_most(rough_off, 5.0, "nearly all of it"),
         as_law,
         decided(contacts.value == CORNERS, contacts),
     )
@@ -141,9 +141,7 @@ def derive(results: Results) -> Section:
         "setting_change", "largest of these changes", combined(max, *changes)
     )
     grows = at_least(plain, resolution)
-    goes_on = all_of(
-        at_most(change, 10.0, why="a cure would take more of it away"), grows
-    )
+    goes_on = all_of(at_most(change, 10.0, "a cure would take more of it away"), grows)
     if grows == FAILS:
         goes_on = replace(goes_on, name="unknown", reason="there is no growth to stop")
     rest = results.value(

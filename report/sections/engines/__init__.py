@@ -7,7 +7,6 @@ from report.sections.engines import published, robot
 from report.shared import (
     PERCENT,
     Claim,
-    Column,
     Quantity,
     Results,
     Section,
@@ -71,15 +70,21 @@ def derive(results: Results) -> Section:
         "%/s",
     )
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, "µm/s")
-    columns: dict[str, Column] = {
+    columns = {
         "release": [line.release for line in lines],
         "walk": _shown([line.walk for line in lines], walk_bound),
         "half the step": _shown([line.short_walk for line in lines], walk_bound),
         "sinks": _shown([line.sink for line in lines], sink_bound),
     }
     step = results.chosen("step", "given: the time step", 2.0, "ms")
-    numbers = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": step}
-    engines = table_of("engine", by_name, columns, **numbers)
+    engines = table_of(
+        "engine",
+        by_name,
+        columns,
+        walk_bound=walk_bound,
+        sink_bound=sink_bound,
+        long=step,
+    )
 
     # MJX ran where the others did.
     mine = by_name[MODELS["mjx"]]
@@ -98,8 +103,8 @@ def derive(results: Results) -> Section:
         PERCENT * mine.short_walk / mine.walk,
     )
     tests = [
-        at_least(times, 1.5, why="much faster"),
-        at_least(halved, 90.0, why="about as much"),
+        at_least(times, 1.5, "much faster"),
+        at_least(halved, 90.0, "about as much"),
     ]
     if discrete.value is not None:
         discrete_times = results.value(
@@ -107,7 +112,7 @@ def derive(results: Results) -> Section:
             "walk in MuJoCo C with the integrator discrete, of the fastest elsewhere",
             discrete / worst,
         )
-        tests.append(at_least(discrete_times, 1.5, why="much faster"))
+        tests.append(at_least(discrete_times, 1.5, "much faster"))
     walks = Claim(
         "walks_most_in_mujoco",
         all_of(*tests).having_read(discrete),
@@ -129,7 +134,7 @@ def derive(results: Results) -> Section:
     passes = all_of(
         at_most(soft.slip_mm, bound),
         at_most(shipped.slip_mm, bound),
-        at_least(more, 10.0, why="far more"),
+        at_least(more, 10.0, "far more"),
     )
     lets_through = Claim(
         "test_lets_through",

@@ -8,7 +8,7 @@ from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
 from report.shared import (
     AS_PUBLISHED,
     Claim,
-    Column,
+    Quantity,
     Results,
     Section,
     Sections,
@@ -110,8 +110,10 @@ def derive(results: Results) -> Section:
         name = f"{each.case}_{each.column}"
         published = constant(float(each.theirs), column_of(each.column).unit)
         theirs = results.value(f"theirs_{name}", AS_PUBLISHED, published)
-        off, within = "", "a bound"
+        cells: list[Quantity | str] = ["", "a bound"]
         if not each.is_bound:
+            compared.append(ours)
+            agreed.append(agrees is True)
             off = results.value(
                 f"off_{name}", "ours less theirs, in size", abs(ours - theirs)
             )
@@ -121,11 +123,10 @@ def derive(results: Results) -> Section:
                 each.within,
                 theirs.unit,
             )
-            compared.append(ours)
-            agreed.append(agrees is True)
-        lines.append((each.what, theirs, ours, off, within, agrees))
+            cells = [off, within]
+        lines.append((each.what, theirs, ours, *cells, agrees))
     above = ("what", "theirs", "ours", "off by", "within", "agrees")
-    columns: dict[str, Column] = dict(zip(above, zip(*lines, strict=True), strict=True))
+    columns = dict(zip(above, zip(*lines, strict=True), strict=True))
     table = table_of("published by", [each.source for each in PUBLISHED], columns)
     agreeing = results.value(
         "agreeing", "how many agree", lambda *_: sum(agreed), *compared, across=True

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 
 from report.shared import (
     Claim,
-    Column,
     Results,
     RowsBy,
     Section,
@@ -28,9 +27,9 @@ def derive(results: Results, labels: Mapping[str, str]) -> Section:
     rows = RowsBy(results, results.rows, "model", "shake")
     models = list(dict.fromkeys(model for model, _ in rows))
     near = [rows[model, "3cm"] for model in models]
-    columns: dict[str, Column] = {
+    columns = {
         "slip": "slip_mm",
-        "creep": creep_or_unseen,
+        "creep": map(creep_or_unseen, near),
         "shaken 100 mm": [
             cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models
         ],

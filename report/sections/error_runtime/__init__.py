@@ -72,8 +72,8 @@ def derive(results: Results) -> Section:
         is_noise=True,
     )
     pads_decide = all_of(
-        at_least(stays, 80.0, why="nearly all of it"),
-        at_least(gain, 5.0, why="an order of magnitude, nearly"),
+        at_least(stays, 80.0, "nearly all of it"),
+        at_least(gain, 5.0, "an order of magnitude, nearly"),
         greater(soft, stiff, noise=seen),
     )
 
@@ -99,7 +99,7 @@ def derive(results: Results) -> Section:
     is_as_long = is_as_long and abs(cost.value - 1) <= 0.01 * cost_seen.value
     rk4_pays = all_of(
         greater(shipped[ERROR], doubled, noise=floor, why="worth a change"),
-        at_most(cost, 1.5, why="hardly dearer"),
+        at_most(cost, 1.5, "hardly dearer"),
     )
 
     coarse = points["stiff/c-rk4/substeps-4"]

@@ -3,9 +3,7 @@
 from typing import Any
 
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from report.sections.error_runtime.runs import (
     ENGINES,
     ERROR,
@@ -16,7 +14,15 @@ from report.sections.error_runtime.runs import (
 )
 from report.sections.reproduction import FRAME_RATE
 from report.shared import Row
-from report.shared.drawing import write_beside
+from report.shared.drawing import (
+    FAINT,
+    INK,
+    SERIES,
+    Drawing,
+    new_figure,
+    write,
+    write_beside,
+)
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 # Methods whose points have their substeps beside them.

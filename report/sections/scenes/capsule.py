@@ -3,7 +3,6 @@
 from report.shared import (
     AS_PUBLISHED,
     Claim,
-    Column,
     Results,
     Section,
     at_most,
@@ -80,7 +79,7 @@ def derive(results: Results) -> Section:
     law_count = results.value(
         "law_count", "runs for which the law gives a rate", cell_count(departures)
     )
-    columns: dict[str, Column] = {
+    columns = {
         "sinks": "creep_mm_s",
         "published": [published.get(variant, "") for variant in VARIANTS],
         "once steady": "steady_creep_mm_s",
@@ -93,12 +92,12 @@ def derive(results: Results) -> Section:
         claims=[
             Claim(
                 "as_published",
-                at_most(published_off, 5.0, why="the same rate"),
+                at_most(published_off, 5.0, "the same rate"),
                 {"count": published_count, "largest": published_off},
             ),
             Claim(
                 "follows_law",
-                at_most(law_off, 1.0, why="the same rate"),
+                at_most(law_off, 1.0, "the same rate"),
                 {"count": law_count, "largest": law_off},
             ),
         ],

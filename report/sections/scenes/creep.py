@@ -4,9 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
 from report.shared import (
     HOLDS,
     Claim,
@@ -23,7 +21,15 @@ from report.shared import (
     constant,
     other_value,
 )
-from report.shared.drawing import mark_points
+from report.shared.drawing import (
+    FAINT,
+    INK,
+    SERIES,
+    Drawing,
+    is_narrow,
+    mark_points,
+    new_figure,
+)
 
 SCENES = {  # scenes that have a creep and its prediction
     "slope": "box on a slope",
@@ -90,8 +96,7 @@ def derive(results: Results) -> Section:
     )
     bound = results.chosen("factor_bound", "a prediction to go by", 1.5)
     outcome = all_of(
-        at_most(largest, bound),
-        at_least(spanned, 1000.0, why="a range to test it over"),
+        at_most(largest, bound), at_least(spanned, 1000.0, "a range to test it over")
     )
     if missing := [label for scene, label in SCENES.items() if scene not in names]:
         outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}")

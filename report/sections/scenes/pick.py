@@ -6,7 +6,6 @@ from report.shared import (
     AS_PUBLISHED,
     PERCENT,
     Claim,
-    Column,
     Results,
     Section,
     all_of,
@@ -59,8 +58,8 @@ def derive(results: Results) -> Section:
     )
     lifted = [row.lifted_count for row in published if "-10ms-" in row.case]
     fails = all_of(
-        at_most(held, 0.0, why="published: none"),
-        at_most(latest, 20.0, why="published: what is held then has passed"),
+        at_most(held, 0.0, "published: none"),
+        at_most(latest, 20.0, "published: what is held then has passed"),
     )
 
     # Whether the creep of a grasp that is not shaken says when the ball drops.
@@ -91,9 +90,9 @@ def derive(results: Results) -> Section:
     )
     soon = "soon after it has passed the edge, from which it still has to fall"
     creeps_out = all_of(
-        at_most(drop_off, 20.0, why=soon),
-        at_most(gap, 0.1, why="whatever the shake"),
-        at_most(ball_off, 5.0, why="the same time"),
+        at_most(drop_off, 20.0, soon),
+        at_most(gap, 0.1, "whatever the shake"),
+        at_most(ball_off, 5.0, "the same time"),
     )
 
     when = results.row["cube-published-held"].forecast_drop_s
@@ -103,7 +102,7 @@ def derive(results: Results) -> Section:
         "time of the drop, of when its creep alone would take it out",
         PERCENT * drop / when,
     )
-    shaken_out = at_most(share, 80.0, why="well before").having_read(cube_published)
+    shaken_out = at_most(share, 80.0, "well before").having_read(cube_published)
 
     elliptic = [results.row[f"{kind}-2ms-elliptic-c"] for kind in OBJECTS]
     elliptic_count = results.value(
@@ -118,7 +117,7 @@ def derive(results: Results) -> Section:
     )
 
     tried = list(product(OBJECTS, SETTINGS))
-    columns: dict[str, Column] = {}
+    columns: dict[str, list] = {}
     for engine, name in ENGINES.items():
         rows = [
             results.row[f"{kind}-2ms-{setting}-{engine}"] for kind, setting in tried

@@ -80,7 +80,7 @@ def family_claim(
     named = [Markup("{} {}").format(case_html(row), row["class"]) for row in failed]
     numbers |= {"failed_count": failures, "failed": some_html(named)}
     outcome = all_of(
-        at_most(failures, 0, why="all of them pass"),
+        at_most(failures, 0, "all of them pass"),
         decided(True, *(cell for row in rows for cell in judged_by(row))),
         also,
     )
@@ -160,8 +160,8 @@ def gain_goes(results: Results) -> Claim:
     ]
     first, twice, longest = gains[0], gains[1], gains[-1]
     outcome = all_of(
-        at_least(first, 4.0, why="a gain to take back"),
-        at_most(longest, 2.0, why="a gain"),
+        at_least(first, 4.0, "a gain to take back"),
+        at_most(longest, 2.0, "a gain"),
         decreases([first, twice, longest], noise=0.1, why="the same gain"),
     )
     step = rows["stiff", min(counts)].step_ms
@@ -296,7 +296,7 @@ def overlap(results: Results) -> Claim:
     ]
     largest = results.value("exit_share_most", "largest share", extreme(max, shares))
     deepest = most(results, "overlap_deepest", "deepest start", rows, "overlap_mm")
-    also = at_most(largest, 100.0, why="no faster than an undamped spring")
+    also = at_most(largest, 100.0, "no faster than an undamped spring")
     return family_claim(results, "overlaps", rows, also, deepest=deepest, most=largest)
 
 

@@ -7,26 +7,30 @@ from typing import Any
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 from matplotlib.ticker import LogLocator
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from measured_report.parts.figures import (
-    INK,
-    MAP_INK,
-    is_narrow,
-    new_figure,
-    tick_at,
-    write,
-)
 from report.sections.reproduction import FRAME_RATE
 from report.sections.stability.limits import Limit
 from report.sections.stability.passing import CLASSES
 from report.shared import Row
-from report.shared.drawing import SHIPPED, STIFF, draw_line, name_lines, write_beside
+from report.shared.drawing import (
+    INK,
+    MAP_INK,
+    SHIPPED,
+    STIFF,
+    Drawing,
+    draw_line,
+    is_narrow,
+    name_lines,
+    new_figure,
+    tick_at,
+    write,
+    write_beside,
+)
 
 # Colours and marks of the classes; a creeping run is marked by its rate.
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")

@@ -46,9 +46,9 @@ def limits(
     add("time step [ms]", "step", stiff, "step_ms", NONE, step_ms)
 
     first, limit = value["safe_ke"].value, value["kd_100_ke"].value
-    safe, soft = [], []
-    for row in critical if first is not None else ():
-        (safe if row.pad_ke.value >= first else soft).append(row)
+    known = critical if first is not None else ()
+    safe = [row for row in known if row.pad_ke.value >= first]
+    soft = [row for row in known if row.pad_ke.value < first]
     formula = "largest below these that fails"
     lost = filterfalse(is_stable, soft)
     sunk = most(results, "ke_critical_lost", formula, lost, "pad_ke")
@@ -69,11 +69,12 @@ def limits(
     ):
         rows = [row for row in family(results, name) if row.load.value is not None]
         over = value[f"{name}_kept_over"], value[f"{name}_lost_over"]
-        lost = value[f"{name}_lost"]
-        add(label, f"{name}_load", rows, "load", lost, 1.0, over=over)
+        drops = value[f"{name}_lost"]
+        add(label, f"{name}_load", rows, "load", drops, 1.0, over=over)
 
-    ends = [value[f"friction_{name}"] for name in ("kept", "most", "lost")]
-    found.append(Limit("pads' friction", *ends, AS_SHIPPED.pad_mu))
+    low, high = value["friction_kept"], value["friction_most"]
+    slides = value["friction_lost"]
+    found.append(Limit("pads' friction", low, high, slides, AS_SHIPPED.pad_mu))
 
     sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
     lost = filterfalse(is_stable, sizes)
@@ -81,8 +82,8 @@ def limits(
     edge_mm = 1e3 * AS_SHIPPED.cube_edge_m
     add("cube's edge [mm]", "edge", sizes, "cube_edge_mm", small, edge_mm)
 
-    masses = value["mass_least"], value["mass_most"]
-    found.append(Limit("mass, grip to match [kg]", *masses, NONE, MASS_KG))
+    low, high = value["mass_least"], value["mass_most"]
+    found.append(Limit("mass, grip to match [kg]", low, high, NONE, MASS_KG))
 
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
     formula, lost = "least that loses it", filterfalse(is_stable, pulls)

@@ -167,8 +167,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
         outcome = HOLDS
     else:
         outcome = all_of(
-            at_least(least, 0.95, why="the same time"),
-            at_most(most, 1.05, why="the same time"),
+            at_least(least, 0.95, "the same time"), at_most(most, 1.05, "the same time")
         )
     outcome = machines_differ(ends.releases, "speed") or outcome
     numbers = {"mixed": mixed, "least": least, "most": most, "count": count}
@@ -251,7 +250,7 @@ def _as_before(results: Results, ends: Ends) -> list[Claim]:
     return [
         Claim(
             f"{name}_as_before",
-            ends.one or at_most(change, 5.0, why="the same slip"),
+            ends.one or at_most(change, 5.0, "the same slip"),
             ends.names | numbers,
         )
         for name, change, numbers in (
