@@ -89,27 +89,24 @@ class Plugins(plugins.Plugins):
 
     def names(self, section: Section) -> Mapping[str, Any]:
         read = sections_of(self.edition.chapters)
-        record = next(
-            (chapter.results.record for chapter in self.edition.chapters.values()), None
-        )
-        packages = record.identity.packages if record else {}
+        records = [each.results.record for each in self.edition.chapters.values()]
+        machine, packages = "", {}
+        if records:
+            machine = records[0].machine_text.partition(" (")[0]
+            packages = records[0].identity.packages
         # These decide most of what is measured; the foot of the page has all.
-        engine = [
-            f"{name} {packages[name]}"
-            for name in (config().edition, "mujoco-warp")
-            if name in packages
-        ]
-        names = {
+        engine = (config().edition, "mujoco-warp")
+        named = [f"{name} {packages[name]}" for name in engine if name in packages]
+        return {
             "value": read.value,
             "cell": read.cell,
             "clips": self.clips,
             "replay": REPLAY if self.replay else "",
+            "machine": machine,
+            "packages": " and ".join(named),
+            "lint": wheel(LINT)[0],
+            "root": self.edition.root,
         }
-        names |= {
-            "machine": record.machine_text.partition(" (")[0] if record else "",
-            "packages": " and ".join(engine),
-        }
-        return {**names, "lint": wheel(LINT)[0], "root": self.edition.root}
 
     @property
     def data(self) -> Sequence[Path]:
