@@ -33,28 +33,23 @@ class Plugins(plugins.Plugins):
 
     @cached_property
     def clips(self) -> Clips | None:
-        return (
-            Clips(self.edition.project, self._clips_state, self.edition.root)
-            if self._clips_state.record
-            else None
-        )
+        state = self._clips_state
+        if not state.record:
+            return None
+        return Clips(self.edition.project, state, self.edition.root)
 
     @cached_property
     def _clips_state(self) -> State:
-        state = clips_state(self.edition.project)
+        project = self.edition.project
+        state = clips_state(project)
         try:
             if state.record:
-                shown = Clips(self.edition.project, state)
+                shown = Clips(project, state)
                 _ = shown.picture, shown.video(FIRST, Markup())  # as pages have them
         except (AttributeError, LookupError, TypeError, ResultsError) as error:
-            place = short_path(self.edition.project.record_path(CLIPS))
-            return State(
-                CLIPS,
-                "damaged",
-                notes=(
-                    f"{place}: no clip can be shown ({' '.join(str(error).split())})",
-                ),
-            )
+            place, why = short_path(project.record_path(CLIPS)), str(error).split()
+            note = f"{place}: no clip can be shown ({' '.join(why)})"
+            return State(CLIPS, "damaged", notes=(note,))
         return state
 
     @property
@@ -63,24 +58,21 @@ class Plugins(plugins.Plugins):
 
     @cached_property
     def replay(self) -> dict[str, Any] | None:
-        """Return the runs of its replay; None where not all of them are kept and whole."""
+        """Return the runs of its replay; None unless all of them are kept and whole."""
         if "poses" not in self.edition.chapters:
             return None
         project, results = self.edition.project, self.edition.chapters["poses"].results
 
         def make() -> dict[str, Any] | None:
-            from report.media.packed import (
-                packed_runs,
-            )  # it takes NumPy, which takes long to import
+            # It takes NumPy, which takes long to import.
+            from report.media.packed import packed_runs
 
             with suppress(ReportError, LookupError, TypeError, ValueError):
                 return packed_runs(results)
             return None
 
-        name, code = (
-            f"{project.profile}.{project.release}.replay",
-            Path(__file__).parent / "media/packed.py",
-        )
+        name = f"{project.profile}.{project.release}.replay"
+        code = Path(__file__).parent / "media/packed.py"
         return self.edition.cache.value(name, code, [results_digest(results)], make)
 
     @property

@@ -8,28 +8,28 @@ order = 205
 page = "releases"
 label = "own defaults"
 
-CASE, RUN = (
-    "own-defaults",
-    ("frame_count", "device"),
-)  # the case, and what it has for being a run of its own
-MUJOCO = {
+RUN = ("frame_count", "device")  # parameters of a run of its own
+MUJOCO = {  # the engine finds the contacts; a pyramid
     "run_collision_detection": 1.0,
     "cone": 0.0,
-}  # the engine finds the contacts; a pyramid
+}
 
 
 def derive(results: Results) -> Section:
-    row = results.row[CASE]
+    row = results.row["own-defaults"]
     changed = [name for name in changed_parameters(row.plain) if name not in RUN]
-    numbers = {
-        "release": config().name_of(results.edition),
-        "changed": ", ".join(changed),
-    }
-    cells = {
-        name: cell_or_absent(results.row[f"solver-{name}"], "value") for name in MUJOCO
-    }
-    by_mujoco = all_of(
-        *(decided(cell.value == MUJOCO[name], cell) for name, cell in cells.items())
+    by_mujoco = []
+    for name, value in MUJOCO.items():
+        cell = cell_or_absent(results.row[f"solver-{name}"], "value")
+        by_mujoco.append(decided(cell.value == value, cell))
+    release = config().name_of(results.edition)
+    return Section(
+        claims=[
+            Claim(
+                "as_the_scene",
+                decided(not changed, row.slip_mm),
+                {"release": release, "changed": ", ".join(changed)},
+            ),
+            Claim("leaves_it_to_mujoco", all_of(*by_mujoco)),
+        ]
     )
-    as_scene = Claim("as_the_scene", decided(not changed, row.slip_mm), numbers)
-    return Section(claims=[as_scene, Claim("leaves_it_to_mujoco", by_mujoco)])
