@@ -1,4 +1,4 @@
-"""What a release sets where nobody does, and the slip with that: the scene writes what 1.4.0 had."""
+"""The defaults of a release, and the slip with them: the scene writes those of 1.4.0."""
 
 from measured_report.files.config import config
 from measured_report.records.columns import changed_parameters

@@ -1,4 +1,4 @@
-"""Is it friction? The coefficient of the pads and that of the cube, from far below to far above."""
+"""Is it friction? Coefficients of pads and cube, from far below to far above."""
 
 from report.shared import Results, Section, variant_section, variants_of
 

@@ -1,4 +1,4 @@
-"""The runs that are shown moving: what they come to, and how the hand moves by the record of its joints."""
+"""The runs that are shown moving, and how the hand moves by the record of its joints."""
 
 import numpy as np
 import pandas as pd

@@ -1,4 +1,4 @@
-"""The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
+"""The slip's causes, one by one and together: predicted, measured, and what to use."""
 
 from collections.abc import Mapping, Sequence
 
@@ -28,6 +28,7 @@ from report.shared.drawing import (
     name_lines,
     new_figure,
     write,
+    write_beside,
 )
 
 SHIPPED = "newton-implicitfast-50-shipped-{}-plain-rounded"
@@ -36,7 +37,9 @@ TERM = "newton-implicitfast-50-shipped-{}-term-rounded"
 BEST = "newton-euler-400-shipped-{}-full-kept"
 FIRM = "newton-implicitfast-400-stiff-{}-centred-kept"
 KF_OFF = "newton-implicitfast-50-shipped-{}-kf-off"  # of releases that read ``kf``
-NAMES = {  # names by case, which has a gap for the shake: contacts, integrator, impratio, pads; term and positions
+# Names by case, which has a gap for the shake: contacts, integrator, impratio, pads;
+# term and positions.
+NAMES = {
     SHIPPED: "as shipped",
     STIFF: "stiff pads, the fix",
     "newton-implicitfast-50-stiff-{}-term-rounded": "stiff pads and the term",
@@ -64,7 +67,7 @@ SHAKES = {  # label, colour and mark of each shake
     "10cm": ("a wider shake", SERIES[1], "s"),
     "held": ("held still", SERIES[5], "^"),
 }
-OTHER_CONTACTS = {  # the root cure with other contacts than Newton's and with another cone
+OTHER_CONTACTS = {  # the root cure with other contacts and with another cone
     "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
     "pyramid": "pyramidal-euler-400-shipped-3cm-full-kept",
 }
@@ -203,34 +206,22 @@ def _along(x: float, z: float, slip_x: float, slip_z: float) -> float:
 
 
 def _draw_use(names: Sequence[str], rows: Mapping[str, Sequence[Row]]) -> Drawing:
-    """Draw the slips of each way, a mark for each shake; a cube that is lost is a cross on the edge."""
+    """Draw the slips of each way, a mark for each shake; a lost cube is a cross."""
     drawing, axes = new_figure(7.2, 1.2 + 0.34 * len(names))
-    slips = [
-        row.slip_mm.value
-        for column in rows.values()
-        for row in column
-        if row and row.slip_mm.value
-    ]
-    edge = 4 * max(slips, default=1.0)
+    slips = [row.slip_mm.value or 0.0 for column in rows.values() for row in column]
+    edge = 4 * (max(slips) or 1.0)
     for shake, (label, colour, marker) in SHAKES.items():
-        points = [
-            (row.slip_mm.value, place) for place, row in enumerate(rows[shake]) if row
-        ]
-        mark_points(
-            axes, points, label=label, color=colour, marker=marker, markersize=7
-        )
-        lost = [
-            (edge, place)
-            for place, row in enumerate(rows[shake])
-            if row and row.plain.get("dropped")
-        ]
+        shaken = list(enumerate(rows[shake]))
+        points = [(row.slip_mm.value, place) for place, row in shaken]
+        look = {"color": colour, "marker": marker, "markersize": 7}
+        mark_points(axes, points, label=label, **look)
+        lost = [(edge, place) for place, row in shaken if row.plain.get("dropped")]
         mark_points(axes, lost, color=colour, marker="X", markersize=8)
     for place, row in enumerate(rows["3cm"]):
-        if row and row.slip_mm.value is not None:
-            above = {"xytext": (0, 5), "textcoords": "offset points", "ha": "center"}
-            axes.annotate(
-                write(row.slip_mm), (row.slip_mm.number, place), fontsize=8, **above
-            )
+        slip = row.slip_mm
+        if slip.value is not None:
+            look = {"ha": "center", "fontsize": 8}
+            write_beside(axes, write(slip), (slip.number, place), (0, 5), **look)
     name_lines(axes, names)
     axes.set(xscale="log", xlabel="slip [mm]")
     axes.margins(y=0.1)

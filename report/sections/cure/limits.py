@@ -30,24 +30,21 @@ def derive(results: Results) -> Section:
     for row in rows_with(results, "of", "variant", "family", "kept"):
         runs[row.of][row.variant] = row
     columns: dict[str, list] = defaultdict(list)
-    for variants in (
-        VARIANTS,
-        STIFF_VARIANTS,
-    ):  # a run counts if tried with all of them
+    # A run counts if it was tried with all variants on its pads.
+    for variants in (VARIANTS, STIFF_VARIANTS):
         tried = [rows for rows in runs.values() if {"plain", *variants} <= set(rows)]
         for variant in variants:
-            kept = [rows["plain"] for rows in tried if rows["plain"].kept]
-            lost = [
-                rows["plain"]
-                for rows in tried
-                if rows["plain"].kept and not rows[variant].kept
-            ]
-            won = [
-                rows["plain"]
-                for rows in tried
-                if rows[variant].kept and not rows["plain"].kept
-            ]
-            counts = (
+            kept, lost, won = [], [], []
+            for rows in tried:
+                plain = rows["plain"]
+                if plain.kept:
+                    kept.append(plain)
+                if plain.kept and not rows[variant].kept:
+                    lost.append(plain)
+                if rows[variant].kept and not plain.kept:
+                    won.append(plain)
+            name = variant.replace("-", "_")
+            for above, value, formula, counted in (
                 (
                     "kept without",
                     "kept",
@@ -61,11 +58,9 @@ def derive(results: Results) -> Section:
                     lost,
                 ),
                 ("kept only so", "won", "runs that keep it only this way", won),
-            )
-            for above, name, formula, rows in counts:
-                name = f"{name}_{variant.replace('-', '_')}"
-                count = cell_count([row.substeps for row in rows])
-                columns[above].append(results.value(name, formula, count))
+            ):
+                count = cell_count([row.substeps for row in counted])
+                columns[above].append(results.value(f"{value}_{name}", formula, count))
             columns["which are lost"].append(
                 some_html([case_html(row) for row in lost]) or "none"
             )

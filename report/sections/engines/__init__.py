@@ -1,4 +1,4 @@
-"""Other engines: the box on the turning table, the pinched capsule, the shake, and numbers that others published."""
+"""Other engines: box on a table, pinched capsule, shake, and published numbers."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple

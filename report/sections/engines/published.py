@@ -21,7 +21,10 @@ from report.shared import (
 
 @dataclass(frozen=True)
 class Published:
-    """A number as it was published, and where ours is; half of its last digit counts, unless its source shows noise."""
+    """A number as it was published, and where ours is.
+
+    Half of its last digit counts, unless its source shows noise.
+    """
 
     source: str
     what: str

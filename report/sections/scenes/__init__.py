@@ -1,4 +1,4 @@
-"""Other scenes: does one law tell the creep of all of them, and do grasps that others published fail by it?"""
+"""Other scenes: does one law give the creep of all, and do published grasps fail by it?"""
 
 from report.sections.scenes import capsule, creep, pick
 from report.shared import Results, Section, joined

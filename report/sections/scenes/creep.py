@@ -38,17 +38,16 @@ SCENES = {  # scenes that have a creep and its prediction
     "turntable": "box on a turntable",
     "contacts": "shake test",
 }
-OTHERS = {
-    "turntable": "cure",
-    "contacts": "contacts",
-}  # sections that have the rows of a scene, if another one
-COLUMNS = {  # columns measured and predicted, where they are no creep, or one that comes in jolts as well
+OTHERS = {"turntable": "cure", "contacts": "contacts"}  # sections with their rows
+# Columns measured and predicted, if they are no creep, or one that also comes in jolts.
+COLUMNS = {
     "turntable": ("growth_per_s", "predicted_growth_per_s"),
     "contacts": ("slide_mm", "predicted_slide_mm"),
     "capsule": ("steady_creep_mm_s", "forecast_creep_mm_s"),
 }
 MARKERS = ("o", "s", "^", "D", "v")
-SHAKE_S = 4.0  # how long the slide was watched: two periods of a motion that repeats every second cycle
+# The slide was watched for two periods of a motion that repeats every second cycle.
+SHAKE_S = 4.0
 
 
 class Point(NamedTuple):
