@@ -1,7 +1,6 @@
 """Parts that the scene has and does not use: their cost, and that nothing else changes."""
 
 import math
-from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
 
@@ -212,9 +211,7 @@ def _audit_table(results: Results):
     return table_of("part", [part for part, _, _ in items], columns)
 
 
-def _draw_costs(
-    steps: Sequence[tuple[Value, Row]], whole: Mapping[str, Value]
-) -> Drawing:
+def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Drawing:
     """Draw a bar for each step, unranked below a line if it is not seen."""
     timed = []
     for saved, row in steps:

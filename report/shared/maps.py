@@ -1,7 +1,5 @@
 """Maps of amplitude and frequency: the slip of each cell, and which of them lose the cube."""
 
-from collections.abc import Mapping
-
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -57,7 +55,7 @@ def held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:
     return grid_of(frame, side, "slip_mm").where(is_held)
 
 
-def draw_maps(frame: pd.DataFrame, sides: Mapping[str, str]) -> Drawing:
+def draw_maps(frame: pd.DataFrame, sides: dict[str, str]) -> Drawing:
     """Draw the slips of the ``sides``, each in a panel, and which cells lose the cube."""
     drawing, panels = new_figure(7.2, 4.0, ncols=len(sides), sharey=True)
     drawing.set_layout_engine("constrained", wspace=0.06)

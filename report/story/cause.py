@@ -1,7 +1,5 @@
 """The suspects, one at a time: what was changed, what the cube then does, and why it is not that."""
 
-from collections.abc import Sequence
-
 from markupsafe import Markup
 
 from measured_report.findings.chapters import Chapters
@@ -93,7 +91,7 @@ def derive(chapters: Chapters) -> Section:
     return Section(tables={"suspects": table_of("suspect", names, columns)})
 
 
-def _ends(rows: Sequence[Row], column: str) -> Quantity | Markup | str:
+def _ends(rows: list[Row], column: str) -> Quantity | Markup | str:
     """Write one number, or the least and the largest if these do not read the same."""
     cells = [row[column] for row in rows if row[column].value is not None]
     if not cells:

@@ -1,7 +1,6 @@
 """Error against run time: engines and cures in one figure, and which is advised."""
 
 import math
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -270,7 +269,7 @@ def figure(sections: Sections) -> Figure:
     return Figure(lambda: _draw(marks, lines), cells, numbers)
 
 
-def _draw(marks: Sequence[Mark], lines: Sequence[tuple[Quantity, float]]) -> Drawing:
+def _draw(marks: list[Mark], lines: list[tuple[Quantity, float]]) -> Drawing:
     drawing, axes = new_figure(7.2, 4.6)
     for bound, creep in lines:
         axes.axhline(
@@ -366,7 +365,7 @@ NUMBERS = (
 """What the words of advice can name; all of it is empty where nothing is advised."""
 
 
-def advice(sections: Sections, every: Mapping[str, Sections]) -> list[Claim]:
+def advice(sections: Sections, every: dict[str, Sections]) -> list[Claim]:
     """Advise what keeps the slip below one that can be seen, and below a tenth of it."""
     return [
         _advised(sections, name, sections.value(*bound), every)
@@ -375,7 +374,7 @@ def advice(sections: Sections, every: Mapping[str, Sections]) -> list[Claim]:
 
 
 def _advised(
-    sections: Sections, name: str, bound: Quantity, every: Mapping[str, Sections]
+    sections: Sections, name: str, bound: Quantity, every: dict[str, Sections]
 ) -> Claim:
     """Choose the fastest way with the least effort that keeps the slip below a bound."""
     numbers: dict[str, Any] = dict.fromkeys(NUMBERS, "") | {"bound": bound}

@@ -1,7 +1,5 @@
 """The slip's causes, one by one and together: predicted, measured, and what to use."""
 
-from collections.abc import Mapping, Sequence
-
 import numpy as np
 
 from report.shared import (
@@ -205,7 +203,7 @@ def _along(x: float, z: float, slip_x: float, slip_z: float) -> float:
     return (x * slip_x + z * slip_z) / length + 0.0  # no negative zero
 
 
-def _draw_use(names: Sequence[str], rows: Mapping[str, Sequence[Row]]) -> Drawing:
+def _draw_use(names: list[str], rows: dict[str, list[Row]]) -> Drawing:
     """Draw the slips of each way, a mark for each shake; a lost cube is a cross."""
     drawing, axes = new_figure(7.2, 1.2 + 0.34 * len(names))
     slips = [row.slip_mm.value or 0.0 for column in rows.values() for row in column]

@@ -1,6 +1,6 @@
 """Other engines: box on a table, pinched capsule, shake, and published numbers."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from report.sections.engines import published, robot
@@ -186,7 +186,7 @@ def _lines(results: Results) -> Iterator[Line]:
         yield line(key, name, row.release, row.growth_per_s, half, sink)
 
 
-def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
+def _shown(cells: list[Value], bound: Value) -> list[Quantity | str]:
     return [
         "not seen"
         if cell.value is not None and abs(cell.value) <= bound.value

@@ -1,7 +1,5 @@
 """The shake itself in other engines: whether the cube slips farthest in MuJoCo."""
 
-from collections.abc import Mapping
-
 from report.shared import (
     Claim,
     Results,
@@ -22,7 +20,7 @@ MUJOCO = "mujoco-c"
 ARMATURES = {"own": "of its own", "links": "in the links"}
 
 
-def derive(results: Results, labels: Mapping[str, str]) -> Section:
+def derive(results: Results, labels: dict[str, str]) -> Section:
     """Make the table, of models under their ``labels``, and its claims."""
     rows = RowsBy(results, results.rows, "model", "shake")
     models = list(dict.fromkeys(model for model, _ in rows))

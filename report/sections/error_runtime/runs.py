@@ -1,6 +1,5 @@
 """Points of the diagram of error against run time, sorted."""
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from experiments.facts.case import AS_SHIPPED
@@ -31,10 +30,10 @@ class Points:
     """Rows of the section, sorted."""
 
     results: Results
-    settings: Sequence[Row]
-    references: Sequence[Row]
-    worlds: Sequence[Row]  # many worlds at once, fewest first
-    floors: Mapping[str, Value]  # distance of Warp from C, by pads [mm]
+    settings: list[Row]
+    references: list[Row]
+    worlds: list[Row]  # many worlds at once, fewest first
+    floors: dict[str, Value]  # distance of Warp from C, by pads [mm]
     backend_front: frozenset[str]  # cases that no other of their backend beats
 
     def __getitem__(self, case: str) -> Row:
@@ -94,7 +93,7 @@ def points_of(results: Results) -> Points:
     )
 
 
-def front(rows: Sequence[Row], *groups: str) -> frozenset[str]:
+def front(rows: list[Row], *groups: str) -> frozenset[str]:
     """Return the cases that no other of their groups beats in error and run time."""
     places = {
         row.case: ([row[name] for name in groups], row[ERROR].value, row[TIME].value)

@@ -1,7 +1,5 @@
 """Where the grasp holds, creeps, drops and explodes."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from markupsafe import Markup
 
@@ -72,7 +70,7 @@ def derive(results: Results) -> Section:
 
 
 def _maps(
-    results: Results, critical: Sequence[Row], default_kd: Sequence[Row], is_so: bool
+    results: Results, critical: list[Row], default_kd: list[Row], is_so: bool
 ) -> Figure:
     kd = default_kd[0].pad_kd.value if default_kd else np.nan
     panels = [

@@ -1,7 +1,7 @@
 """Claims about families of runs of section stability."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 from itertools import filterfalse
@@ -43,7 +43,7 @@ def family(results: Results, name: str) -> list[Row]:
     return [row for row in results.rows if row["family"] == name]
 
 
-def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
+def count(results: Results, name: str, formula: str, rows: list[Row]) -> Value:
     return results.value(name, formula, cell_count([row.step_ms for row in rows]))
 
 
@@ -64,11 +64,7 @@ least, most = partial(_end, min), partial(_end, max)
 
 
 def family_claim(
-    results: Results,
-    name: str,
-    rows: Sequence[Row],
-    also: Outcome = HOLDS,
-    **numbers: Any,
+    results: Results, name: str, rows: list[Row], also: Outcome = HOLDS, **numbers: Any
 ) -> Claim:
     """Claim ``also``, and that all rows pass of which something is asked."""
     judged = [row for row in rows if passes(row) is not None]
@@ -89,7 +85,7 @@ def family_claim(
     return Claim(name, outcome, numbers)
 
 
-def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
+def safe(results: Results, critical: list[Row], default_kd: list[Row]) -> Claim:
     """Find from which ke every step holds with damping ratio 1.
 
     With kd at its default it is up to which ke the shipped step holds.

@@ -1,7 +1,7 @@
 """The figures of section stability."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import matplotlib
@@ -42,10 +42,10 @@ CREEPS = {  # colours of creeping cells, by what their rate [mm/s] is below
     1.0: "#97bfe7",
     math.inf: "#74a8dd",
 }
-Panel = tuple[str, Sequence[Row], Callable[[np.ndarray], np.ndarray], str]
+Panel = tuple[str, list[Row], Callable[[np.ndarray], np.ndarray], str]
 
 
-def draw_maps(panels: Sequence[Panel]) -> Drawing:
+def draw_maps(panels: list[Panel]) -> Drawing:
     """Draw maps one above the other.
 
     Each panel has a title, its rows, a bound on the step [s] over ke, and its name.
@@ -93,7 +93,7 @@ def draw_maps(panels: Sequence[Panel]) -> Drawing:
     return drawing
 
 
-def draw_limits(limits: Sequence[Limit]) -> Drawing:
+def draw_limits(limits: list[Limit]) -> Drawing:
     """Draw each extreme as a bar over multiples of the scene as shipped.
 
     A cross breaks; an arrow was not seen to.
@@ -148,7 +148,7 @@ def draw_limits(limits: Sequence[Limit]) -> Drawing:
     return drawing
 
 
-def _draw_map(axes: Axes, rows: Sequence[Row], marked: Mapping[str, float]) -> None:
+def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
     cells = {(row.pad_ke.value, row.step_ms.value): row for row in rows}
     ke = sorted({x for x, _ in cells})
     steps = sorted({y for _, y in cells})
@@ -201,7 +201,7 @@ def _colour(row: Row) -> str:
     return next(colour for bound, colour in CREEPS.items() if abs(rate) < bound)
 
 
-def _edges(centres: Sequence[float]) -> np.ndarray:
+def _edges(centres: list[float]) -> np.ndarray:
     logs = np.log(centres)
     middle = 0.5 * (logs[1:] + logs[:-1])
     return np.exp([2 * logs[0] - middle[0], *middle, 2 * logs[-1] - middle[-1]])

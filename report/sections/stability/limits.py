@@ -1,6 +1,5 @@
 """How far each extreme can be pushed: from what holds to what breaks."""
 
-from collections.abc import Sequence
 from itertools import filterfalse
 from typing import NamedTuple
 
@@ -24,16 +23,12 @@ class Limit(NamedTuple):
     over: tuple[Quantity, Quantity] | None = None  # low and high, percent over a limit
 
 
-def limits(
-    results: Results, critical: Sequence[Row], default_kd: Sequence[Row]
-) -> list[Limit]:
+def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list[Limit]:
     """Collect them from values of the claims, and from the rows of a family."""
     value = results.derived
     found = []
 
-    def add(
-        label: str, name: str, rows: Sequence[Row], column: str, *rest, **more
-    ) -> None:
+    def add(label: str, name: str, rows: list[Row], column: str, *rest, **more) -> None:
         held = list(filter(is_stable, rows))
         formula = f"least of the runs of {name} that hold"
         low = least(results, f"{name}_low", formula, held, column)

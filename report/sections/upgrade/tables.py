@@ -1,7 +1,5 @@
 """The tables and the figure of what releases have side by side."""
 
-from collections.abc import Mapping, Sequence
-
 from markupsafe import Markup
 
 from measured_report.changes.query import Query, points
@@ -57,9 +55,7 @@ DRAWN = {
 }
 
 
-def side_by_side(
-    heading: str, releases: Releases, queries: Mapping[str, Query]
-) -> Table:
+def side_by_side(heading: str, releases: Releases, queries: dict[str, Query]) -> Table:
     columns = {
         config().short_name(release): [
             query.cell(chapters, release).bare for query in queries.values()
@@ -82,7 +78,7 @@ def option_table(releases: Releases) -> Table:
                     name = f"{kinds[row.kind]} {row.name}"
                     settings.setdefault(name, {})[release] = row["value"]
 
-    def differs(values: Mapping[str, Quantity | str]) -> bool:
+    def differs(values: dict[str, Quantity | str]) -> bool:
         cells = (values.get(release) for release in measured)
         return len({getattr(cell, "value", cell) for cell in cells}) > 1
 
@@ -97,7 +93,7 @@ def option_table(releases: Releases) -> Table:
     return table_of("", shown, columns)
 
 
-def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
+def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
     lines = {
         query: [query.cell(chapters, name) for name, chapters in releases.items()]
         for query in DRAWN
@@ -108,7 +104,7 @@ def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
     return Figure(lambda: _draw_slips(releases, lines), cells, numbers)
 
 
-def _draw_slips(releases: Releases, lines: Mapping[Query, Sequence[Quantity]]):
+def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
     # Matplotlib takes long to import, and whoever only compares draws nothing.
     from measured_report.parts.figures import INK, new_figure, tick_125
     from report.shared import drawing as shared
