@@ -110,8 +110,11 @@ def _box_table(results: Results, walk: Value) -> Table:
         if cell.value is not None and not row.stays:
             return "sinks in or lost"
         if is_turning:
-            formula = "growth of the distance from the axis, in percent of it"
-            cell = results.value(f"{name}_{scene}", formula, PERCENT * cell)
+            cell = results.value(
+                f"{name}_{scene}",
+                "growth of the distance from the axis, in percent of it",
+                PERCENT * cell,
+            )
         least = walk if is_turning else creep
         is_seen = cell.value is None or abs(cell.value) >= least.number
         return cell if is_seen else "not seen"

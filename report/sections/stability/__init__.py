@@ -91,8 +91,9 @@ def _maps(
     ends = []
     for name in CLASSES:
         mine = [row for row in rows if row["class"] == name]
-        formula = f"cells of both maps that are {name}"
-        number = claims.count(results, f"maps_{name}_count", formula, mine)
+        number = claims.count(
+            results, f"maps_{name}_count", f"cells of both maps that are {name}", mine
+        )
         if mine:
             ends.append(Markup("{} {}").format(number, name))
     cells = [absent("s", "it was not measured")]

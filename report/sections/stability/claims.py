@@ -69,10 +69,12 @@ def family_claim(
     """Claim ``also``, and that all rows pass of which something is asked."""
     judged = [row for row in rows if passes(row) is not None]
     failed = list(filterfalse(passes, judged))
-    formula = f"runs of {name} of which something is asked"
-    numbers["count"] = count(results, f"{name}_count", formula, judged)
-    formula = f"runs of {name} that do not pass"
-    failures = count(results, f"{name}_failed", formula, failed)
+    numbers["count"] = count(
+        results, f"{name}_count", f"runs of {name} of which something is asked", judged
+    )
+    failures = count(
+        results, f"{name}_failed", f"runs of {name} that do not pass", failed
+    )
     named = [Markup("{} {}").format(case_html(row), row["class"]) for row in failed]
     numbers |= {"failed_count": failures, "failed": some_html(named)}
     outcome = all_of(
@@ -93,31 +95,47 @@ def safe(results: Results, critical: list[Row], default_kd: list[Row]) -> Claim:
     unstable = [row.pad_ke.value for row in filterfalse(is_stable, critical)]
     lowest = max(unstable, default=0.0)
     safe = [row for row in critical if row.pad_ke.value > lowest]
-    formula = "least ke from which on every step holds"
-    safe_ke = least(results, "safe_ke", formula, safe, "pad_ke")
-    formula = "largest step of these runs"
-    step = most(results, "largest_step_tried", formula, safe, "step_ms")
-    formula = "given: ke of the stiff pads"
-    stiff = results.value("stiff_ke", formula, constant(STIFF_PADS.pad_ke))
-    formula = "ke of the stiff pads over that ke"
-    margin = results.value("safe_margin", formula, stiff / safe_ke)
+    safe_ke = least(
+        results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke"
+    )
+    step = most(
+        results, "largest_step_tried", "largest step of these runs", safe, "step_ms"
+    )
+    stiff = results.value(
+        "stiff_ke", "given: ke of the stiff pads", constant(STIFF_PADS.pad_ke)
+    )
+    margin = results.value(
+        "safe_margin", "ke of the stiff pads over that ke", stiff / safe_ke
+    )
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
 
     at_shipped = [
         row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps
     ]
     stiffer = [row for row in at_shipped if row.pad_ke.value > AS_SHIPPED.pad_ke]
-    formula = "least ke above the shipped one that does not hold"
     broken = filterfalse(is_stable, stiffer)
-    first = least(results, "kd_100_breaks", formula, broken, "pad_ke")
+    first = least(
+        results,
+        "kd_100_breaks",
+        "least ke above the shipped one that does not hold",
+        broken,
+        "pad_ke",
+    )
     below = math.inf if first.value is None else first.value
     stable = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < below]
-    formula = "largest ke that holds at the shipped step"
-    limit = most(results, "kd_100_ke", formula, stable, "pad_ke")
-    formula = "given: ke as shipped"
-    shipped = results.value("shipped_ke", formula, constant(AS_SHIPPED.pad_ke))
-    formula = "that ke over the shipped one"
-    default_margin = results.value("kd_100_margin", formula, limit / shipped)
+    limit = most(
+        results,
+        "kd_100_ke",
+        "largest ke that holds at the shipped step",
+        stable,
+        "pad_ke",
+    )
+    shipped = results.value(
+        "shipped_ke", "given: ke as shipped", constant(AS_SHIPPED.pad_ke)
+    )
+    default_margin = results.value(
+        "kd_100_margin", "that ke over the shipped one", limit / shipped
+    )
     numbers = {
         "least": safe_ke,
         "step": step,
@@ -169,13 +187,24 @@ def clamp(results: Results) -> Claim:
     """Tell whether, without the clamp, shorter timeconsts fail and longer ones hold."""
     rows = family(results, "clamp")
     holding, failing = filter(is_stable, rows), filterfalse(is_stable, rows)
-    formula = "largest timeconst over dt that fails"
-    first = most(results, "clamp_fails_at", formula, failing, "timeconst_steps")
-    formula = "least timeconst over dt that holds"
-    last = least(results, "clamp_holds_at", formula, holding, "timeconst_steps")
-    formula = "explicit bound at damping ratio 1: 1 / (√8 - 2)"
+    first = most(
+        results,
+        "clamp_fails_at",
+        "largest timeconst over dt that fails",
+        failing,
+        "timeconst_steps",
+    )
+    last = least(
+        results,
+        "clamp_holds_at",
+        "least timeconst over dt that holds",
+        holding,
+        "timeconst_steps",
+    )
     bound = constant(1 / (8**0.5 - 2))
-    predicted = results.value("clamp_predicted", formula, bound)
+    predicted = results.value(
+        "clamp_predicted", "explicit bound at damping ratio 1: 1 / (√8 - 2)", bound
+    )
     never, always = (
         Markup(", ").join(
             name
@@ -215,13 +244,14 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
         )
         for kind, load in (("kept", kept), ("lost", lost))
     )
-    formula = "given: friction coefficient of the pads"
     return family_claim(
         results,
         f"{name}_crossover",
         rows,
         decided(True, kept, lost),
-        mu=results.value(f"{name}_mu", formula, constant(MU[name])),
+        mu=results.value(
+            f"{name}_mu", "given: friction coefficient of the pads", constant(MU[name])
+        ),
         margin=margin,
         kept=kept_over,
         lost=lost_over,
@@ -234,8 +264,7 @@ def friction(results: Results) -> Claim:
     kept = least(results, "friction_kept", "least μ that holds", held, "pad_mu")
     largest = most(results, "friction_most", "largest μ that holds", held, "pad_mu")
     lost = filterfalse(is_stable, rows)
-    formula = "largest μ that does not hold"
-    most(results, "friction_lost", formula, lost, "pad_mu")
+    most(results, "friction_lost", "largest μ that does not hold", lost, "pad_mu")
     also = _stands_together(rows, "pad_mu", kept, largest)
     return family_claim(
         results, "friction_extremes", rows, also, kept=kept, most=largest
@@ -262,8 +291,13 @@ def size(results: Results, bound: Value) -> Claim:
     ends = {}
     for grip, name in (("as-shipped", "shipped"), ("scaled", "scaled")):
         passing = [row for row in rows if row.grip == grip and passes(row)]
-        formula = f"least edge that passes, grip {grip.replace('-', ' ')}"
-        end = least(results, f"size_{name}", formula, passing, "cube_edge_mm")
+        end = least(
+            results,
+            f"size_{name}",
+            f"least edge that passes, grip {grip.replace('-', ' ')}",
+            passing,
+            "cube_edge_mm",
+        )
         ends[grip] = end
     shipped, scaled = ends.values()
     small_ones_fail = None not in (shipped.value, scaled.value) and all(
@@ -312,8 +346,11 @@ def long(results: Results) -> Claim:
     first = cell_or_absent(row, "increment_first_mm_per_cycle")
     last = cell_or_absent(row, "increment_last_mm_per_cycle")
     bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
-    formula = "creep per cycle in the last tenth over that in the first"
-    growth = results.value("long_growth", formula, last / first)
+    growth = results.value(
+        "long_growth",
+        "creep per cycle in the last tenth over that in the first",
+        last / first,
+    )
     is_lost = not all(map(is_stable, rows))
     return family_claim(
         results,

@@ -30,10 +30,20 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
 
     def add(label: str, name: str, rows: list[Row], column: str, *rest, **more) -> None:
         held = list(filter(is_stable, rows))
-        formula = f"least of the runs of {name} that hold"
-        low = least(results, f"{name}_low", formula, held, column)
-        formula = f"largest of the runs of {name} that hold"
-        high = most(results, f"{name}_high", formula, held, column)
+        low = least(
+            results,
+            f"{name}_low",
+            f"least of the runs of {name} that hold",
+            held,
+            column,
+        )
+        high = most(
+            results,
+            f"{name}_high",
+            f"largest of the runs of {name} that hold",
+            held,
+            column,
+        )
         found.append(Limit(label, low, high, *rest, **more))
 
     stiff = [row for row in family(results, "steps") if row.pads == "stiff"]
@@ -44,9 +54,10 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     known = critical if first is not None else ()
     safe = [row for row in known if row.pad_ke.value >= first]
     soft = [row for row in known if row.pad_ke.value < first]
-    formula = "largest below these that fails"
     lost = filterfalse(is_stable, soft)
-    sunk = most(results, "ke_critical_lost", formula, lost, "pad_ke")
+    sunk = most(
+        results, "ke_critical_lost", "largest below these that fails", lost, "pad_ke"
+    )
     add("ke, kd with it", "ke_critical", safe, "pad_ke", sunk, AS_SHIPPED.pad_ke)
     alone = [
         row
