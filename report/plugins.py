@@ -47,7 +47,8 @@ class Plugins(plugins.Plugins):
                 shown = Clips(project, state)
                 _ = shown.picture, shown.video(FIRST, Markup())  # as pages have them
         except (AttributeError, LookupError, TypeError, ResultsError) as error:
-            place, why = short_path(project.record_path(CLIPS)), str(error).split()
+            place = short_path(project.record_path(CLIPS))
+            why = str(error).split()
             note = f"{place}: no clip can be shown ({' '.join(why)})"
             return State(CLIPS, "damaged", notes=(note,))
         return state
@@ -61,7 +62,8 @@ class Plugins(plugins.Plugins):
         """Return the runs of its replay; None unless all of them are kept and whole."""
         if "poses" not in self.edition.chapters:
             return None
-        project, results = self.edition.project, self.edition.chapters["poses"].results
+        project = self.edition.project
+        results = self.edition.chapters["poses"].results
 
         def make() -> dict[str, Any] | None:
             # It takes NumPy, which takes long to import.
@@ -82,7 +84,8 @@ class Plugins(plugins.Plugins):
     def names(self, section: Section) -> Mapping[str, Any]:
         read = sections_of(self.edition.chapters)
         records = [each.results.record for each in self.edition.chapters.values()]
-        machine, packages = "", {}
+        machine = ""
+        packages = {}
         if records:
             machine = records[0].machine_text.partition(" (")[0]
             packages = records[0].identity.packages
@@ -108,7 +111,8 @@ class Plugins(plugins.Plugins):
         """Return the replay, where all of its runs were kept."""
         if not self.replay:
             return {}
-        project, poses = self.edition.project, self.edition.chapters["poses"]
+        project = self.edition.project
+        poses = self.edition.chapters["poses"]
         return {
             REPLAY: replay_page(
                 project, poses, self.replay, self.clips, templates, self.edition.root

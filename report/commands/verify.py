@@ -68,12 +68,14 @@ def repeats_of(
     edition: Edition, measured: Mapping[str, Any]
 ) -> Iterator[tuple[str, bool]]:
     """Compare each measured run with the tracked ones of its case and engine."""
-    release, chapters = edition.project.release, edition.chapters
+    release = edition.project.release
+    chapters = edition.chapters
     if SECTION not in chapters or "noise" not in chapters:
         raise ReportError(
             f"newton {release} has no results of {SECTION} and noise to compare with"
         )
-    results, noise = chapters[SECTION].results, chapters["noise"].results
+    results = chapters[SECTION].results
+    noise = chapters["noise"].results
     machine = measured["machine"]
     here = machine["gpu" if machine["device"] == "cuda" else "cpu"]
     for row, suffix in product(measured["rows"], SUFFIXES):
@@ -83,9 +85,11 @@ def repeats_of(
         record = results.record
         processor = record.machine["cpu"] if suffix else record.processor
         # The noise is known of runs on one processor.
-        kind, bound = "devices", results.derived["engine_bound"]
+        kind = "devices"
+        bound = results.derived["engine_bound"]
         if here == processor == noise.record.processor:
-            kind, bound = "noise", noise.derived["slip_floor"]
+            kind = "noise"
+            bound = noise.derived["slip_floor"]
         slip = Quantity(row["slip_mm"], "mm", "", row.get("slip_mm_reason", ""))
         difference = abs(slip - tracked.slip_mm)
         outcome = within(difference, bound)

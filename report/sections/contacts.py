@@ -66,7 +66,8 @@ def derive(results: Results) -> Section:
     first = shipped[0] if shipped else results.row["as-shipped"]
     timeconst = first.friction_timeconst_s
 
-    slide, along = run.slide_mm, run.along_mm
+    slide = run.slide_mm
+    along = run.along_mm
     same = results.chosen("slide_departure_bound", "the same motion", 15.0, "%")
     gap = results.value(
         "slide_gap_as-shipped",
@@ -98,7 +99,8 @@ def derive(results: Results) -> Section:
     close = results.chosen("missing_term_bound", "the same slide", 5.0, "%")
 
     little = results.chosen("restored_share_bound", "no slide to speak of", 5.0, "%")
-    shares, falls = [], []
+    shares = []
+    falls = []
     for case, plain, back in zip(CASES, left_out, restored, strict=True):
         share = results.value(
             f"restored_share_{case}",
@@ -117,7 +119,8 @@ def derive(results: Results) -> Section:
     )
     ends = all_of(at_most(rest, little), *falls)
 
-    predicted, without = left_out[0].predicted_slide_mm, left_out[0].slide_mm
+    predicted = left_out[0].predicted_slide_mm
+    without = left_out[0].slide_mm
     rows = [row for row in results.rows if row.kind == "row"]
     rows = [row for row in rows if row.case == "as-shipped"]
     columns = {

@@ -44,7 +44,9 @@ def derive(results: Results) -> Section:
     worst = resolution(results, "resolution", results.rows)
     claims = []
     for case in ("best", "firm"):  # which should be no slower
-        noises, slower, tests = [], [], []
+        noises = []
+        slower = []
+        tests = []
         for count in TIMED_WORLDS:
             more = extra[case, count]
             apart = more.noise or 0.0

@@ -46,7 +46,8 @@ labels = {
     "solimp-dmax-#": "dmax {}",
 }
 
-SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
+SHIPPED = "pad-ke-2.5e3"
+FIX = "pad-ke-2.5e5"
 MOST = 0.9  # chosen: the law is asked of so many of the runs
 
 
@@ -90,7 +91,8 @@ def _law(results: Results, row: Row) -> Value:
 
 def _by_hand(results: Results, law: Value | None) -> Claim:
     """Compare both parts for shipped pads with the drift."""
-    row, others = results.row[SHIPPED], Sections(results.others)
+    row = results.row[SHIPPED]
+    others = Sections(results.others)
     dmax = others.cell("stiffness", SHIPPED, "dmax")
     substep = others.value("stiffness", "substep")
     step = results.value("step_ms", "substep in ms", MS_PER_S * substep)

@@ -26,7 +26,8 @@ label = "the fix as files"
 
 
 def derive(results: Results) -> Section:
-    shipped, fixed = results.row["as-shipped"], results.row["fixed"]
+    shipped = results.row["as-shipped"]
+    fixed = results.row["fixed"]
     bound = results.chosen("gain_bound", *SETTLES)
     gain = results.value(
         "gain", "slip of as-shipped over slip of fixed", shipped.slip_mm / fixed.slip_mm

@@ -37,12 +37,15 @@ LINES = {
 
 def derive(results: Results) -> Section:
     shaken = results.row["as-shipped"]
-    long, stiff = results.row["hold-60s"], results.row["hold-60s-stiff"]
-    slip, duration = long.slip_mm, long.shake_duration_s
+    long = results.row["hold-60s"]
+    stiff = results.row["hold-60s-stiff"]
+    slip = long.slip_mm
+    duration = long.shake_duration_s
     floor = noise_floor(results, "slip_floor")
 
     # A drift the other way is no part of the drift as shipped, but takes no shake.
-    held, drift = results.row["hold"].drift_mm_s, shaken.drift_mm_s
+    held = results.row["hold"].drift_mm_s
+    drift = shaken.drift_mm_s
     share = results.value(
         "hold_share",
         "drift with the arm held still, of the drift as shipped, in size",

@@ -56,7 +56,8 @@ labels = {
 
 MANY_COUNT = 16384  # the most worlds, for which there is a target
 ALONE_COUNT = 4096  # the number for which every step was timed alone
-REFERENCE, ALL = "untrimmed", "without-all"
+REFERENCE = "untrimmed"
+ALL = "without-all"
 WHOLE = (REFERENCE, "as-shipped", ALL)  # cases that are more than one thing left out
 
 
@@ -82,7 +83,8 @@ def derive(results: Results) -> Section:
             PERCENT * (1 - timed[device, case, worlds].frame_ratio),
         )
 
-    gains, faster = [], []
+    gains = []
+    faster = []
     for count in (1, MANY_COUNT):
         gain = results.value(
             f"cuda_gain_{count}",

@@ -105,7 +105,8 @@ def _box_table(results: Results, walk: Value) -> Table:
     creep = results.chosen("creep_seen", why, 1e-3, "mm/s")
 
     def cell_of(name: str, scene: str) -> Quantity | str:
-        row, is_turning = results.row[f"{name}-{scene}"], scene.endswith("ms")
+        row = results.row[f"{name}-{scene}"]
+        is_turning = scene.endswith("ms")
         cell = row["growth_per_s" if is_turning else "creep_mm_s"]
         if cell.value is not None and not row.stays:
             return "sinks in or lost"
@@ -165,7 +166,8 @@ def _shake_table(rows: RowsBy) -> Table:
 def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
     """Tell which other solvers keep the cube, and whether they shake it alike."""
     warp = rows["warp", "3cm"]
-    slip, mine = warp.slip_mm, warp.hand_amplitude_mm
+    slip = warp.slip_mm
+    mine = warp.hand_amplitude_mm
     bound = results.chosen(
         "ended_bound", "a tenth of a slip that can be seen", 0.1, "mm"
     )
@@ -241,7 +243,8 @@ def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
     )
 
     # Whether a slip repeats when it is measured again.
-    several, unlike = [], {}
+    several = []
+    unlike = {}
     for (name, _), row in rows.items():
         samples = [each for each in row.slip_mm.samples if each is not None]
         if is_held(row) and len(samples) > 1:
@@ -263,8 +266,10 @@ def _of_steel(
     results: Results, rows: RowsBy, times: RowsBy, walk: Value
 ) -> list[Claim]:
     near, far, held = (rows["steel", shake] for shake in ("3cm", "10cm", "held"))
-    warp, warp_far = rows["warp", "3cm"], rows["warp", "10cm"]
-    points, points_far = rows["steel-points", "3cm"], rows["steel-points", "10cm"]
+    warp = rows["warp", "3cm"]
+    warp_far = rows["warp", "10cm"]
+    points = rows["steel-points", "3cm"]
+    points_far = rows["steel-points", "10cm"]
 
     # By the anchors of Steel's friction the box stays where it is on the table.
     anchors, pointed, plain = (
@@ -289,17 +294,20 @@ def _of_steel(
         PERCENT * used_held / used,
     )
 
-    few, needed = rows["steel-32-rows", "3cm"], near.peak_constraint_count
+    few = rows["steel-32-rows", "3cm"]
+    needed = near.peak_constraint_count
     given = results.chosen("rows_given", "given: as the solver comes with", 32)
     overflow = decided(bool(few.failure) and not near.failure, needed)
 
     # That MuJoCo Warp alone loses the cube is the opposite.
-    is_lost, is_lost_in_warp = bool(far.dropped), bool(warp_far.dropped)
+    is_lost = bool(far.dropped)
+    is_lost_in_warp = bool(warp_far.dropped)
     sooner = decided(is_lost and not is_lost_in_warp, warp_far.wander_mm, far.wander_mm)
     if is_lost_in_warp and not is_lost:
         sooner = OPPOSITE.having_read(warp_far.wander_mm, far.wander_mm)
 
-    alone, many = times["steel", TIMED_WORLDS[0]], times["steel", TIMED_WORLDS[-1]]
+    alone = times["steel", TIMED_WORLDS[0]]
+    many = times["steel", TIMED_WORLDS[-1]]
     costs = all_of(
         *(greater(row.frame_ratio, 1.0, why="as long") for row in (alone, many))
     )

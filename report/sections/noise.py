@@ -38,7 +38,8 @@ def derive(results: Results) -> Section:
         "measured again, some other pair of runs may differ by that",
         NEAR_NOISE,
     )
-    floors, shares = {}, {}
+    floors = {}
+    shares = {}
     for metric, name in (("slip", "slip_mm"), ("drift", "drift_mm_s")):
         tolerances = [
             results.value(

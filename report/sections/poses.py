@@ -71,7 +71,9 @@ def _motion(run: pd.DataFrame, frames_hz: float, cycles_hz: float) -> dict[str, 
         links = link_poses(read_joints(DESCRIPTION), positions, np.zeros(3))
         return links[TCP][:, :3, 3]
 
-    back, here, ahead = place(-AHEAD_S), place(0.0), place(AHEAD_S)
+    back = place(-AHEAD_S)
+    here = place(0.0)
+    ahead = place(AHEAD_S)
     speed = np.linalg.norm(ahead - back, axis=1) / (2.0 * AHEAD_S)
     bend = -(ahead - 2.0 * here + back)[:, 0] / AHEAD_S**2
     waves = np.abs(np.fft.rfft(here - here.mean(axis=0), axis=0)).argmax(axis=0)

@@ -72,7 +72,8 @@ def derive(results: Results) -> Section:
         " of the slip as shipped",
         PERCENT * (1 - mixed.slip_mm / shipped.slip_mm),
     )
-    before, after = shipped.timeconst_s, mixed.timeconst_s
+    before = shipped.timeconst_s
+    after = mixed.timeconst_s
     mixes = all_of(
         greater(before, after, noise=0.0, why="what a material gives is exact"),
         greater(shipped.slip_mm, mixed.slip_mm, noise=floor),

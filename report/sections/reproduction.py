@@ -54,8 +54,10 @@ SCENE = {  # what the scene sets, with units
 
 
 def derive(results: Results) -> Section:
-    shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
-    amplitude, frequency = shipped.shake_amplitude_m, shipped.shake_frequency_hz
+    shipped = results.row["as-shipped"]
+    stiff = results.row["stiff-pads"]
+    amplitude = shipped.shake_amplitude_m
+    frequency = shipped.shake_frequency_hz
     for name, given in SCENE.items():
         results.value(name, "set in the scene", constant(*given))
     results.value("amplitude", "in whole mm", combined(round, MM_PER_M * amplitude))
@@ -181,5 +183,6 @@ def _half(later: np.ndarray) -> int:
 
 def _later_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
     """Return increments without that of the first cycle, which starts from rest."""
-    time_s, along_mm = frame["time_s"].to_numpy(), frame["along_mm"].to_numpy()
+    time_s = frame["time_s"].to_numpy()
+    along_mm = frame["along_mm"].to_numpy()
     return cycle_increments(time_s, along_mm, frequency_hz)[1:]

@@ -75,7 +75,8 @@ def derive(results: Results) -> Section:
     columns: dict[str, list] = {}
     for count in TIMED_WORLDS:
         ways = {way: results.row[f"{way}-{count}"] for way in WAYS}
-        loop, benchmark = ways["each-step-waited-for"], ways["testspeed"]
+        loop = ways["each-step-waited-for"]
+        benchmark = ways["testspeed"]
         time = loop.frame_ratio * loop.world_substeps_per_s
         gain = results.value(
             f"gain_{count}",

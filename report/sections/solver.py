@@ -80,7 +80,8 @@ def derive(results: Results) -> Section:
 
 
 def _noslip_does_not_help(results: Results, engine: str) -> Claim:
-    drifts, changes = {}, []
+    drifts = {}
+    changes = []
     for pads, end in (("as-shipped", ""), ("stiff-pads", "_stiff")):
         case = f"{pads}-{engine}"
         plain = drifts[f"without{end}"] = results.row[case].drift_mm_s

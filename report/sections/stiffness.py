@@ -46,7 +46,9 @@ labels = {
     "solimp-dmax-#": "dmax {}",
 }
 
-SHIPPED, FIX, STIFFEST = "pad-ke-2.5e3", "pad-ke-2.5e5", "pad-ke-2.5e6"
+SHIPPED = "pad-ke-2.5e3"
+FIX = "pad-ke-2.5e5"
+STIFFEST = "pad-ke-2.5e6"
 HARDEST = "solimp-dmax-0.9999"
 SHOWN = (
     SHIPPED,
@@ -87,8 +89,10 @@ CONDITIONS = {  # of the cause, in words: section, value and the bound that it k
 
 
 def derive(results: Results) -> Section:
-    shipped, fix = results.row[SHIPPED], results.row[FIX]
-    stiffest, hardest = results.row[STIFFEST], results.row[HARDEST]
+    shipped = results.row[SHIPPED]
+    fix = results.row[FIX]
+    stiffest = results.row[STIFFEST]
+    hardest = results.row[HARDEST]
     other = Sections(results.others).value
     bound = other("reproduction", "slip_bound")
     slips = at_least(shipped.slip_mm, bound)

@@ -23,7 +23,8 @@ CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 AS_PUBLISHED = "published, and not measured here"  # formula of a constant
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
-MS_PER_S, MM_PER_M = constant(1e3, "ms/s"), constant(1e3, "mm/m")
+MS_PER_S = constant(1e3, "ms/s")
+MM_PER_M = constant(1e3, "mm/m")
 # A bound that sections choose: why, and how many times less.
 SETTLES = ("a change that settles the matter", 10.0)
 

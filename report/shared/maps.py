@@ -87,7 +87,8 @@ def _draw_map(axes: Axes, frame: pd.DataFrame, side: str):
     failed = grid_of(frame, side, "failure").notna().to_numpy()
     lost = (grid_of(frame, side, "dropped").astype(str) == "True").to_numpy()
     hidden = lost | failed | slip.isna().to_numpy()
-    frequency, amplitude = slip.columns.to_numpy(), 100 * slip.index.to_numpy()
+    frequency = slip.columns.to_numpy()
+    amplitude = 100 * slip.index.to_numpy()
     axes.set_facecolor("#f2f2f2")  # of cells that have no slip to show
     axes.grid(visible=False)
     colours = axes.pcolormesh(

@@ -30,10 +30,8 @@ def variant_section(results: Results, variants: Variants, *claims: Claim) -> Sec
     """Make the section of variants: whether one of them is the cause, and more claims."""
     why = "a cause would change the slip by more"
     bound = results.chosen("cause_bound", why, 10.0, "%")
-    largest, floor = (
-        results.derived["largest_difference"],
-        noise_floor(results, "slip_floor"),
-    )
+    largest = results.derived["largest_difference"]
+    floor = noise_floor(results, "slip_floor")
     slip = variants.baseline.slip_mm
     cause = is_small(results, "cause", largest, bound, slip, floor)
     return Section(claims=[Claim("not_the_cause", cause, variants.numbers), *claims])

@@ -14,7 +14,8 @@ from measured_report.files.config import read_toml
 def wheel(folder: Path) -> tuple[str, bytes]:
     """Return the name of the wheel of the package in a folder, and the wheel."""
     project = read_toml(folder / "pyproject.toml")["project"]
-    package, version = project["name"].replace("-", "_"), project["version"]
+    package = project["name"].replace("-", "_")
+    version = project["version"]
     paths = sorted(
         path
         for path in (folder / package).rglob("*")

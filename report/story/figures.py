@@ -25,7 +25,8 @@ def draw_mechanism() -> Drawing:
 
 def _draw_arc(axes: Axes) -> None:
     axes.set_title("1. A turning joint moves the pad")
-    radius, angle = 3.0, np.radians(58)
+    radius = 3.0
+    angle = np.radians(58)
     outward = np.array([np.cos(angle), np.sin(angle)])
     along = np.array([np.sin(angle), -np.cos(angle)])
     pad = radius * outward
@@ -61,7 +62,8 @@ def _draw_brake(axes: Axes) -> None:
     _arrow(axes, (-0.1, 0.75), (-1.0, 0.75), INK)
     axes.annotate("left behind\nat v = J̇·q̇ / b", (-1.0, 0.0), fontsize=9, va="top")
     y = 1.7  # of the damper between pad and cube
-    above, below = y + 0.17, y - 0.17
+    above = y + 0.17
+    below = y - 0.17
     for xs, ys, width in (
         ([0.5, 0.5, 1.05], [1.3, y, y], 1.4),
         ([1.45, 1.05, 1.05, 1.45], [above, above, below, below], None),

@@ -36,7 +36,8 @@ from report.shared.drawing import (
     write,
 )
 
-ALONE, MANY = TIMED_WORLDS[0], TIMED_WORLDS[-1]
+ALONE = TIMED_WORLDS[0]
+MANY = TIMED_WORLDS[-1]
 SHAKE = ("shake_duration_s", "shake_frequency_hz")
 UNSEEN = {  # value of how much longer the frames of a way may take and are not seen to
     "stiff pads": ("speed", "stiff_pads_only_change"),
@@ -229,7 +230,9 @@ def figure(sections: Sections) -> Figure:
     if core.value and alone_in_c:
         core_s = 1 / FRAME_RATE / core.value
         core_ms = {ALONE: MS_PER_S.number * core_s / alone_in_c.number}
-    cells, marks, ways = [], [], []
+    cells = []
+    marks = []
+    ways = []
     other = next(
         (way for way in WAYS if way.name in OTHERS and way.ratios(sections)), None
     )
@@ -238,7 +241,8 @@ def figure(sections: Sections) -> Figure:
         if creep is None or not (way.name in MARKED or way is other):
             continue
         ways.append(way)
-        slip, ratios = way.slip(sections), way.ratios(sections)
+        slip = way.slip(sections)
+        ratios = way.ratios(sections)
         cells += [slip, *ratios.values()]
         paces = core_ms if way in C_WAYS else frames_ms
         times = [
@@ -255,7 +259,8 @@ def figure(sections: Sections) -> Figure:
         for bound in bounds
         if None not in (bound.value, *shake)
     ]
-    gain, stiff = sections.value("reproduction", "stiff_gain"), WAYS[1].slip(sections)
+    gain = sections.value("reproduction", "stiff_gain")
+    stiff = WAYS[1].slip(sections)
     is_cut = all_of(
         at_least(gain, 10.0, "an order of magnitude"), at_most(stiff, bounds[0])
     )

@@ -3,12 +3,11 @@
 from measured_report.findings.chapters import Chapters
 from report.shared import Claim, Outcome, Section, all_of, sections_of
 
-SHIPPED, STIFF, HELD = (
-    "reproduction/as-shipped/",
-    "reproduction/stiff-pads/",
-    "hold/hold-60s/",
-)
-SOURCE, DRIFT = "contact_source/", "cure/{}_drift"
+SHIPPED = "reproduction/as-shipped/"
+STIFF = "reproduction/stiff-pads/"
+HELD = "hold/hold-60s/"
+SOURCE = "contact_source/"
+DRIFT = "cure/{}_drift"
 STATEMENTS = {  # by name: the claims that decide a statement, and the cells and values that its words name
     "drifts": (
         "reproduction.slips reproduction.drift_is_steady",

@@ -24,7 +24,9 @@ from report.shared import (
 from report.story import frontier
 from report.story.figures import draw_mechanism
 
-NEWTON, PYRAMID, MUJOCO = "Newton's contacts", "pyramidal cone", "MuJoCo's contacts"
+NEWTON = "Newton's contacts"
+PYRAMID = "pyramidal cone"
+MUJOCO = "MuJoCo's contacts"
 WAYS = {  # slips with shipped pads and with stiff ones, or how far these move in a cycle, by who finds the contacts
     NEWTON: [("reproduction", case, "slip_mm") for case in CASES],
     PYRAMID: [

@@ -76,7 +76,8 @@ def derive(results: Results) -> Section:
         return results.row[case.format(shake)]
 
     # Whether the cure on stiff pads loses no cube that they keep, and slips less.
-    slip, shipped = row_of(FIRM).slip_mm, row_of(SHIPPED).slip_mm
+    slip = row_of(FIRM).slip_mm
+    shipped = row_of(SHIPPED).slip_mm
     wide = row_of(FIRM, "10cm")
     amplitude = results.value(
         "amplitude_10cm",
@@ -86,7 +87,8 @@ def derive(results: Results) -> Section:
     share = results.value(
         "held_share", "of the slip as shipped, that", PERCENT * slip / shipped
     )
-    lost, kept = results.derived["limit_lost_firm"], results.derived["kept_firm"]
+    lost = results.derived["limit_lost_firm"]
+    kept = results.derived["kept_firm"]
     to_use = all_of(
         at_most(lost, 0, "none of them is lost"),
         at_most(wide.slip_mm, 0.05, "hardly more, shaken three times as wide"),

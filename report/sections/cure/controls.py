@@ -68,7 +68,8 @@ def derive(results: Results) -> Section:
         ),
     )
 
-    dense, sparse = results.row["jacobian-dense"], results.row["jacobian-sparse"]
+    dense = results.row["jacobian-dense"]
+    sparse = results.row["jacobian-sparse"]
     jacobian_off = results.value(
         "jacobian_off",
         "how far the slips are apart, of the first",

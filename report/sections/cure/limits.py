@@ -34,7 +34,9 @@ def derive(results: Results) -> Section:
     for variants in (VARIANTS, STIFF_VARIANTS):
         tried = [rows for rows in runs.values() if {"plain", *variants} <= set(rows)]
         for variant in variants:
-            kept, lost, won = [], [], []
+            kept = []
+            lost = []
+            won = []
             for rows in tried:
                 plain = rows["plain"]
                 if plain.kept:

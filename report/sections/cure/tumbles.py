@@ -103,7 +103,8 @@ def _excess(*counts: float) -> float:
 
     The counts of the two kinds are given in turn.
     """
-    more, fewer = sum(counts[::2]), sum(counts[1::2])
+    more = sum(counts[::2])
+    fewer = sum(counts[1::2])
     return (more - fewer) / max(1.0, more + fewer) ** 0.5
 
 

@@ -106,7 +106,9 @@ PUBLISHED = (
 
 def derive(results: Results) -> Section:
     sections = Sections({**results.others, results.record.section: results})
-    lines, compared, agreed = [], [], []
+    lines = []
+    compared = []
+    agreed = []
     for each in PUBLISHED:
         ours = sections.cell(each.section, each.case, each.column)
         agrees = "" if ours.value is None else each.agrees(ours.value)

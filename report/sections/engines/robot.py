@@ -47,7 +47,8 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
 
     # Whether the cube slips farther in MuJoCo than in each other engine that keeps it.
     others = [model for model in models if model != MUJOCO]
-    mine, held = rows[MUJOCO, "3cm"].slip_mm, rows[MUJOCO, "held"].slip_mm
+    mine = rows[MUJOCO, "3cm"].slip_mm
+    held = rows[MUJOCO, "held"].slip_mm
     slips = [rows[model, "3cm"].slip_mm for model in others]
     slips = [slip for slip in slips if slip.value is not None]
     still = [rows[model, "held"].slip_mm for model in others]

@@ -51,7 +51,8 @@ EACH_SUBSTEP = f"newton-each-substep/substeps-{AS_SHIPPED.substeps}"
 
 def derive(results: Results) -> Section:
     points = runs.points_of(results)
-    shipped, floor = points[SHIPPED], points.floors["as-shipped"]
+    shipped = points[SHIPPED]
+    floor = points.floors["as-shipped"]
 
     # Shipped pads keep their grasp error where the model is solved; stiff ones less.
     soft, stiff = map(points.converged, runs.PADS)
@@ -276,7 +277,8 @@ def _crossover(results: Results, points: Points) -> Claim:
 
 def _crossing(level: float, *cells: float) -> float:
     """Return the worlds with which a rising line first reaches ``level``, else NaN."""
-    worlds, rates = cells[::2], cells[1::2]
+    worlds = cells[::2]
+    rates = cells[1::2]
     above = [rate >= level for rate in rates]
     if True not in above or above[0] or min(rates) <= 0.0:
         return float("nan")

@@ -49,7 +49,8 @@ def draw_numerical(points: Points) -> Drawing:
         corner = {"transform": axes.transAxes, "fontsize": 8.5}
         axes.text(0.03, 0.03, "↙ lower left is better", **corner)
         left = {"xycoords": ("axes fraction", "data"), "fontsize": 8}
-        floor, creep = points.floors[pads].value, points.converged(pads).value
+        floor = points.floors[pads].value
+        creep = points.converged(pads).value
         if floor is not None:
             band = {"color": FAINT, "alpha": 0.5, "linewidth": 0}
             axes.axhspan(LEAST_ERROR_MM, floor, zorder=0, **band)

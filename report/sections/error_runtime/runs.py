@@ -13,7 +13,8 @@ ENGINES = {
     "warp-cpu": "MuJoCo Warp on the CPU",
     "mujoco-c": "MuJoCo C",
 }
-ERROR, GRASP = "numerical_error_mm", "grasp_error_mm_per_cycle"
+ERROR = "numerical_error_mm"
+GRASP = "grasp_error_mm_per_cycle"
 TIME = "ms_per_s"
 LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m  # farther off, the cube has left the grasp
 

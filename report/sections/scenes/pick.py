@@ -63,10 +63,8 @@ def derive(results: Results) -> Section:
     )
 
     # Whether the creep of a grasp that is not shaken says when the ball drops.
-    still, ball = (
-        results.row["ball-published-held"],
-        results.row["ball-2ms-published-c"],
-    )
+    still = results.row["ball-published-held"]
+    ball = results.row["ball-2ms-published-c"]
     begin = results.chosen("hold_start", "when the creep began to be watched", 4.5, "s")
     passes = results.value(
         "ball_passes",

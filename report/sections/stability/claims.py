@@ -60,7 +60,8 @@ def _end(
 
 
 # Derive the end of a column; it has no number if there are no rows.
-least, most = partial(_end, min), partial(_end, max)
+least = partial(_end, min)
+most = partial(_end, max)
 
 
 def family_claim(
@@ -172,7 +173,9 @@ def gain_goes(results: Results) -> Claim:
         for number in sorted(counts, reverse=True)
         if {("as-shipped", number), ("stiff", number)} <= set(rows)
     ]
-    first, twice, longest = gains[0], gains[1], gains[-1]
+    first = gains[0]
+    twice = gains[1]
+    longest = gains[-1]
     outcome = all_of(
         at_least(first, 4.0, "a gain to take back"),
         at_most(longest, 2.0, "a gain"),
@@ -186,7 +189,8 @@ def gain_goes(results: Results) -> Claim:
 def clamp(results: Results) -> Claim:
     """Tell whether, without the clamp, shorter timeconsts fail and longer ones hold."""
     rows = family(results, "clamp")
-    holding, failing = filter(is_stable, rows), filterfalse(is_stable, rows)
+    holding = filter(is_stable, rows)
+    failing = filterfalse(is_stable, rows)
     first = most(
         results,
         "clamp_fails_at",
@@ -272,7 +276,8 @@ def friction(results: Results) -> Claim:
 
 
 def masses(results: Results) -> Claim:
-    rows, column = family(results, "mass"), "cube_mass_kg"
+    rows = family(results, "mass")
+    column = "cube_mass_kg"
     held = list(filter(is_stable, rows))
     light = least(results, "mass_least", "least mass that is held", held, column)
     heavy = most(results, "mass_most", "largest mass that is held", held, column)

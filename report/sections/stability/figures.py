@@ -73,7 +73,8 @@ def draw_maps(panels: list[Panel]) -> Drawing:
                 continue
             size = 5 if mark else 11
             if name == "creeping" and not is_narrow():
-                name, mark = "creeping [mm/s]", "$1.2$"
+                name = "creeping [mm/s]"
+                mark = "$1.2$"
             look = {"linestyle": "", "color": MAP_INK, "markersize": size}
             line = Line2D([], [], marker=mark, **look)
             handles.append((Patch(facecolor=colour, **edge), line))
@@ -102,7 +103,8 @@ def draw_limits(limits: list[Limit]) -> Drawing:
     drawing, axes = new_figure(7.6, 0.9 + height * len(limits))
     for place, limit in enumerate(limits):
         low, high = (cell.number / limit.shipped for cell in (limit.low, limit.high))
-        bar, places = [low, high], [place, place]
+        bar = [low, high]
+        places = [place, place]
         wide = {"linewidth": 8, "solid_capstyle": "butt"}
         draw_line(axes, bar, places, color=STIFF, **wide)
         ends = {"linestyle": "", "marker": "|", "markersize": 8}
@@ -156,14 +158,17 @@ def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
     grid = np.full((len(steps), len(ke)), np.nan)
     for (x, y), row in cells.items():
         grid[steps.index(y), ke.index(x)] = colours.index(_colour(row))
-    edges_x, edges_y = _edges(ke), _edges(steps)
+    edges_x = _edges(ke)
+    edges_y = _edges(steps)
     axes.set(xscale="log", yscale="log", xlim=edges_x[[0, -1]], ylim=edges_y[[0, -1]])
     axes.grid(False)
     for number, colour in enumerate(colours):
         outlines = []
         for y, x in np.argwhere(grid == number):
-            left, right = edges_x[x], edges_x[x + 1]
-            low, high = edges_y[y], edges_y[y + 1]
+            left = edges_x[x]
+            right = edges_x[x + 1]
+            low = edges_y[y]
+            high = edges_y[y + 1]
             corners = [(left, low), (left, high), (right, high), (right, low)]
             outlines.append(Path(corners, closed=False))
         if outlines:

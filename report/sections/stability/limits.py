@@ -50,7 +50,8 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     step_ms = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
     add("time step [ms]", "step", stiff, "step_ms", NONE, step_ms)
 
-    first, limit = value["safe_ke"].value, value["kd_100_ke"].value
+    first = value["safe_ke"].value
+    limit = value["kd_100_ke"].value
     known = critical if first is not None else ()
     safe = [row for row in known if row.pad_ke.value >= first]
     soft = [row for row in known if row.pad_ke.value < first]
@@ -78,7 +79,8 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
         drops = value[f"{name}_lost"]
         add(label, f"{name}_load", rows, "load", drops, 1.0, over=over)
 
-    low, high = value["friction_kept"], value["friction_most"]
+    low = value["friction_kept"]
+    high = value["friction_most"]
     slides = value["friction_lost"]
     found.append(Limit("pads' friction", low, high, slides, AS_SHIPPED.pad_mu))
 
@@ -88,11 +90,13 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     edge_mm = 1e3 * AS_SHIPPED.cube_edge_m
     add("cube's edge [mm]", "edge", sizes, "cube_edge_mm", small, edge_mm)
 
-    low, high = value["mass_least"], value["mass_most"]
+    low = value["mass_least"]
+    high = value["mass_most"]
     found.append(Limit("mass, grip to match [kg]", low, high, NONE, MASS_KG))
 
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
-    formula, lost = "least that loses it", filterfalse(is_stable, pulls)
+    formula = "least that loses it"
+    lost = filterfalse(is_stable, pulls)
     heavy = least(results, "gravity_lost", formula, lost, "gravity_m_s2")
     add("gravity [m/s²]", "pull", pulls, "gravity_m_s2", heavy, 9.81)
 

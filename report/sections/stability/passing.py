@@ -39,7 +39,8 @@ def passes(row: Row) -> bool | None:
         case (
             "shake" | "grip"
         ):  # held well below what friction can carry, dropped well above
-            margin, load = 0.01 * LIMIT_MARGIN, row.load.value
+            margin = 0.01 * LIMIT_MARGIN
+            load = row.load.value
             if load is None or load > 1.0 + margin:
                 return load is not None and row["class"] == "dropped"
             return is_stable(row) if load < 1.0 - margin else None
@@ -57,10 +58,8 @@ def passes(row: Row) -> bool | None:
                 and row.exit_speed_mm_s.value <= row.exit_bound_mm_s.value
             )
         case "long":  # creeps no faster in the end than in the beginning
-            first, last = (
-                row.increment_first_mm_per_cycle.value,
-                row.increment_last_mm_per_cycle.value,
-            )
+            first = row.increment_first_mm_per_cycle.value
+            last = row.increment_last_mm_per_cycle.value
             return is_stable(row) and abs(last) <= GROWTH_LARGEST * abs(first)
         case "mass" | "gravity":
             return row.finite

@@ -159,7 +159,8 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
         cell_count(after for _, after in pairs),
     )
     one = Quantity(1.0, "1", "", noise=0.0)
-    slower, faster = greater(least, one), greater(one, most)
+    slower = greater(least, one)
+    faster = greater(one, most)
     mixed = slower.answer == faster.answer == "the opposite"
     if HOLDS in (slower, faster):  # all take longer, or all less
         outcome = OPPOSITE

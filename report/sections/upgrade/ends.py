@@ -38,7 +38,8 @@ class Ends:
         return Outcome("unknown", f"only Newton {self.old} has results")
 
     def cells(self, query: Query) -> tuple[Quantity, Quantity]:
-        old, new = self.releases[self.old], self.releases[self.new]
+        old = self.releases[self.old]
+        new = self.releases[self.new]
         return query.cell(old, self.old), query.cell(new, self.new)
 
     def live(self, case: str, column: str) -> tuple[Quantity, Quantity]:
@@ -63,5 +64,6 @@ def machines_differ(releases: Releases, section: str) -> Outcome | None:
     records = [chapter.results.record for chapter in chapters]
     if not records or records[0].machine_for_speed == records[-1].machine_for_speed:
         return None
-    first, last = records[0].machine_in_full, records[-1].machine_in_full
+    first = records[0].machine_in_full
+    last = records[-1].machine_in_full
     return Outcome("unknown", f"measured on {first} and on {last}")

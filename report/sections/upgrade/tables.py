@@ -8,15 +8,15 @@ from measured_report.findings.chapters import Releases
 from measured_report.values.format import unit_label
 from report.shared import Figure, Quantity, Table, table_of
 
-SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
-TAKEN, GIVEN = "as-shipped-friction-timeconst-off", "as-shipped-friction-timeconst-on"
+SHIPPED = "as-shipped"
+SWITCHED = "as-shipped-kf-off"
+TAKEN = "as-shipped-friction-timeconst-off"
+GIVEN = "as-shipped-friction-timeconst-on"
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
 SLIP = Query(f"upgrade.{SHIPPED}.slip_mm")
 MUJOCO_CONTACTS = Query("upgrade.as-shipped-mujoco-contacts.slip_mm")
-MUJOCO_C, PYRAMID = (
-    Query("reproduction.as-shipped-mujoco-c.slip_mm"),
-    Query("solver.cone-pyramidal.slip_mm"),
-)
+MUJOCO_C = Query("reproduction.as-shipped-mujoco-c.slip_mm")
+PYRAMID = Query("solver.cone-pyramidal.slip_mm")
 SPEEDS = {
     label: Query(f"{place}.frame_ms", label=label, device=device)
     for label, place, device in (
@@ -141,7 +141,8 @@ def number_table(releases: Releases) -> Table:
         names.append(Markup("{} [{}]").format(label, unit_label(query.unit)))
         marks = {point.release: point.mark for point in history}
         for name, chapters in releases.items():
-            number, mark = query.cell(chapters, name).bare, marks.get(name)
+            number = query.cell(chapters, name).bare
+            mark = marks.get(name)
             if mark:
                 moved = Markup('{} <span class="moved {}">{}</span>')
                 number = moved.format(number, mark, mark)
