@@ -161,7 +161,7 @@ def found_with(section: str, *changes: Mapping[Any, Any], **options: Any) -> dic
     """Derive a section with some cells set, and return all that it found."""
     results = results_with(section, *changes, **options)
     derived = derive_section(results, {})
-    found = all_of(derived, results)
+    found = found_in(derived, results)
     for (name, flag), claims in FLAGS.items():
         if name == section and found.get(flag):
             assert only(found, claims) == dict.fromkeys(claims, "holds"), flag
@@ -170,7 +170,7 @@ def found_with(section: str, *changes: Mapping[Any, Any], **options: Any) -> dic
     return found
 
 
-def all_of(section: Section, results: Results | None = None) -> dict[str, Any]:
+def found_in(section: Section, results: Results | None = None) -> dict[str, Any]:
     """Return values, outcomes, numbers of claims and figures, and cells, by name.
 
     A number of a claim is below ``claim/number``, a cell below ``table/column/line``.

@@ -3,7 +3,7 @@
 import shutil
 
 import pytest
-from deriving import all_of, chapters_with, near, only, results_with
+from deriving import chapters_with, found_in, near, only, results_with
 from toys import ROWS, TEMPLATE, Toy
 
 from measured_report.editions.project import Project
@@ -166,7 +166,7 @@ CHANGES = {
 def found_between(**releases) -> dict:
     results = results_with("upgrade", release="1.8.0")
     chapters = {name: chapters_with(*changes) for name, changes in releases.items()}
-    return all_of(upgrade.derive(results, chapters), results)
+    return found_in(upgrade.derive(results, chapters), results)
 
 
 @pytest.mark.parametrize(
