@@ -75,7 +75,9 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
 
 
 def quaternions(poses: np.ndarray) -> np.ndarray:
-    """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4], each on the side of the last.
+    """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4].
+
+    Each is on the side of the one before.
 
     Each is the largest eigenvector of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
     from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).

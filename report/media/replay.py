@@ -1,4 +1,4 @@
-"""replay.html: kept runs in 3D, on a page that needs no other file and runs one script, known by its digest."""
+"""replay.html: kept runs in 3D, on a page that needs no other file."""
 
 import base64
 import hashlib

@@ -132,8 +132,10 @@ def derive(results: Results) -> Section:
         if row["pads"] == "as-shipped"
         and (
             row.case.endswith(EACH_SUBSTEP)
-            or row.method == "newton"
-            and row.knob in ("iterations", "ls_iterations", "solver")
+            or (
+                row.method == "newton"
+                and row.knob in ("iterations", "ls_iterations", "solver")
+            )
         )
     ]
     converged = [

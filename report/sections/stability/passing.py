@@ -23,7 +23,7 @@ def is_stable(row: Row) -> bool:
 
 
 def judged_by(row: Row) -> list[Quantity]:
-    """Return the numbers that decide whether a run passes; one that is not stable is judged by how it ended."""
+    """Return the numbers that decide whether a stable run passes."""
     return (
         [row[column] for column in JUDGED_BY.get(row.family, ())]
         if is_stable(row)
@@ -32,7 +32,10 @@ def judged_by(row: Row) -> list[Quantity]:
 
 
 def passes(row: Row) -> bool | None:
-    """Tell whether a run passes; None where nothing is asked, and of a stable run that lacks a number."""
+    """Tell whether a run passes.
+
+    It is None if nothing is asked, or if a stable run lacks a number.
+    """
     if any(cell.value is None for cell in judged_by(row)):
         return None
     match row.family:
