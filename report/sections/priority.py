@@ -61,10 +61,9 @@ def derive(results: Results) -> Section:
         PERCENT * change / shipped.slip_mm,
     )
     small = at_most(share, 2.0, "no change to speak of")
+    stays = within(change, floor).having_read(share)
     if small == HOLDS:
         stays = small.having_read(floor)
-    else:
-        stays = within(change, floor).having_read(share)
 
     drop = results.value(
         "mixed_drop",
