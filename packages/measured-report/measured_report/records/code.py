@@ -18,7 +18,7 @@ from measured_report.files.errors import ReportError
 
 GENERATOR = "measured_report"  # the package that passes calls on, and changes none of the rows that they return
 HERE = str(Path(__file__).resolve().parents[2])
-ASSETS = ("assets/", "experiments/")  # folders of files that a program reads or starts by their path
+ASSETS = ("assets/", "experiments/", "packages/")  # folders of files that a program reads or starts by their path
 WORKED_OUT = ...  # stands for a value that a module computes at its top level
 LAYOUT = ("ctx", "kind", "type_comment")  # fields of a syntax tree that follow from the others, or say nothing
 
@@ -135,7 +135,8 @@ def imported_names(node: ast.AST, package: tuple[str, ...]) -> Iterator[tuple[st
         start = package[: len(package) - node.level + 1] if node.level else ()
         module = ".".join([*start, *filter(None, [node.module])])
         for alias in node.names:
-            yield alias.asname or alias.name, f"{module}.{alias.name}"
+            path = f"{module}.{alias.name}".lstrip(".")  # a module in no package may import one beside it
+            yield alias.asname or alias.name, path
 
 
 def _top(tree: ast.Module) -> Iterator[tuple[str, Any]]:
