@@ -11,7 +11,14 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from measured_report.records.code import GENERATOR, Code, digest_of, imported_names, is_docstring, plain
+from measured_report.records.code import (
+    GENERATOR,
+    Code,
+    digest_of,
+    imported_names,
+    is_docstring,
+    plain,
+)
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 OPERATORS = (ast.operator, ast.unaryop, ast.boolop, ast.cmpop)

@@ -19,7 +19,13 @@ from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.config import Config, Report
 from measured_report.files.config import report as current
-from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion, without_secrets
+from measured_report.files.errors import (
+    UNPRINTABLE,
+    ReportError,
+    UsageError,
+    suggestion,
+    without_secrets,
+)
 from measured_report.records.code import cached_sources
 
 OWN = "report.commands"  # the package of a report's own commands, which need not be there

@@ -12,7 +12,14 @@ from pathlib import Path
 from measured_report.commands.options import Arguments, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
-from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums, write_file
+from measured_report.files.atomic import (
+    digests_below,
+    locked,
+    replace,
+    staging_folder,
+    sums,
+    write_file,
+)
 from measured_report.files.errors import ReportError, UsageError, without_secrets
 from measured_report.files.git import GitError, environment, run_git
 from measured_report.records.replicas import SUMS

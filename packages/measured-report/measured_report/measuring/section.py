@@ -15,7 +15,14 @@ from tqdm import tqdm
 from measured_report.editions.project import Project
 from measured_report.files.columns import REASON, UNBELIEVED, Schema, is_number, plain
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of
+from measured_report.measuring.batch import (
+    Batch,
+    BatchError,
+    Plan,
+    Result,
+    measure_batch,
+    reason_of,
+)
 from measured_report.measuring.machine import KIND, commit, needs_device
 from measured_report.measuring.measurement import Measurement
 from measured_report.records.record import NAME, Basis, Record

@@ -13,7 +13,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from msgspec import Meta, Struct, convert, to_builtins
 from msgspec import field as renamed
 
-from measured_report.files.atomic import RecordError, locked, read_file, short_path, write_files
+from measured_report.files.atomic import (
+    RecordError,
+    locked,
+    read_file,
+    short_path,
+    write_files,
+)
 from measured_report.files.columns import is_number, text_problem
 from measured_report.files.config import Report
 from measured_report.files.config import report as current
