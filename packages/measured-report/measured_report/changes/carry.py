@@ -20,7 +20,6 @@ from measured_report.editions.environment import python_of
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release
 from measured_report.editions.status import expected_packages
-from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.git import environment, git, run_git
 from measured_report.measuring.batch import now
@@ -32,10 +31,6 @@ COMMIT_LIMIT = 200  # so many commits back the old code is looked for
 SHORT = 12  # characters of a commit
 
 
-class NotCarried(ReportError):
-    """Says why a record cannot be carried."""
-
-
 def carried(project: Project, release: Release, names: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Carry the records of sections; yield each with the reason why it could not be carried, or empty."""
     with worktree(project.root) as old, worktree(project.root) as new:
@@ -45,26 +40,26 @@ def carried(project: Project, release: Release, names: Sequence[str]) -> Iterato
             try:
                 carry(project, name, sides, python)
                 yield name, ""
-            except (NotCarried, RecordError) as error:
+            except ReportError as error:
                 yield name, str(error)
 
 
 def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -> None:
-    """Carry one record; NotCarried if that is not proven, and then nothing is written."""
+    """Carry one record; ReportError if that is not proven, and then nothing is written."""
     old, new = sides
     path = project.record_path(name)
     basis = basis_of(name, path, project.profile, project.root, expected_packages(project))
     record = load_record(path)
     recorded = record.identity
     if basis.identity.code == recorded.code:
-        raise NotCarried("its code did not change")
+        raise ReportError("its code did not change")
     if replace(basis.identity, code=recorded.code, files=recorded.files) != recorded:
-        raise NotCarried(f"more than its code changed: make rerun SECTION={name}")
-    if any(project.report.columns[name].is_cost for name in record.units):
-        raise NotCarried(f"it has times, which are not carried: make rerun SECTION={name}")
+        raise ReportError(f"more than its code changed: make rerun SECTION={name}")
+    if any(project.report.columns[column].is_cost for column in record.units):
+        raise ReportError(f"it has times, which are not carried: make rerun SECTION={name}")
     new_code = identity_of(name, project.profile, new.root, recorded.packages).code
     if new_code != basis.identity.code:
-        raise NotCarried("its code has changes without a commit; commit them first")
+        raise ReportError("its code has changes without a commit; commit them first")
     old_commit = _check_out_measured(record, old.root)
     with tempfile.TemporaryDirectory() as folder:
         log = Path(folder) / "executed"
@@ -73,7 +68,7 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
             before, after = pool.map(partial(_run, name, python, log), sides)
         called = _places(log)
     if reason := first_difference(before, after) or uncovered(Program(name, old.root), Program(name, new.root), called):
-        raise NotCarried(reason)
+        raise ReportError(reason)
     commits = old_commit[:SHORT], git(new.root, "rev-parse", "HEAD")[:SHORT]
     cell_count = sum(map(len, after.rows))
     change = Carried(recorded.code, *commits, now().isoformat(timespec="seconds"), cell_count)
@@ -112,7 +107,7 @@ def _check_out_measured(record: Record, root: Path) -> str:
             found = identity_of(record.section, record.identity.profile, root, record.identity.packages)
             if found.code == record.identity.code:
                 return git(root, "rev-parse", "HEAD")
-    raise NotCarried(f"none of the {COMMIT_LIMIT} newest commits that change its files has the code that was measured")
+    raise ReportError(f"none of the {COMMIT_LIMIT} newest commits that change its files has the code that was measured")
 
 
 def _run(name: str, python: Path, log: Path, side: Project) -> Record:
@@ -136,7 +131,7 @@ def _run(name: str, python: Path, log: Path, side: Project) -> Record:
     process = subprocess.run(command, cwd=side.root, env=env, capture_output=True, text=True, check=False)
     if process.returncode or not path.exists():
         reason = [*filter(None, process.stderr.splitlines()), "no reason was given"][-1 if process.returncode else 0]
-        raise NotCarried(f"both codes could not be measured: {reason}")
+        raise ReportError(f"both codes could not be measured: {reason}")
     return load_record(path)
 
 
