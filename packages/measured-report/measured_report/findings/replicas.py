@@ -16,7 +16,7 @@ from measured_report.measuring.accelerator import accelerator
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
-from measured_report.records.replicas import FOLDER, Records, believed, is_copy, is_far, mismatch, read_replica
+from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
 from measured_report.values.evidence import Evidence, evidence_of, repeats_of, with_cards
 
 
@@ -47,10 +47,10 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
 
     def find() -> Measurements:
         read, damaged = read_replicas(project)
-        replicas = [_alike(tracked, records) for records in read.values()]
+        replicas = [alike(tracked, records) for records in read.values()]
         noise = tracked.get(config().noise_section)
         repeats = repeats_of(noise.rows) if noise else {}
-        of = {name: believed([record, *(side.get(name) for side in replicas)]) for name, record in tracked.items()}
+        of = {name: [record, *(side.get(name) for side in replicas)] for name, record in tracked.items()}
         evidence = with_cards({name: evidence_of(records, repeats) for name, records in of.items()})
         kinds = {name: _kinds([*filter(None, records)]) for name, records in of.items()}
         return Measurements(evidence, kinds, files_digest(replica_files(project), project.results), damaged, [*read])
@@ -84,37 +84,29 @@ def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
     return replicas, damaged
 
 
-def replicas_of(project: Project, tracked: Records) -> dict[str, Records]:
-    """Read an edition's replicas by name, as far as they are like what is tracked."""
-    return {name: _alike(tracked, records) for name, records in read_replicas(project)[0].items()}
-
-
 def replicas_text(project: Project) -> list[str]:
-    """Write a line for each replica: how many of its sections are as they are tracked, and which move nothing."""
-    tracked, (replicas, damaged) = {record.section: record for record in records_of(project)}, read_replicas(project)
-    fresh = {name: _alike(tracked, records) for name, records in replicas.items()}
-    sides = [tracked, *fresh.values()]
+    """Write a line for each replica: how many of its sections are as they are tracked."""
+    tracked = {record.section: record for record in records_of(project)}
+    replicas, damaged = read_replicas(project)
     lines = [f"damaged: {fault}" for fault in damaged]
-    for name, records in fresh.items():
-        far = [section for section, record in records.items() if is_far(record, [side.get(section) for side in sides])]
-        apart = f"; kept apart, far outside what the others say: {', '.join(far)}" if far else ""
-        lines.append(f"replica {name}: {len(records)} of {len(replicas[name])} sections fresh{apart}")
+    for name, records in replicas.items():
+        fresh = alike(tracked, records)
+        lines.append(f"replica {name}: {len(fresh)} of {len(records)} sections fresh")
     return lines
 
 
-def _alike(tracked: Records, records: Records) -> Records:
+def alike(tracked: Records, records: Records) -> Records:
     return {name: record for name, record in records.items() if name in tracked and not mismatch(tracked[name], record)}
 
 
 def refused(project: Project, records: Records) -> Mapping[str, str]:
-    """Say by section why it is no measurement of this edition; ReportError, one line, for copies and when none is."""
+    """Return the sections that are no measurement of this edition, each with the reason; ReportError if all are."""
     tracked = {record.section: record for record in records_of(project)}
-    measurements, reasons = [tracked, *replicas_of(project, tracked).values()], {}
+    reasons = {}
     for name, record in records.items():
-        if reason := mismatch(tracked[name], record) if name in tracked else "not measured here":
+        reason = mismatch(tracked[name], record) if name in tracked else "not measured here"
+        if reason:
             reasons[name] = reason
-        elif any(is_copy(measurement[name], record) for measurement in measurements if name in measurement):
-            raise ReportError(f"its section {name} is a copy of one that is there")
     if len(reasons) == len(records):
         raise ReportError(f"it has no section of this edition: {reasons_text(reasons)}")
     return reasons
