@@ -104,7 +104,8 @@ def number_table(releases: Releases) -> Table:
     columns: dict[str, list[Markup]] = {name: [] for name in releases}
     for headline in (Query(value, label=label) for label, value in config().changes.headlines.items()):
         if history := points(releases, headline):
-            labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
+            unit = headline.cell(releases[history[0].release]).unit
+            labels.append(Markup("{} [{}]").format(headline.label, unit_label(unit)))
             marks = {point.release: point.mark for point in history}
             for name, column in columns.items():
                 number, mark = headline.cell(releases[name], name).bare, marks.get(name, "")

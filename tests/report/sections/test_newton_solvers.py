@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from measured_report.values.evidence import evidence_of
+from measured_report.values.cells import evidence_of
 from measured_report.values.results import Results
 from report.sections.newton_solvers import derive
 from tests.by_hand import with_cells
@@ -18,7 +18,8 @@ def test_whose_slip_does_not_repeat_is_named_with_each_that_keeps_the_cube(editi
         again = [replace(with_cells(record, list(cells)), machine=record.machine | {"gpu_uuid": "another"})] * bool(
             cells
         )
-        section = derive(Results(record, tracked.path, tracked.others, evidence=evidence_of([record, *again], {})))
+        evidence = evidence_of({"again": [record, *again]}, {}, tracked.columns)["again"]
+        section = derive(Results(record, tracked.path, tracked.others, evidence=evidence))
         [claim] = [claim for claim in section.claims if claim.name == "slips_repeat"]
         return claim.outcome.answer, claim.numbers["solvers"]
 

@@ -7,12 +7,11 @@ from typing import Any
 from measured_report.changes.query import Answer, Query
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, folder_at, release_of, releases_between
-from measured_report.editions.status import states_of
-from measured_report.files.config import config
+from measured_report.editions.status import expected_packages, states_of
 from measured_report.files.errors import ReportError, UsageError, suggestion
 from measured_report.findings.editions import editions_of
 from measured_report.measuring.measure import measure
-from measured_report.records.identity import MISSING, git, sections
+from measured_report.records.identity import MISSING, git, package_changes, sections
 from measured_report.records.record import load_record
 
 ASIDE = "bisect"  # the folder below `results` of what a search measured
@@ -26,8 +25,10 @@ class Bisection:
 
     def answer(self, release: Release) -> Answer | None:
         """Return what a release answers, measured unless it has records of that."""
-        answer, noise = self._measured(release, [self.query.section]), config().noise_section
-        if answer is None and noise in sections(self.project.root):  # without which most differences can't be told
+        answer = self._measured(release, [self.query.section])
+        noise = self.project.report.settings.noise_section
+        # Without the section on noise most differences cannot be told.
+        if answer is None and noise in sections(self.project.root):
             answer = self._measured(release, [self.query.section, noise])
         print(f"{release}: {self.query.text} {answer_text(answer)}", flush=True)
         return answer
@@ -53,10 +54,18 @@ class Bisection:
 
 
 def _lacking(project: Project, names: Sequence[str]) -> list[str]:
-    """Name those without a record of what would be measured; of older code one will do that took hours."""
-    states = (state for state in states_of(project) if state.section in names)
-    parts = "stale" if project.aside else "packages"
-    return [state.section for state in states if not state.record or parts in state.summary]
+    """Return the sections that have to be measured: those without a record, and those
+    whose record is of other packages, or, if a search measured it, of older code."""
+    states = states_of(project)
+    packages = expected_packages(project, [state.record for state in states if state.record])
+    lacking = []
+    for state in states:
+        record = state.record
+        is_other = not record or package_changes(record.identity.packages, packages)
+        is_old = project.aside and state.kind == "stale"
+        if state.section in names and (is_other or is_old):
+            lacking.append(state.section)
+    return lacking
 
 
 def answer_text(answer: Answer | None) -> str:
@@ -111,14 +120,15 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
 
 def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]) -> str:
     """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
+    settings = search.project.report.settings
     old, new = search.packages(before), search.packages(after)
-    groups = [names for names in config().changes.package_groups if any(old[name] != new[name] for name in names)]
+    groups = [names for names in settings.changes.package_groups if any(old[name] != new[name] for name in names)]
     pins = [f"{name}=={new[name]}" for names in groups for name in names]
     if any(MISSING in pin for pin in pins):
         return "which package did it cannot be told: one of them is not there in all"
     ways = [sum(map(len, groups[:count])) for count in range(1, len(groups) + 1)]
     steps = [before, *(release_of(before.asked, " ".join(pins[:count])) for count in ways), after]
     low, high, skipped = first_change(steps, is_first)
-    changed = [*groups, (config().edition,)][steps.index(low) : steps.index(high)]
+    changed = [*groups, (settings.edition,)][steps.index(low) : steps.index(high)]
     names = " or ".join(" and ".join(names) for names in changed)
     return f"it is one of {names}" if skipped else f"{names} did it: {low} is as before, {high} is not"

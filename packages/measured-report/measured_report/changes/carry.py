@@ -20,6 +20,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.release import Release
 from measured_report.editions.status import expected_packages, states_of
 from measured_report.files.atomic import RecordError
+from measured_report.files.config import report
 from measured_report.files.errors import UsageError
 from measured_report.files.groups import grouped
 from measured_report.measuring import reach
@@ -279,5 +280,5 @@ def _gone_columns(before: Record, after: Record) -> set[str]:
 
 
 def _rows(record: Record) -> dict[tuple[Any, ...], Mapping[str, Any]]:
-    rows_by_key = grouped((key_of(row), row) for row in record.rows)
+    rows_by_key = grouped((key_of(row, report().columns), row) for row in record.rows)
     return {(key, index): row for key, rows in rows_by_key.items() for index, row in enumerate(rows)}

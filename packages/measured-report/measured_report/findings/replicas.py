@@ -7,7 +7,6 @@ from pathlib import Path
 from measured_report.editions.project import Project
 from measured_report.editions.status import records_of
 from measured_report.files.atomic import RecordError
-from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
 from measured_report.findings.cache import DerivedCache
@@ -17,7 +16,8 @@ from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
-from measured_report.values.evidence import Evidence, evidence_of, repeats_of, with_cards
+from measured_report.values.cells import evidence_of
+from measured_report.values.evidence import Evidence, repeats_of
 
 
 @dataclass(frozen=True)
@@ -44,14 +44,15 @@ class Measurements:
 
 def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> Measurements:
     """Return what all measurements of an edition say, kept from before."""
+    columns = project.report.columns
 
     def find() -> Measurements:
         read, damaged = read_replicas(project)
         replicas = [alike(tracked, records) for records in read.values()]
-        noise = tracked.get(config().noise_section)
-        repeats = repeats_of(noise.rows) if noise else {}
+        noise = tracked.get(columns.settings.noise_section)
+        repeats = repeats_of(noise.rows if noise else (), columns)
         of = {name: [record, *(side.get(name) for side in replicas)] for name, record in tracked.items()}
-        evidence = with_cards({name: evidence_of(records, repeats) for name, records in of.items()})
+        evidence = evidence_of(of, repeats, columns)
         kinds = {name: _kinds([*filter(None, records)]) for name, records in of.items()}
         return Measurements(evidence, kinds, files_digest(replica_files(project), project.results), damaged, [*read])
 

@@ -236,6 +236,12 @@ def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     return list(dict.fromkeys(chain.from_iterable(rows)))
 
 
+def unbelieved(row: Mapping[str, Any]) -> dict[str, str]:
+    """Return what the measurement gave in place of each number that no record may hold, in words."""
+    reasons = {name.removesuffix(REASON): cell for name, cell in row.items() if name.endswith(REASON)}
+    return {name: str(reason) for name, reason in reasons.items() if str(reason).startswith(UNBELIEVED)}
+
+
 def is_number(value: Any) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 

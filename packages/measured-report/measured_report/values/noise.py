@@ -6,10 +6,9 @@ both. Whose variance that is ``evidence.py`` says.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from statistics import NormalDist, fmean, median
-from typing import Any
+from typing import Any, NamedTuple
 
 SURE = 0.95  # chosen: so often the truth is within a printed number's noise
 FALSE_SHARE = 0.01  # chosen: so large a share of the changes that are told may be none
@@ -115,19 +114,19 @@ def binomial_noise(share: float, trials: float) -> float:
     return abs(share - middle) + half
 
 
-@dataclass(frozen=True)
-class Estimate:
-    """Tells what is known of a number by all that was measured of it."""
+class Estimate(NamedTuple):
+    """Holds what is known of a number by all that was measured of it."""
 
-    value: float | int  # the mean of its measurements; where they agree, what they say
+    value: float | int  # the mean of its measurements, or the number that all agree on
     variance: float = 0.0  # of one measurement
     freedom: float = math.inf  # degrees of freedom of the variance
-    count: float = 1.0  # measurements that the value is the mean of
+    count: float = 1.0  # measurements, or cards, that the value is the mean of
     least: float = 0.0  # the least that it may be off, as by rounding
-    samples: Sequence[float | None] = ()  # by measurement, None where it was not measured; empty where it is exact
-    is_of_cards: bool = False  # set where the variance has the part that cards of one kind have
-    is_again: bool = False  # set where it was measured more than once
-    is_edge: bool = False  # set where chance decides in which of two ways it ends
+    samples: Sequence[float | None] = ()
+    """By measurement, None where it was not measured; empty for an exact number."""
+    is_of_cards: bool = False  # whether the variance has the part that cards have
+    is_again: bool = False  # whether it was measured more than once
+    is_edge: bool = False  # whether chance decides in which of two ways it ends
 
     @property
     def note(self) -> str:
@@ -139,7 +138,7 @@ class Estimate:
         means = "mean of " if least < largest else ""
         return f"{'at an edge, where chance decides: ' if self.is_edge else means}{several}"
 
-    @cached_property
+    @property
     def noise(self) -> float:
         """Bound how far the truth may be from the value: ``SURE``, by Student's t of the mean."""
         error = math.sqrt(self.variance / self.count)

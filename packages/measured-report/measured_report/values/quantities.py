@@ -15,9 +15,8 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
-from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import PLAIN, is_unit
+from measured_report.records.columns import PLAIN
 from measured_report.records.record import Origin
 from measured_report.values.format import LEAST, MOST, WRITES, format_code, format_number, unit_label
 from measured_report.values.noise import SURE, WRITTEN_SHARE, t_quantile
@@ -27,9 +26,10 @@ POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
 
 
-def local(text: str, release: str) -> str:
-    """Write ``text`` as the site of a release has it: the addresses of its values are shorter."""
-    return text.replace(f"{config().edition_folder(release)}/{VALUES_FILE}", VALUES_FILE)
+def local(text: str, folder: str) -> str:
+    """Return ``text`` with shorter addresses of the values of the site's own edition,
+    whose data lie in ``folder``."""
+    return text.replace(f"{folder}/{VALUES_FILE}", VALUES_FILE)
 
 
 @dataclass(frozen=True)
@@ -41,6 +41,11 @@ class Pointer:
     @property
     def file(self) -> str:
         return self.text.partition("#")[0]
+
+    @property
+    def is_trace(self) -> bool:
+        """Return whether it names a whole trace."""
+        return self.text.endswith(".csv.gz")
 
     @property
     def cell(self) -> tuple[int, str] | None:
@@ -158,8 +163,6 @@ def absent(unit: str, reason: str) -> Quantity:
 
 def constant(value: float, unit: str = PLAIN) -> Quantity:
     """Make an exact number that nobody measured, as a factor."""
-    if not is_unit(unit):
-        raise ReportError(f"{value:g} has the unit {unit}, not known here; units in report.toml adds it")
     return Quantity(value, unit, "", noise=0.0)
 
 

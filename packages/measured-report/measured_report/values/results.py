@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError
-from measured_report.files.config import config
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.files.groups import single
-from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
+from measured_report.records.columns import PLAIN, REASON, Schema
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
 from measured_report.values.evidence import Evidence
@@ -72,7 +72,7 @@ class Row:
                 lack = self._lack or f"{case} has no column {column}{suggestion(column, units)}"
                 raise ResultsError(f"{self._record.section}: {lack}")
             return ""
-        value = number_of(column, self.plain)
+        value = self._results.columns.number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
             return value
         unit, origins, pointer = units[column], self._origins, f"{self.source}/{column}"
@@ -101,7 +101,8 @@ class Row:
 
     def estimate(self, column: str) -> Estimate | None:
         """Return what is known of one of its numbers; None where nobody knows how that scatters."""
-        return self._results.evidence.estimate(column, self.plain)
+        results = self._results
+        return results.evidence.estimate(column, self.plain, results.columns)
 
     @property
     def label(self) -> str:
@@ -132,11 +133,12 @@ class Results:
     label: str = ""  # name of the section in figures and tables
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
     """What people call its cases, see ``label_of``; a number that is not there says of which run it is."""
+    columns: Schema = field(default_factory=lambda: report().columns, repr=False)
 
     @property
     def edition(self) -> str:
         """Return the label of the edition that it belongs to."""
-        return config().edition_in(self.path.parent.name)
+        return self.columns.settings.edition_in(self.path.parent.name)
 
     @property
     def source(self) -> str:
@@ -155,7 +157,7 @@ class Results:
 
     def _lacks_setting(self, row: Mapping[str, Any]) -> bool:
         names = (name for name, cell in row.items() if cell is None and row.get(name + REASON))
-        return any(name not in self.record.units or "parameter" in column_of(name).kinds for name in names)
+        return any(name not in self.record.units or "parameter" in self.columns[name].kinds for name in names)
 
     @cached_property
     def row(self) -> Rows:
@@ -203,7 +205,7 @@ class Results:
         if re.search(r"[\s/~#]", name):
             raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
         assert formula.strip(), f"the value {name} has no words for how it is computed, or why it was chosen"
-        if not is_unit(unit):
+        if not self.columns.is_unit(unit):
             raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
         term = combined(function, *sources, unit=unit, across=across)
         names = "value", "unit", "reason", "origins", *(() if is_noise else ("noise", "samples")), "roots"
