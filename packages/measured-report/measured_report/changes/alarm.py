@@ -186,12 +186,12 @@ def power(comparison: Comparison) -> str:
     changed, and which numbers were not measured in both editions."""
     least: dict[str, float] = {}
     limit = FALSE_SHARE / max(1, comparison.number_count)
+    thresholds = comparison.report.settings.changes.thresholds
     for cell in comparison.cells:
-        if cell.threshold is not None and cell.share is not None and cell.before:
+        if cell.name in thresholds and cell.share is not None and cell.before:
             label = cell.column.words
             share = (replace(cell, limit=limit).noise or 0.0) / abs(cell.before)
-            if not cell.is_setting:
-                least[label] = max(least.get(label, cell.threshold), share)
+            least[label] = max(least.get(label, thresholds[cell.name]), share)
     shares = [f"{label} from {format_share(share)}" for label, share in least.items()]
     missing = comparison.missing
     return ", ".join(shares or ["nothing that is named"]) + (

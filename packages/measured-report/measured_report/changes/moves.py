@@ -5,26 +5,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from measured_report.files.config import Changes
 from measured_report.files.groups import single
 from measured_report.findings.chapters import Chapter
 from measured_report.records.columns import REASON, Column, Schema, is_number
 from measured_report.records.record import Record
-from measured_report.values.evidence import (
-    EDGES,
-    Cells,
-    Key,
-    is_absolute,
-    is_lost,
-    key_of,
-)
-from measured_report.values.noise import (
-    FALSE_SHARE,
-    ROUNDED_SHARE,
-    Estimate,
-    chance_of,
-    t_quantile,
-    welch,
-)
+from measured_report.values.evidence import EDGES, Cells, Key, is_absolute, is_lost, key_of
+from measured_report.values.noise import FALSE_SHARE, ROUNDED_SHARE, Estimate
+from measured_report.values.noise import chance_of, t_quantile, welch
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 
@@ -47,8 +35,7 @@ class Move:
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)  # the key of its row
     rows: Sequence[Row] = ()  # its row in both; none if it is the mean of many
-    is_setting: bool = False  # whether it is a default or an option, compared exactly
-    threshold: float | None = None  # the change, as a share, that raises an alarm
+    rules: Changes = field(default_factory=Changes, repr=False)
     limit: float = FALSE_SHARE  # the largest chance that counts as none
 
     @property
@@ -64,7 +51,13 @@ class Move:
     @property
     def name(self) -> str:
         """Return the name that VALUE= takes."""
-        return name_of(self.section, self.place, self.column.name)
+        names = self.section, self.place.get("case"), self.column.name
+        return ".".join(filter(None, names))
+
+    @property
+    def is_setting(self) -> bool:
+        """Return whether it is a default or an option, which is compared exactly."""
+        return self.place.get("kind") in self.rules.settings
 
     @property
     def is_real(self) -> bool:
@@ -99,14 +92,18 @@ class Move:
 
     @property
     def exceeds_threshold(self) -> bool:
-        """Return whether it moved by more than its threshold, or is lost."""
-        if self.threshold is None:
-            return False
+        """Return whether a setting, or a number that report.toml names, moved by more
+        than its threshold, or is lost."""
+        named = self.rules.thresholds
         if "failure" in self.column.kinds:
-            return self.is_real
-        if self.share is None:
-            return self.is_gone
-        return self.is_real and abs(self.share) > self.threshold
+            run = self.name.rpartition(".")[0]
+            return self.is_real and any(name.rpartition(".")[0] == run for name in named)
+        threshold = named.get(self.name)
+        if self.is_setting:
+            threshold = self.rules.setting_threshold
+        if threshold is None or self.share is None:
+            return threshold is not None and self.is_gone
+        return self.is_real and abs(self.share) > threshold
 
     @property
     def is_gone(self) -> bool:
@@ -132,11 +129,6 @@ class Move:
             pairs = zip(sides, ends, strict=True)
             sides = [replace(side, value=end, noise=noise) for side, end in pairs]
         return " → ".join(map(_text, sides))
-
-
-def name_of(section: str, place: Mapping[str, Any], column: str) -> str:
-    """Return the name of a value of a row, as ``section.case.column``."""
-    return ".".join(filter(None, (section, place.get("case"), column)))
 
 
 def direction(column: Column, before: Any, after: Any) -> str:
@@ -173,70 +165,52 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
     edges = sides[0].evidence.edges | sides[1].evidence.edges
     edge_share = max(side.evidence.edge_share for side in sides)
     is_other_card = sides[0].record.card != sides[1].record.card
-    pairs = list(_means_between(before.name, sides))
+    pairs = list(_means_between(sides, is_other_card))
     means = {(move.place["case"], move.column) for move, *_ in pairs}
     old, new = map(_rows_by_key, sides)
     moves = []
     for key in dict.fromkeys((*old, *new)):
+        rows = old.get(key), new.get(key)
         cells = zip(rules.keys, key, strict=True)
         place = {name: cell for name, cell in cells if cell is not None}
-        if key not in old or key not in new:
+        about = {"section": before.name, "place": place, "rules": rules}
+        if None in rows:
+            ends = [row and row.plain.get("value") for row in rows]
             if place.get("kind") in rules.settings:
-                rows = old.get(key), new.get(key)
-                ends = [row and row.plain["value"] for row in rows]
-                moves.append(_move(columns["value"], ends, before.name, place, columns))
+                moves.append(Move(columns["value"], *ends, **about))
             continue
-        a, b = old[key], new[key]
-        if key in edges or _is_mixed(a, rules.endings) or _is_mixed(b, rules.endings):
+        # If repeats of a run ended in different classes, it is chance which one counts.
+        endings = [row.plain[rules.endings] for row in rows if rules.endings in row]
+        is_mixed = any(len(set(classes.split(", "))) > 1 for classes in endings)
+        if is_mixed or key in edges:
             continue
-        for column in _comparable((a.plain, b.plain), sides):
-            ends = [a.plain[column.name], b.plain[column.name]]
-            move = _move(column, ends, before.name, place, columns, (a, b))
+        for column in _comparable([row.plain for row in rows], sides):
+            ends = [row.plain[column.name] for row in rows]
+            move = Move(column, *ends, rows=rows, **about)
             if not all(map(is_number, ends)):
                 moves.append(move)
             elif (place["case"], column) not in means:
-                estimates = [row.estimate(column.name) for row in (a, b)]
+                estimates = [row.estimate(column.name) for row in rows]
                 if is_absolute(column):
                     if is_other_card and not _knows_cards(estimates):
                         continue
-                    estimates = [_of_one_process(time) for time in estimates]
+                    # How far a time of another process would be is not known.
+                    estimates = [
+                        time._replace(count=1.0, least=CHOSEN_SHARE * abs(time.value))
+                        if time and not time.is_again
+                        else time
+                        for time in estimates
+                    ]
                 pairs.append((move, estimates, edge_share))
     return [*judged(pairs), *moves]
-
-
-def _move(
-    column: Column,
-    ends: Sequence[Any],
-    section: str,
-    place: Mapping[str, Any],
-    columns: Schema,
-    rows: Sequence[Row] = (),
-) -> Move:
-    """Return a value of two editions with the threshold that report.toml gives it."""
-    rules = columns.settings.changes
-    name = name_of(section, place, column.name)
-    is_setting = place.get("kind") in rules.settings
-    threshold = rules.setting_threshold if is_setting else rules.thresholds.get(name)
-    runs = {named.rpartition(".")[0] for named in rules.thresholds}
-    if "failure" in column.kinds and name.rpartition(".")[0] in runs:
-        threshold = 0.0  # a run that numbers with a threshold are of
-    about = {"is_setting": is_setting, "threshold": threshold}
-    return Move(column, *ends, section=section, place=place, rows=rows, **about)
 
 
 def _rows_by_key(results: Results) -> dict[Key, Row]:
     """Return rows by key, without rows that share one, and on noise without the runs,
     which are compared by their means."""
-    noise_section = results.columns.settings.noise_section
-    is_noise = results.record.section == noise_section
+    is_noise = results.record.section == results.columns.settings.noise_section
     rows = [row for row in results.rows if not (is_noise and "of" in row)]
     return single((key_of(row.plain, results.columns), row) for row in rows)
-
-
-def _is_mixed(row: Row, endings: str) -> bool:
-    """Return whether repeats of a run ended in different classes, so that it is chance
-    which of them the row is about."""
-    return endings in row and len(set(row.plain[endings].split(", "))) > 1
 
 
 def _knows_cards(estimates: Estimates) -> bool:
@@ -244,27 +218,20 @@ def _knows_cards(estimates: Estimates) -> bool:
     return any(estimate and estimate.is_of_cards for estimate in estimates)
 
 
-def _of_one_process(time: Estimate | None) -> Estimate | None:
-    """Return a time whose noise counts for other processes on the same card: that of a
-    time measured once is not known."""
-    if time is None or time.is_again:
-        return time
-    return time._replace(count=1.0, least=CHOSEN_SHARE * abs(time.value))
-
-
-def _means_between(section: str, sides: Sequence[Results]) -> Iterator[Pair]:
+def _means_between(sides: Sequence[Results], is_other_card: bool) -> Iterator[Pair]:
     """Yield the means of runs of one case, of the section on noise."""
     columns = sides[1].columns
+    section = sides[1].record.section
     if section != columns.settings.noise_section:
         return
     old, new = (side.evidence.means() for side in sides)
-    is_other_card = sides[0].record.card != sides[1].record.card
     for case, name in (key for key in old if key in new):
         means = old[case, name], new[case, name]
-        column = columns[name]
-        if not (is_absolute(column) and is_other_card) or _knows_cards(means):
+        if not (is_absolute(columns[name]) and is_other_card) or _knows_cards(means):
+            about = {"section": section, "place": {"case": case}}
             ends = [mean.value for mean in means]
-            yield _move(column, ends, section, {"case": case}, columns), means, 0.0
+            rules = columns.settings.changes
+            yield Move(columns[name], *ends, rules=rules, **about), means, 0.0
 
 
 def cost_terms(record: Record, row: Cells, columns: Schema) -> tuple[Any, ...]:
@@ -273,7 +240,7 @@ def cost_terms(record: Record, row: Cells, columns: Schema) -> tuple[Any, ...]:
     return record.machine_for_speed, *work
 
 
-def _comparable(rows: tuple[Cells, Cells], sides: Sequence[Results]) -> Iterator[Column]:
+def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Column]:
     """Yield the columns whose cells in two rows can be compared."""
     a, b = rows
     columns = sides[1].columns
@@ -314,31 +281,22 @@ def judged(pairs: Sequence[Pair]) -> list[Move]:
     if not pairs:
         return []
     known = [_known(move, estimates) for move, estimates, _ in pairs]
-    sides = np.array(
-        [[(side.value, side.variance / side.count, side.freedom) for side in of] for of, *_ in known]
-    )
-    errors, freedoms = welch(sides[:, :, 1], sides[:, :, 2])
+    values = np.array([[side.value for side in sides] for sides, *_ in known])
+    variances = [[side.variance / side.count for side in sides] for sides, *_ in known]
+    freedoms = [[side.freedom for side in sides] for sides, *_ in known]
+    errors, freedoms = welch(np.array(variances), np.array(freedoms))
     leasts = np.array([least for _, least, _ in known])
-    distances = np.maximum(0.0, abs(np.diff(sides[:, :, 0])[:, 0]) - leasts)
+    distances = np.maximum(0.0, abs(np.diff(values)[:, 0]) - leasts)
     chances = chance_of(distances, errors, freedoms)
-    arrays = errors.tolist(), freedoms.tolist(), leasts.tolist()
     moves = []
-    for pair, of_pair, chance, *difference in zip(pairs, known, chances, *arrays, strict=True):
+    differences = zip(chances, errors.tolist(), freedoms.tolist(), strict=True)
+    for pair, of_pair, difference in zip(pairs, known, differences, strict=True):
         move, _, least_chance = pair
-        (before, after), _, is_chosen = of_pair
-        error, freedom, least = difference
-        moves.append(
-            replace(
-                move,
-                before=before.value,
-                after=after.value,
-                chance=max(chance, least_chance),
-                error=error,
-                freedom=freedom,
-                least=least,
-                is_chosen=is_chosen,
-            )
-        )
+        (before, after), least, is_chosen = of_pair
+        chance, error, freedom = difference
+        ends = {"before": before.value, "after": after.value, "is_chosen": is_chosen}
+        scatter = {"error": error, "freedom": freedom, "least": least}
+        moves.append(replace(move, chance=max(chance, least_chance), **ends, **scatter))
     return moves
 
 

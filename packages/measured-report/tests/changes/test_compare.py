@@ -149,8 +149,8 @@ def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_thre
     assert (falls.share, grows.share, falls.noise) == pytest.approx((-0.5, 0.5, 0.30758), rel=1e-4)
     assert falls.sure_share == grows.sure_share == pytest.approx(0.5 * (1 - 0.30758), rel=1e-4)
     assert replace(falls, error=1.0).sure_share == 0.0
-    setting = partial(Move, value, 1.0, chance=0.0, is_setting=True, threshold=0.05)
-    some = [setting(after=after, place={"case": f"by {after}"}) for after in (1.0001, 0.8)]
+    setting = partial(Move, value, 1.0, chance=0.0, rules=report().settings.changes)
+    some = [setting(after=after, place={"case": f"by {after}", "kind": "option"}) for after in (1.0001, 0.8)]
     assert [each.exceeds_threshold for each in some] == [False, True] and settings_text(some).startswith("by 0.8 ")
     evidence = {"a": SimpleNamespace(changed=[(40, 0), (40, 1), (0, 0)]), "b": SimpleNamespace(changed=[(20, 3)])}
     found = rate_of(SimpleNamespace(measurements=SimpleNamespace(evidence=evidence)))
