@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from itertools import chain
 
-from measured_report.changes.moves import CHOSEN_SHARE, few
+from measured_report.changes.moves import CHOSEN_SHARE
 from measured_report.changes.query import Query
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError, suggestion
@@ -82,10 +82,11 @@ def gaps(edition: Edition) -> list[str]:
     lines = []
     for name, chapter in edition.chapters.items():
         rows = [row for row in chapter.results.record.rows if "of" not in row]
-        exact: Counter[tuple[object, ...]] = Counter()
-        for row in rows:
-            exact[tuple(item for item in row.items() if not isinstance(item[1], float))] += 1
-        doubles = [dict(cells)["case"] for cells, count in exact.items() if count > 1]  # type: ignore[call-overload]
+        exact = [
+            tuple(item for item in row.items() if not isinstance(item[1], float))
+            for row in rows
+        ]
+        doubles = [dict(cells)["case"] for cells, count in Counter(exact).items() if count > 1]
         for case in dict.fromkeys(doubles):
             lines.append(f"{name}: several rows of case {case}, which nothing tells apart")
         for row in rows:
@@ -97,7 +98,6 @@ def gaps(edition: Edition) -> list[str]:
         for claim in chapter.section.claims:
             for number in claim.unread:
                 lines.append(f"{name}.{claim.name} prints {number}, which its test has not read")
-        for claim in chapter.section.claims:
             outcome = claim.outcome
             is_near = outcome.is_inconclusive or outcome == WITHIN
             if outcome.name == "unknown" and not is_near:
@@ -106,17 +106,7 @@ def gaps(edition: Edition) -> list[str]:
 
 
 def blind_spots(edition: Edition) -> list[str]:
-    """Return columns whose noise is not known, and thresholds that are below the noise or
-    of a number that is missing."""
-    unknown: dict[str, None] = {}
-    for chapter in edition.chapters.values():
-        results = chapter.results
-        for name in results.record.units:
-            kinds = results.columns[name].kinds
-            if kinds.isdisjoint(("uncompared", "cost", "parameter", "setting")):
-                cells = [row[name] for row in results.rows if name in row]
-                if any(cell.value is not None and cell.noise is None for cell in cells):
-                    unknown[name] = None
+    """Return thresholds that are below the noise, or of a number that is missing."""
     late = []
     for name, threshold in edition.project.report.settings.changes.thresholds.items():
         query = Query(name)
@@ -132,7 +122,7 @@ def blind_spots(edition: Edition) -> list[str]:
             if least > threshold:
                 hidden = f"noise hides changes below {format_share(least)}"
                 late.append(f"{name}: threshold {format_share(threshold)}, but {hidden}")
-    return ([f"no noise is known of {few(list(unknown), 8)}"] if unknown else []) + late
+    return late
 
 
 def idle_settings(edition: Edition) -> list[str]:

@@ -78,10 +78,8 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
         }
         groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
         if len(groups) > 1:
-            answered = []
-            for group in groups:
-                worded = page_release if page_release in group else group[-1]
-                answered.append((group, answers[worded]))
+            worded = [page_release if page_release in each else each[-1] for each in groups]
+            answered = list(zip(groups, map(answers.__getitem__, worded), strict=True))
             chapter = releases[next(iter(answers))][section]
             yield Flip(section, name, chapter.results.label, chapter.page, answered)
 
@@ -103,13 +101,11 @@ def cells(
 ) -> list[tuple[Record, Mapping[str, Any], str]]:
     """Return record, row and column of each pointer to a cell of these chapters."""
     records = {each.results.source: each.results.record for each in chapters.values()}
-    found = []
-    for pointer in map(Pointer, sorted(pointers)):
-        if pointer.cell and pointer.file in records:
-            index, column = pointer.cell
-            record = records[pointer.file]
-            found.append((record, record.rows[index], column))
-    return found
+    return [
+        (records[pointer.file], records[pointer.file].rows[pointer.cell[0]], pointer.cell[1])
+        for pointer in map(Pointer, sorted(pointers))
+        if pointer.cell and pointer.file in records
+    ]
 
 
 def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
@@ -147,12 +143,9 @@ def _has_moved(pointer: Pointer, of_rows: Mapping[str, Sequence[Move]]) -> bool:
     """Return whether a cell moved, or its row is lost in one edition; a row that nothing
     compares counts as moved."""
     row, _, name = pointer.text.rpartition("/")
-    moves = [
-        move
-        for move in of_rows.get(row, ())
-        if move.column.name == name or move.chance is None
-    ]
-    return row not in of_rows or any(move.is_real for move in moves)
+    moved = [move for move in of_rows.get(row, ()) if move.is_real]
+    names = [name if move.chance is None else move.column.name for move in moved]
+    return row not in of_rows or name in names
 
 
 @dataclass(frozen=True)
@@ -302,10 +295,8 @@ def faults_of(edition: Edition) -> list[Fault]:
             if claim.outcome.name == "unknown" and not claim.outcome.is_inconclusive:
                 read = cells(claim.outcome.reads, edition.chapters)
                 lost = [row for _, row, column in read if row.get(column) is None]
-                broken = [reason for reason in map(_breakdown, lost) if reason]
-                if broken:
-                    fault = Fault(release, name, "cannot tell", broken[0], claim.name)
-                    faults.append(fault)
+                for reason in list(filter(None, map(_breakdown, lost)))[:1]:
+                    faults.append(Fault(release, name, "cannot tell", reason, claim.name))
     return faults
 
 
@@ -316,16 +307,17 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
         # An edition with a manifest says itself what it misses.
         is_missing = state.kind == "missing" and not after.project.manifest
         if is_missing and state.section in before.chapters:
-            edition = after.project.report.settings.edition
-            reason = f"no results, which {edition} {before.project.release} has"
+            package = after.project.report.settings.edition
+            reason = f"no results, which {package} {before.project.release} has"
             yield Fault(after.project.release, state.section, "missing", reason)
     for section, pair in _common(before.chapters, after.chapters).items():
         records = [chapter.results.record for chapter in pair]
-        common = set.intersection(*({row["case"] for row in each.rows} for each in records))
-        broken = []
-        for record in records:
-            rows = [row for row in record.rows if row["case"] in common]
-            broken.append([reason for reason in map(_breakdown, rows) if reason])
+        cases = [{row["case"] for row in record.rows} for record in records]
+        common = set.intersection(*cases)
+        broken = [
+            [reason for row in record.rows if row["case"] in common if (reason := _breakdown(row))]
+            for record in records
+        ]
         for edition, reasons in zip((before, after), broken, strict=True):
             if reasons and not all(broken):
                 more = f", and {len(reasons) - 1} more" if reasons[1:] else ""

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 from measured_report.files.config import Changes
@@ -11,8 +12,7 @@ from measured_report.findings.chapters import Chapter
 from measured_report.records.columns import REASON, Column, Schema, is_number
 from measured_report.records.record import Record
 from measured_report.values.evidence import EDGES, Cells, Key, is_absolute, is_lost, key_of
-from measured_report.values.noise import FALSE_SHARE, ROUNDED_SHARE, Estimate
-from measured_report.values.noise import chance_of, t_quantile, welch
+from measured_report.values.noise import FALSE_SHARE, ROUNDED_SHARE, Estimate, chance_of, t_quantile, welch
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 
@@ -170,15 +170,15 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
     old, new = map(_rows_by_key, sides)
     moves = []
     for key in dict.fromkeys((*old, *new)):
-        rows = old.get(key), new.get(key)
         cells = zip(rules.keys, key, strict=True)
         place = {name: cell for name, cell in cells if cell is not None}
-        about = {"section": before.name, "place": place, "rules": rules}
-        if None in rows:
-            ends = [row and row.plain.get("value") for row in rows]
+        move_of = partial(Move, section=before.name, place=place, rules=rules)
+        if key not in old or key not in new:
+            a, b = ((side[key].plain if key in side else {}) for side in (old, new))
             if place.get("kind") in rules.settings:
-                moves.append(Move(columns["value"], *ends, **about))
+                moves.append(move_of(columns["value"], a.get("value"), b.get("value")))
             continue
+        rows = old[key], new[key]
         # If repeats of a run ended in different classes, it is chance which one counts.
         endings = [row.plain[rules.endings] for row in rows if rules.endings in row]
         is_mixed = any(len(set(classes.split(", "))) > 1 for classes in endings)
@@ -186,7 +186,7 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
             continue
         for column in _comparable([row.plain for row in rows], sides):
             ends = [row.plain[column.name] for row in rows]
-            move = Move(column, *ends, rows=rows, **about)
+            move = move_of(column, *ends, rows=rows)
             if not all(map(is_number, ends)):
                 moves.append(move)
             elif (place["case"], column) not in means:
@@ -221,6 +221,7 @@ def _knows_cards(estimates: Estimates) -> bool:
 def _means_between(sides: Sequence[Results], is_other_card: bool) -> Iterator[Pair]:
     """Yield the means of runs of one case, of the section on noise."""
     columns = sides[1].columns
+    rules = columns.settings.changes
     section = sides[1].record.section
     if section != columns.settings.noise_section:
         return
@@ -228,10 +229,8 @@ def _means_between(sides: Sequence[Results], is_other_card: bool) -> Iterator[Pa
     for case, name in (key for key in old if key in new):
         means = old[case, name], new[case, name]
         if not (is_absolute(columns[name]) and is_other_card) or _knows_cards(means):
-            about = {"section": section, "place": {"case": case}}
-            ends = [mean.value for mean in means]
-            rules = columns.settings.changes
-            yield Move(columns[name], *ends, rules=rules, **about), means, 0.0
+            of_case = partial(Move, section=section, place={"case": case}, rules=rules)
+            yield of_case(columns[name], means[0].value, means[1].value), means, 0.0
 
 
 def cost_terms(record: Record, row: Cells, columns: Schema) -> tuple[Any, ...]:
@@ -289,14 +288,21 @@ def judged(pairs: Sequence[Pair]) -> list[Move]:
     distances = np.maximum(0.0, abs(np.diff(values)[:, 0]) - leasts)
     chances = chance_of(distances, errors, freedoms)
     moves = []
-    differences = zip(chances, errors.tolist(), freedoms.tolist(), strict=True)
-    for pair, of_pair, difference in zip(pairs, known, differences, strict=True):
-        move, _, least_chance = pair
-        (before, after), least, is_chosen = of_pair
-        chance, error, freedom = difference
-        ends = {"before": before.value, "after": after.value, "is_chosen": is_chosen}
-        scatter = {"error": error, "freedom": freedom, "least": least}
-        moves.append(replace(move, chance=max(chance, least_chance), **ends, **scatter))
+    difference = zip(chances, errors.tolist(), freedoms.tolist(), strict=True)
+    for index, (chance, error, freedom) in enumerate(difference):
+        move, _, least_chance = pairs[index]
+        (before, after), least, is_chosen = known[index]
+        judged_move = replace(
+            move,
+            before=before.value,
+            after=after.value,
+            chance=max(chance, least_chance),
+            error=error,
+            freedom=freedom,
+            least=least,
+            is_chosen=is_chosen,
+        )
+        moves.append(judged_move)
     return moves
 
 

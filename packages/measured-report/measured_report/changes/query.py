@@ -151,8 +151,8 @@ def points(releases: Releases, query: Query) -> list[Point]:
         starts = changes_in(numbers, noises, column.resolution)
         ends = [0, *starts, len(numbers)]
         means = [fmean(numbers[start:end]) for start, end in pairwise(ends)]
-        for start, (before, after) in zip(starts, pairwise(means), strict=True):
-            marks[start] = direction(column, before, after) or "moved"
+        for start, (old, new) in zip(starts, pairwise(means), strict=True):
+            marks[start] = direction(column, old, new) or "moved"
     return [replace(point, mark=marks.get(at, "")) for at, point in enumerate(answered)]
 
 

@@ -3,10 +3,10 @@
 import os
 import shlex
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TextIO
+from typing import Any, TextIO
 
 from measured_report.changes.alarm import Say, largest, power, settings_text, summary, upgrade_text
 from measured_report.changes.compare import Comparison, Fault, compare
@@ -49,15 +49,16 @@ def run(project: Project, arguments: Arguments) -> int:
     unmeasured = _unmeasured(project, releases, names, device)
     measured = [_measured(project, release, device, unmeasured[release]) for release in releases]
     after, before = measured
-    sides = [*editions_of(project, among=[before.release, after.release]).values()]
+    editions = editions_of(project, among=[before.release, after.release])
+    old, new = editions.values()
     timed = []
     if device:
-        timed = timed_in_turn([before, after], [base, *releases[:1]], measurable, device)
-    comparison = compare(*sides, timed)
+        timed = timed_in_turn([before, after], releases[::-1], measurable, device)
+    comparison = compare(old, new, timed)
     lost = [Fault(after.release, name, "missing", "it could not be measured") for name in lacking(after, names)]
     comparison = replace(comparison, faults=[*lost, *comparison.faults])
     say = sentences_of(project)
-    lines = verdict(comparison, say, *sides, names)
+    lines = verdict(comparison, say, old, new, names)
     print(upgrade_text(comparison, lines, arguments.format, say), file=answer, flush=True)
     if arguments.format == "text":  # the front page stays that of the project's own edition
         project = project.of(project.own_release or project.release)
@@ -77,27 +78,28 @@ def _answer_file() -> TextIO:
 
 def _unmeasured(
     project: Project, releases: Sequence[Release], names: Sequence[str], device: str | None
-) -> Mapping[Release, list[str]]:
+) -> dict[Release, list[str]]:
     """Return which sections of these editions have to be measured, and print them: those
     that are missing, and of the first edition, with a device, those that are stale."""
-    unmeasured = {}
-    seconds: dict[str, float] = {}
+    unmeasured: dict[Release, list[str]] = {}
+    seconds: dict[str, Any] = {}  # that the first edition took
     for release in releases:
-        states = {state.section: state for state in states_of(project.of(str(release)))}
-        renewed = ("missing", "stale", "damaged") if device and not unmeasured else ("missing",)
+        states = states_of(project.of(str(release)))
         if not unmeasured:
-            records = [state.record for state in states.values() if state.record]
-            seconds = {record.section: record.measured["seconds"] for record in records}
-        wanted = [name for name in names if name in states and states[name].kind in renewed]
+            records = [state.record for state in states if state.record]
+            seconds = {each.section: each.measured["seconds"] for each in records}
+        renews = device and not unmeasured
+        lacking = {each.section for each in states if each.kind == "missing"}
+        stale = {each.section for each in states if each.kind != "fresh"}
+        wanted = [name for name in names if name in (stale if renews else lacking)]
         unmeasured[release] = wanted
-        if not wanted:
-            continue
-        if not device:
+        if wanted and not device:
             raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
-        took = sum(seconds.get(name, 0.0) for name in wanted)
-        time = f", about {took:.0f} s of a processor as last time" if took else ""
-        edition = project.report.settings.edition
-        print(f"{edition} {release}: to be measured are {', '.join(wanted)}{time}", flush=True)
+        if wanted:
+            took = sum(seconds.get(name, 0.0) for name in wanted)
+            time = f", about {took:.0f} s of a processor as last time" if took else ""
+            edition = project.report.settings.edition
+            print(f"{edition} {release}: to be measured are {', '.join(wanted)}{time}", flush=True)
     return unmeasured
 
 

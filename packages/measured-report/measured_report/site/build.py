@@ -1,7 +1,7 @@
 """The site: the pages of every release that has results, each checked, then drawn, then all put in place as a whole."""
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 

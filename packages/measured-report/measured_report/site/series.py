@@ -1,5 +1,6 @@
 """Series: the page that shows each headline over all editions, and where it changed."""
 
+from itertools import pairwise
 from typing import Any
 
 from markupsafe import Markup
@@ -55,6 +56,5 @@ def _series(
         heights = (round(HEIGHT - EDGE - (end - low) * scale, 1) for end in ends)
         place = WIDTH * (names.index(point.release) + 0.5) / len(names)
         dots.append((point, round(place, 1), *heights))
-    pairs = zip(answered, answered[1:], strict=False)
-    changes = [pair for pair in pairs if pair[1].mark]
+    changes = [pair for pair in pairwise(answered) if pair[1].mark]
     return {"name": name, "points": answered, "numbers": numbers, "dots": dots, "changes": changes}

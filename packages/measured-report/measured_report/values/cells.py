@@ -209,8 +209,8 @@ def _share_cards(
 
     shares = {}
     linked: list[frozenset[str]] = []  # cards that sections have in common
-    for section, scatters in scatters_by_section.items():
-        of_cards = [each for each in scatters.values() if each.means is not None]
+    for section, of_groups in scatters_by_section.items():
+        of_cards = [each for each in of_groups.values() if each.means is not None]
         if of_cards:
             found = [each.variances / each.means**2 for each in of_cards]
             shares[section] = float(np.nanmedian(np.concatenate(found)))

@@ -120,7 +120,7 @@ class Estimate(NamedTuple):
     value: float | int  # the mean of its measurements, or the number that all agree on
     variance: float = 0.0  # of one measurement
     freedom: float = math.inf  # degrees of freedom of the variance
-    count: float = 1.0  # measurements, or cards, that the value is the mean of
+    count: float = 1.0  # type: ignore[assignment] # of what the value is the mean of
     least: float = 0.0  # the least that it may be off, as by rounding
     samples: Sequence[float | None] = ()
     """By measurement, None where it was not measured; empty for an exact number."""

@@ -19,7 +19,6 @@ from measured_report.editions.release import release_of
 from measured_report.files.config import Columns, config, report_in
 from measured_report.files.errors import UsageError
 
-
 SECTIONS = ["toy"]
 
 
