@@ -101,7 +101,7 @@ def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost,
     found = changed(project)
     assert found.is_alarm and not found.faults
     assert diff_text(found, "", "text", say).splitlines()[3].startswith(f"alarm: {said}")
-    advice = verdict(found, say, derived(project.of("1.8.0")), derived(project))[-1]
+    advice = verdict(found, say, derived(project.of("1.8.0")), derived(project), SECTIONS)[-1]
     assert ("make bisect" in advice) == ("dropped" in lost), "a search between a number and none would be refused"
 
 
