@@ -35,22 +35,26 @@ class Bisection:
 
     def _measured(self, release: Release, names: Sequence[str]) -> Answer | None:
         """Ask what a release has of these sections, by itself; what has no record is measured, and kept apart."""
-        side = self._side(release, names)
-        if lacking := _lacking(side, names):
-            side = measure(side, release, lacking, self.device)
+        side = self.side(release, names)
         edition = editions_of(side, among=[side.release])[side.release]
         claims = [*self.query.names(edition.chapters)]
         if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in claims:
             raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, claims)}")
         return self.query.answer(edition.chapters)
 
-    def _side(self, release: Release, names: Sequence[str]) -> Project:
+    def side(self, release: Release, names: Sequence[str]) -> Project:
+        """Return where a release has records of these sections; what is missing is
+        measured, and kept apart."""
         side = self.project.of(str(release))
-        return replace(side, aside=ASIDE) if _lacking(side, names) else side
+        if _lacking(side, names):
+            side = replace(side, aside=ASIDE)
+        lacking = _lacking(side, names) if side.aside else []
+        return measure(side, release, lacking, self.device) if lacking else side
 
     def packages(self, release: Release) -> Mapping[str, str]:
         section = self.query.section
-        return load_record(self._side(release, [section]).record_path(section)).identity.packages
+        path = self.side(release, [section]).record_path(section)
+        return load_record(path).identity.packages
 
 
 def _lacking(project: Project, names: Sequence[str]) -> list[str]:

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, TextIO
+from typing import TextIO
 
 from measured_report.changes.alarm import Say, largest, power, settings_text, summary, upgrade_text
 from measured_report.changes.compare import Comparison, Fault, compare
@@ -30,6 +30,7 @@ from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.site.build import build
 from measured_report.values.evidence import is_absolute
 
+STALE = ("missing", "stale", "damaged")  # kinds of records that are measured anew
 TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
 SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compare with, in place of the one before"}
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
@@ -46,9 +47,19 @@ def run(project: Project, arguments: Arguments) -> int:
     answer = sys.stdout if arguments.format == "text" else _answer_file()
     # The newer edition goes first: if it cannot be installed, no base is measured for it.
     releases = [arguments.release, base]
-    unmeasured = _unmeasured(project, releases, names, device)
-    measured = [_measured(project, release, device, unmeasured[release]) for release in releases]
-    after, before = measured
+    settings = project.report.settings
+    unmeasured = {}
+    for release in releases:
+        kinds = STALE if device and release == arguments.release else ("missing",)
+        states = states_of(project.of(str(release)))
+        found = {state.section for state in states if state.kind in kinds}
+        unmeasured[release] = wanted = [name for name in names if name in found]
+        if wanted and not device:
+            raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
+        if wanted:
+            text = f"{settings.edition} {release}: to be measured are {', '.join(wanted)}"
+            print(text, flush=True)
+    after, before = (_measured(project, each, device, unmeasured[each]) for each in releases)
     editions = editions_of(project, among=[before.release, after.release])
     old, new = editions.values()
     timed = []
@@ -74,33 +85,6 @@ def _answer_file() -> TextIO:
     answer = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     return answer
-
-
-def _unmeasured(
-    project: Project, releases: Sequence[Release], names: Sequence[str], device: str | None
-) -> dict[Release, list[str]]:
-    """Return which sections of these editions have to be measured, and print them: those
-    that are missing, and of the first edition, with a device, those that are stale."""
-    unmeasured: dict[Release, list[str]] = {}
-    seconds: dict[str, Any] = {}  # that the first edition took
-    for release in releases:
-        states = states_of(project.of(str(release)))
-        if not unmeasured:
-            records = [state.record for state in states if state.record]
-            seconds = {each.section: each.measured["seconds"] for each in records}
-        renews = device and not unmeasured
-        lacking = {each.section for each in states if each.kind == "missing"}
-        stale = {each.section for each in states if each.kind != "fresh"}
-        wanted = [name for name in names if name in (stale if renews else lacking)]
-        unmeasured[release] = wanted
-        if wanted and not device:
-            raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
-        if wanted:
-            took = sum(seconds.get(name, 0.0) for name in wanted)
-            time = f", about {took:.0f} s of a processor as last time" if took else ""
-            edition = project.report.settings.edition
-            print(f"{edition} {release}: to be measured are {', '.join(wanted)}{time}", flush=True)
-    return unmeasured
 
 
 def _measured(project: Project, release: Release, device: str | None, names: Sequence[str]) -> Project:

@@ -197,7 +197,8 @@ def mixed(*origins: frozenset[Origin]) -> str:
 
 def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[float | None]:
     """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
-    return [None if None in values else _sampled(function, values) for values in _measurements(sources)]
+    rows = _measurements(sources)
+    return [None if None in row else _evaluated(function, row)[0] for row in rows]
 
 
 def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
@@ -208,14 +209,6 @@ def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
         return []
     ways = [samples or count * (source.value,) for samples, source in zip(sampled, sources, strict=True)]
     return [*zip_longest(*(way[:count] for way in ways))]
-
-
-def _sampled(function: Callable[..., float], values: Sequence[float]) -> float | None:
-    try:
-        value = function(*values)
-        return float(value) if math.isfinite(value) else None
-    except (ArithmeticError, ValueError, LookupError, TypeError):
-        return None
 
 
 def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | None:
@@ -265,7 +258,11 @@ class Term(Value):
     def __init__(self, function: Callable[..., float], operands: Sequence[Any], unit: str, across: bool):
         origins = [operand.origins for operand in operands]
         refusal = "" if across else mixed(*origins)
-        value, reason = (None, refusal) if refusal else _evaluated(function, operands)
+        lost = [operand.reason for operand in operands if operand.value is None]
+        if refusal or lost:
+            value, reason = None, refusal or lost[0]
+        else:
+            value, reason = _evaluated(function, [operand.value for operand in operands])
         vars(self).update(value=value, unit=unit, reason=reason, origins=frozenset().union(*origins))
         vars(self).update(function=function, operands=operands, roots=frozenset().union(*(o.reads for o in operands)))
 
@@ -333,11 +330,10 @@ def _product_unit(a: str, b: str, power: int) -> str:
     return "/".join(["·".join(above) or PLAIN, *below])
 
 
-def _evaluated(function: Callable[..., float], sources: Sequence[Any]) -> tuple[float | None, str]:
-    if reasons := [source.reason for source in sources if source.value is None]:
-        return None, reasons[0]
+def _evaluated(function: Callable[..., float], values: Sequence[Any]) -> tuple[float | None, str]:
+    """Return what a function makes of values, and why that is no number if it is none."""
     try:
-        value = function(*(source.value for source in sources))
+        value = function(*values)
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
