@@ -2,8 +2,9 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from statistics import fmean, median
-from typing import Any, NamedTuple
+from typing import Any
 
 from measured_report.files.groups import single
 from measured_report.records.columns import REASON, Column, Schema
@@ -27,26 +28,31 @@ AT_EDGE = 4.4  # chosen: a number so many deviations from all others, 1 in 100,0
 CARDS_APART = 0.02  # chosen: the least scatter of cards that sections share
 
 
-class Samples(NamedTuple):
-    """Hold the numbers of a section that were measured several times."""
+@dataclass
+class Group:
+    """Holds numbers of a section that scatter alike, and how: a line for each number."""
 
-    groups: dict[Key, dict[Number, tuple[list[Any], float]]]
-    """Numbers that scatter alike, each with its cells by measurement, None for one that
-    is missing, and the scale of its noise. A group's key begins with its column."""
-    edges: set[Key]  # rows that ended in one of two ways
-    row_count: int  # of the other rows
+    column: Column
+    numbers: list[Number] = field(default_factory=list)
+    samples: list[list[Any]] = field(default_factory=list)
+    """By measurement, None where a number is missing."""
+    scales: list[float] = field(default_factory=list)  # of the noise of each
+    variances: Any = None  # an array, as the next; NaN for a number that has none
+    freedoms: Any = None
+    counts: Any = None  # of measurements, or of cards
+    means: Any = None  # over cards, if the scatter is that of cards
+    off: Any = None  # else the deviations of each measurement from the others
+
+
+@dataclass
+class Samples:
+    """Holds the numbers of a section that were measured several times."""
+
     cards: Sequence[str]  # by measurement; empty for one without this section
     timed: frozenset[str]  # cards whose times stand beside each other
-
-
-class Scatter(NamedTuple):
-    """Hold how the numbers of a group scatter, in arrays by number."""
-
-    variances: Any  # NaN for a number that has none
-    freedoms: Any
-    counts: Any  # of measurements, or of cards
-    means: Any = None  # over cards, where the scatter is that of cards
-    off: Any = None  # else normal deviations of each measurement from the others
+    groups: dict[Key, Group] = field(default_factory=dict)
+    edges: set[Key] = field(default_factory=set)  # rows that end in one of two ways
+    row_count: int = 0  # of the other rows
 
 
 def evidence_of(
@@ -57,19 +63,19 @@ def evidence_of(
     ``measured`` has the records of each section: first the one that is shown, then its
     replicas, None where a replica lacks the section.
     """
-    samples_by_section = {
+    evidence = dict.fromkeys(measured, Evidence(repeats=repeats))
+    again = {
         section: _samples(records[0], records, columns)
         for section, records in measured.items()
         if records[0] and any(records[1:])
     }
-    scatters_by_section = {
-        section: _scatters(samples, columns)
-        for section, samples in samples_by_section.items()
-    }
-    _share_cards(samples_by_section, scatters_by_section)
-    evidence = dict.fromkeys(measured, Evidence(repeats=repeats))
-    for section, samples in samples_by_section.items():
-        evidence[section] = _evidence(samples, scatters_by_section[section], repeats)
+    for samples in again.values():
+        for group in samples.groups.values():
+            if not (is_absolute(group.column) and _fit_cards(group, samples.cards)):
+                _fit_measurements(group)
+    _share_cards(list(again.values()))
+    for section, samples in again.items():
+        evidence[section] = _evidence(samples, repeats)
     return evidence
 
 
@@ -81,39 +87,40 @@ def _samples(
     alike = [each is not None and each.machine_for_speed == machine for each in records]
     cards = [record.card if record else "" for record in records]
     timed = frozenset(card for card, is_so in zip(cards, alike, strict=True) if is_so)
+    found = Samples(cards, timed)
     rows_by_key = [_rows_by_key(each.rows if each else (), columns) for each in records]
     runs = repeats_of(tracked.rows, columns)
-    groups: dict[Key, dict[Number, tuple[list[Any], float]]] = {}
-    edges = set()
-    row_count = 0
     for key, row in rows_by_key[0].items():
         rows = [of_record.get(key, {}) for of_record in rows_by_key]
         if len({_ending(each, columns) for each in rows if each}) > 1:
-            edges.add(key)
+            found.edges.add(key)
             continue
         if is_lost(row, columns):
             continue
         is_mean = key[0] == MEAN
-        row_count += not is_mean
+        found.row_count += not is_mean
         engine = [row.get(name) for name in columns.settings.repeating]
         for name in row:
             column = columns[name]
             if isinstance(row[name], str | bool) or not scatters(column):
                 continue
-            cells = [each.get(name) for each in rows]
+            samples = [each.get(name) for each in rows]
             if column.is_cost:
-                pairs = zip(cells, alike, strict=True)
-                cells = [cell if is_same else None for cell, is_same in pairs]
-            if len(cells) - cells.count(None) < 2:
+                pairs = zip(samples, alike, strict=True)
+                samples = [sample if is_same else None for sample, is_same in pairs]
+            if len(samples) - samples.count(None) < 2:
                 continue
-            group: Key = (name, *engine)
+            place: Key = (name, *engine)
             scale = 1.0
             if is_mean:
-                group = (name, MEAN) if is_absolute(column) else (MEAN,)
+                place = (name, MEAN) if is_absolute(column) else (MEAN,)
                 spread = runs[key[1]][name]
-                scale = math.sqrt(spread.variance / spread.run_count)
-            groups.setdefault(group, {})[key, name] = cells, scale
-    return Samples(groups, edges, row_count, cards, timed)
+                scale = math.sqrt(spread.variance / spread.run_count) or 1.0
+            group = found.groups.setdefault(place, Group(columns[place[0]]))
+            group.numbers.append((key, name))
+            group.samples.append(samples)
+            group.scales.append(scale)
+    return found
 
 
 def _rows_by_key(rows: Sequence[Cells], columns: Schema) -> dict[Key, Cells]:
@@ -122,8 +129,7 @@ def _rows_by_key(rows: Sequence[Cells], columns: Schema) -> dict[Key, Cells]:
     singles = [row for row in rows if "of" not in row]
     rows_by_key = single((key_of(row, columns), row) for row in singles)
     for case, runs in repeats_of(rows, columns).items():
-        for name, of_column in runs.items():
-            rows_by_key[MEAN, case, name] = {name: of_column.mean}
+        rows_by_key |= {(MEAN, case, name): {name: runs[name].mean} for name in runs}
     return rows_by_key
 
 
@@ -137,45 +143,35 @@ def _ending(row: Cells, columns: Schema) -> tuple[Any, ...]:
     return is_lost(row, columns), texts
 
 
-def _scatters(samples: Samples, columns: Schema) -> dict[Key, Scatter]:
-    """Return how the numbers of each group scatter: absolute times by cards, if there
-    are several, and all others by measurements."""
-    scatters = {}
-    for name, group in samples.groups.items():
-        column = columns[name[0]]
-        of_cards = _of_cards(group, samples.cards) if is_absolute(column) else None
-        scatters[name] = of_cards or _of_measurements(column, group)
-    return scatters
-
-
-def _of_measurements(column: Column, group: Mapping[Number, tuple[Any, float]]) -> Scatter:
-    """Return the scatter of a group's numbers, shrunk towards what they have in common."""
+def _fit_measurements(group: Group) -> None:
+    """Fit the scatter of numbers, shrunk towards what they have in common."""
     import numpy as np
 
     from measured_report.values.shrinkage import left_out, moderated
 
-    samples = np.array([cells for cells, _ in group.values()], float)
-    scales = np.array([scale or 1.0 for _, scale in group.values()])
+    samples = np.array(group.samples, float)
+    scales = np.array(group.scales)
     scaled = samples / scales[:, None]
-    counts = (~np.isnan(samples)).sum(axis=1)
-    is_mean = column.name == MEAN
+    group.counts = (~np.isnan(samples)).sum(axis=1)
+    is_mean = group.column.name == MEAN
     sizes = np.maximum(abs(np.nanmean(scaled, axis=1)), 1e-12)
     if is_mean:
-        sizes = np.ones(len(group))
+        sizes = np.ones(len(samples))
     variances = np.nanvar(scaled, axis=1, ddof=1)
-    fit = moderated(variances, counts - 1.0, sizes, usual=float(is_mean))
+    fit = moderated(variances, group.counts - 1.0, sizes, usual=float(is_mean))
+    group.variances = fit.variances * scales**2
+    group.freedoms = fit.freedoms
     rounding = ROUNDED_SHARE * abs(np.nanmean(samples, axis=1))
-    least = np.maximum(column.resolution, rounding) / scales
-    off = left_out(scaled, fit.lent, fit.common, least)
-    return Scatter(fit.variances * scales**2, fit.freedoms, counts, off=off)
+    least = np.maximum(group.column.resolution, rounding) / scales
+    group.off = left_out(scaled, fit.lent, fit.common, least)
 
 
-def _of_cards(group: Mapping[Number, tuple[Any, float]], cards: Sequence[str]) -> Scatter | None:
-    """Return how far cards are apart, which is known by as many as there are; None for
-    one card. A number that one of the cards lacks has no variance."""
+def _fit_cards(group: Group, cards: Sequence[str]) -> bool:
+    """Fit how far cards are apart, which is known by as many as there are; return False
+    for one card. A number that one of the cards lacks has no variance."""
     import numpy as np
 
-    samples = np.array([cells for cells, _ in group.values()], float)
+    samples = np.array(group.samples, float)
     means_by_card = []
     for card in dict.fromkeys(cards):
         of_card = samples[:, [name == card for name in cards]]
@@ -187,16 +183,16 @@ def _of_cards(group: Mapping[Number, tuple[Any, float]], cards: Sequence[str]) -
     whole = ~np.isnan(means)
     count = len(means_by_card)
     if count < 2 or not whole.any():
-        return None
-    share = float(np.median(by_card[whole].var(axis=1, ddof=1) / means[whole] ** 2))
-    counts = np.full(len(group), float(count))
-    return Scatter(share * means**2, counts - 1, counts, means=means)
+        return False
+    group.means = means
+    share = np.median(by_card[whole].var(axis=1, ddof=1) / means[whole] ** 2)
+    group.variances = share * means**2
+    group.counts = np.full(len(samples), float(count))
+    group.freedoms = group.counts - 1
+    return True
 
 
-def _share_cards(
-    samples_by_section: Mapping[str, Samples],
-    scatters_by_section: Mapping[str, dict[Key, Scatter]],
-) -> None:
+def _share_cards(sections: Sequence[Samples]) -> None:
     """Let sections tell each other how far cards are apart, of which each knows few.
 
     Few cards may be alike by chance, so no section takes less than all of them together
@@ -207,38 +203,35 @@ def _share_cards(
     """
     import numpy as np
 
-    shares = {}
+    total = 0.0
+    weight = 0
+    taught = []
     linked: list[frozenset[str]] = []  # cards that sections have in common
-    for section, of_groups in scatters_by_section.items():
-        of_cards = [each for each in of_groups.values() if each.means is not None]
-        if of_cards:
-            found = [each.variances / each.means**2 for each in of_cards]
-            shares[section] = float(np.nanmedian(np.concatenate(found)))
-            cards = samples_by_section[section].timed
-            near = [others for others in linked if others & cards]
-            linked = [others for others in linked if others not in near]
-            linked.append(cards.union(*near))
-    freedom = float(sum(len(cards) - 1 for cards in linked))
-    own = {section: len(samples_by_section[section].timed) - 1 for section in shares}
-    total = sum(share * own[section] for section, share in shares.items())
-    pooled = max(total / max(1, sum(own.values())), CARDS_APART**2)
-    for section in shares:
-        for name, each in scatters_by_section[section].items():
-            if own[section] < freedom and each.means is not None:
-                variances = np.maximum(each.variances, pooled * each.means**2)
-                freedoms = np.full_like(each.freedoms, freedom)
-                widened = each._replace(variances=variances, freedoms=freedoms)
-                scatters_by_section[section][name] = widened
+    for samples in sections:
+        groups = [each for each in samples.groups.values() if each.means is not None]
+        if groups:
+            shares = [group.variances / group.means**2 for group in groups]
+            freedom = len(samples.timed) - 1
+            total += float(np.nanmedian(np.concatenate(shares))) * freedom
+            weight += freedom
+            near = [cards for cards in linked if cards & samples.timed]
+            linked = [cards for cards in linked if cards not in near]
+            linked.append(samples.timed.union(*near))
+            taught += [(freedom, group) for group in groups]
+    most = sum(len(cards) - 1 for cards in linked)
+    pooled = max(total / max(1, weight), CARDS_APART**2)
+    for freedom, group in taught:
+        if freedom < most:
+            group.variances = np.maximum(group.variances, pooled * group.means**2)
+            group.freedoms = np.full(len(group.means), float(most))
 
 
-def _evidence(
-    samples: Samples, scatters: Mapping[Key, Scatter], repeats: Repeated
-) -> Evidence:
+def _evidence(samples: Samples, repeats: Repeated) -> Evidence:
     """Return the evidence of a section that was measured several times."""
     off: dict[Number, list[float]] = {}
-    for name, group in samples.groups.items():
-        if scatters[name].off is not None:
-            off |= zip(group, scatters[name].off.tolist(), strict=True)
+    for group in samples.groups.values():
+        if group.off is not None:
+            off |= zip(group.numbers, group.off.tolist(), strict=True)
     # A measurement so far from all others is no chance: its row ended otherwise.
     events = {
         (key, index)
@@ -248,13 +241,14 @@ def _evidence(
     }
     edges = samples.edges | {key for key, _ in events}
     estimates = {}
-    for name, group in samples.groups.items():
-        variances, freedoms, counts, means, _ = scatters[name]
-        known = variances.tolist(), freedoms.tolist(), counts.tolist()
-        for number, *scatter in zip(group, *known, strict=True):
-            if scatter[0] == scatter[0]:
-                estimate = _estimate(group[number][0], number[0] in edges, *scatter)
-                estimates[number] = estimate._replace(is_of_cards=means is not None)
+    for group in samples.groups.values():
+        known = group.variances.tolist(), group.freedoms.tolist(), group.counts.tolist()
+        lines = zip(group.numbers, group.samples, *known, strict=True)
+        is_of_cards = group.means is not None
+        for number, of_number, variance, *scatter in lines:
+            if variance == variance:
+                once = Estimate(0.0, variance, *scatter, 0.0, of_number, is_of_cards)
+                estimates[number] = _estimate(once, number[0] in edges)
     count = len(samples.cards) - samples.cards.count("")
     changed = []
     for index in range(len(samples.cards)) if count > 2 else ():
@@ -265,22 +259,22 @@ def _evidence(
     return Evidence(count, estimates, repeats, frozenset(edges), edge_share, changed)
 
 
-def _estimate(
-    cells: Sequence[Any], is_edge: bool, variance: float, freedom: float, count: float
-) -> Estimate:
-    """Return what is known of a number by its measurements and their scatter."""
-    present = [cell for cell in cells if cell is not None]
+def _estimate(known: Estimate, is_edge: bool) -> Estimate:
+    """Return an estimate, of which samples and scatter are known, with its value."""
+    present = [sample for sample in known.samples if sample is not None]
     least = min(present)
     largest = max(present)
     if is_edge and least < largest:
         middle = float(median(present))
         reach = max(largest - middle, middle - least)
-        return Estimate(middle, least=reach, samples=cells, is_edge=True)
-    value = fmean(present) if least < largest else present[0]
+        return Estimate(middle, least=reach, samples=known.samples, is_edge=True)
+    if least < largest:
+        return known._replace(value=fmean(present), is_again=True)
     # Measurements agree on a count, or on nothing at all: it has no noise.
-    if least == largest and not (isinstance(value, float) and value):
-        variance = 0.0
-    return Estimate(value, variance, freedom, count, samples=cells, is_again=True)
+    value = present[0]
+    is_exact = not (isinstance(value, float) and value)
+    variance = 0.0 if is_exact else known.variance
+    return known._replace(value=value, variance=variance, is_again=True)
 
 
 def _changed(
