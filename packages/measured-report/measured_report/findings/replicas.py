@@ -7,17 +7,18 @@ from pathlib import Path
 from measured_report.editions.project import Project
 from measured_report.editions.status import records_of
 from measured_report.files.atomic import RecordError
+from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.sections import outline_of
-from measured_report.measuring.accelerator import accelerator
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
 from measured_report.values.cells import evidence_of
 from measured_report.values.evidence import Evidence, repeats_of
+from measured_report.values.quantities import Pointer
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,8 @@ class Measurements:
             return section
         text, claims = f"by {count} measurements{self.kinds.get(name, '')}", []
         for claim in section.claims:
-            has_traces = any(".csv.gz" in pointer for pointer in claim.outcome.reads)  # which replicas lack
+            pointers = map(Pointer, claim.outcome.reads)
+            has_traces = any(pointer.is_trace for pointer in pointers)  # which replicas lack
             is_decided = claim.outcome.name != "unknown" and not has_traces
             claims.append(replace(claim, confirmed=text) if is_decided else claim)
         return replace(section, claims=claims)
@@ -51,10 +53,14 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
         replicas = [alike(tracked, records) for records in read.values()]
         noise = tracked.get(columns.settings.noise_section)
         repeats = repeats_of(noise.rows if noise else (), columns)
-        of = {name: [record, *(side.get(name) for side in replicas)] for name, record in tracked.items()}
-        evidence = evidence_of(of, repeats, columns)
-        kinds = {name: _kinds([*filter(None, records)]) for name, records in of.items()}
-        return Measurements(evidence, kinds, files_digest(replica_files(project), project.results), damaged, [*read])
+        measured: dict[str, list[Record | None]] = {}
+        kinds = {}
+        for name, record in tracked.items():
+            measured[name] = [record, *(records.get(name) for records in replicas)]
+            kinds[name] = _kinds([each for each in measured[name] if each], project.report)
+        evidence = evidence_of(measured, repeats, columns)
+        digest = files_digest(replica_files(project), project.results)
+        return Measurements(evidence, kinds, digest, damaged, [*read])
 
     if not tracked:
         return Measurements()
@@ -64,9 +70,12 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
     return cache.value(name, module, [files_digest(files, project.results), *(path.name for path in files)], find)
 
 
-def _kinds(records: Sequence[Record]) -> str:
-    processors, devices = {record.processor for record in records}, {record.machine["device"] for record in records}
-    noun = accelerator().NOUN if devices == {accelerator().KIND} else "processor"
+def _kinds(records: Sequence[Record], report: Report) -> str:
+    """Return on how many kinds of processor records were measured, in words."""
+    processors = {record.processor for record in records}
+    devices = {record.machine["device"] for record in records}
+    is_accelerated = devices == {report.accelerator.KIND}
+    noun = report.accelerator.NOUN if is_accelerated else "processor"
     return f", on {len(processors)} kinds of {noun}" if len(processors) > 1 else ""
 
 

@@ -242,13 +242,13 @@ def _evidence(samples: Samples, repeats: Repeated) -> Evidence:
     edges = samples.edges | {key for key, _ in events}
     estimates = {}
     for group in samples.groups.values():
-        known = group.variances.tolist(), group.freedoms.tolist(), group.counts.tolist()
-        lines = zip(group.numbers, group.samples, *known, strict=True)
+        scatter = group.variances.tolist(), group.freedoms.tolist(), group.counts.tolist()
+        lines = zip(group.numbers, group.samples, *scatter, strict=True)
         is_of_cards = group.means is not None
-        for number, of_number, variance, *scatter in lines:
+        for number, of_number, variance, freedom, count in lines:
             if variance == variance:
-                once = Estimate(0.0, variance, *scatter, 0.0, of_number, is_of_cards)
-                estimates[number] = _estimate(once, number[0] in edges)
+                known = Estimate(0.0, variance, freedom, count, 0.0, of_number, is_of_cards)
+                estimates[number] = _estimate(known, number[0] in edges)
     count = len(samples.cards) - samples.cards.count("")
     changed = []
     for index in range(len(samples.cards)) if count > 2 else ():
