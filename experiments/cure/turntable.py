@@ -23,7 +23,8 @@ import mujoco
 import numpy as np
 from tqdm import tqdm
 
-from experiments.simulation import contact_bias, contact_bias_c
+import contact_bias
+import contact_bias_c
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.measurement import Conditions, absent
 from experiments.simulation.mjcf_engines import ENGINES, STEPS, Contacts, numbers

@@ -15,7 +15,7 @@ import numpy as np
 import warp as wp
 from newton.solvers import SolverMuJoCo
 
-from experiments.simulation import contact_bias_c
+import contact_bias_c
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
 from newton_lint.newton_models.compat import make_solver
 

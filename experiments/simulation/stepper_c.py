@@ -10,9 +10,11 @@ import numpy as np
 from newton import CollisionPipeline, Contacts
 from newton.solvers import SolverMuJoCo
 
+import contact_bias
+import contact_bias_c
 from experiments.facts.case import Case, CaseError, batch_key
 from experiments.facts.trace import ContactRows
-from experiments.simulation import compensated_positions, contact_bias, contact_bias_c
+from experiments.simulation import compensated_positions
 from experiments.simulation.c_warnings import failure_of
 from experiments.simulation.stepper import CONTACT_MAX
 from experiments.simulation.stepper_warp import WarpRecorder, WarpStepper, is_elliptic

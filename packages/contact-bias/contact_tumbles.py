@@ -1,24 +1,27 @@
-"""Bodies that wobble, spin, roll on an edge or tumble: does the exact term put energy into any of them?
+# SPDX-License-Identifier: Apache-2.0
+"""The benchmark: does the exact term put energy into bodies that wobble, spin, roll on an edge or tumble?
+
+    python -m contact_tumbles            # 24,000 pairs of worlds, for a GPU
+    python -m contact_tumbles --quick    # 192 pairs, for a CPU
 
 Each world is run with the term and without. Judged are the most energy that a world ever has, over that of a body which
 lies still, and how high a body rises. Spins are so slow that the term is on. A tumble is chaos, and a step has an error
 of its own, which makes some gain without the term: what the term adds is what pairs have differently, either way.
 """
 
+import argparse
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from copy import copy
+from functools import partial
 from types import SimpleNamespace
 
 import mujoco
 import mujoco_warp as mjw
 import numpy as np
 import warp as wp
-from tqdm import tqdm
 
-from experiments.simulation import contact_place
-from experiments.simulation.measurement import Conditions
-from experiments.simulation.simulation import captured
+import contact_place
 
 STEPS_S = {"full": (0.0005, 0.001, 0.002, 0.005, 0.01), "quick": (0.005,)}
 PAIR_COUNT = {"full": 100, "quick": 4}  # of each body, step and start: 12 bodies, 5 steps and 4 starts are 24,000 pairs
@@ -61,14 +64,17 @@ BODIES = {  # its geom, and what is there beside the ground
 }
 
 
-def measure(conditions: Conditions) -> list[dict]:
-    """Make a row for each body and step: in how many pairs of worlds the energy or the height differs."""
-    steps_s, count = STEPS_S[conditions.profile], PAIR_COUNT[conditions.profile]
-    return [
-        row_of(body, *of_step)
-        for body in tqdm(BODIES, desc="cure, tumbles", unit="body", delay=3.0)
-        for of_step in zip(steps_s, *peaks(body, steps_s, count, conditions.device), strict=True)
-    ]
+def measure(body: str, profile: str, device: str) -> list[dict]:
+    """Make a row for each step: in how many pairs of worlds the energy or the height differs.
+
+    Args:
+        body: One of ``BODIES``.
+        profile: ``full`` or ``quick``.
+        device: Warp device, as ``cuda:0``.
+    """
+    steps_s = STEPS_S[profile]
+    energies, heights_m = peaks(body, steps_s, PAIR_COUNT[profile], device)
+    return [row_of(body, *of_step) for of_step in zip(steps_s, energies, heights_m, strict=True)]
 
 
 def row_of(body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray) -> dict[str, object]:
@@ -150,6 +156,13 @@ def keep_peaks(
     highest[world] = wp.max(highest[world], places[world, places.shape[1] - 1][2])
 
 
+def captured(queue: Callable[[], None]) -> Callable[[], None]:
+    """Return what replays ``queue`` as a graph on the current stream."""
+    with wp.ScopedCapture() as capture:
+        queue()
+    return partial(wp.capture_launch, capture.graph)
+
+
 def peaks(body: str, steps_s: Sequence[float], count: int, device: str) -> tuple[np.ndarray, np.ndarray]:
     """Return the most energy of each world, by that at the start, and the highest place of its body [m].
 
@@ -195,3 +208,24 @@ def relative(start: np.ndarray, most: np.ndarray, last: np.ndarray) -> np.ndarra
     """
     floor = np.nanmin(last[:, :1], axis=-1, keepdims=True)
     return (most - floor) / (start - floor)
+
+
+def main() -> None:
+    """Print a line for each body and step."""
+    parser = argparse.ArgumentParser(prog="python -m contact_tumbles", description="Pairs of tumbling bodies")
+    parser.add_argument("--quick", action="store_true", help="one step and few pairs")
+    parser.add_argument("--device", help="Warp device, as cuda:0 or cpu; CUDA if there is one")
+    arguments = parser.parse_args()
+    profile, device = "quick" if arguments.quick else "full", wp.get_device(arguments.device).alias
+    for body in BODIES:
+        for row in measure(body, profile, device):
+            print(
+                f"{body:13} {row['step_ms']:4g} ms, {row['pair_count']} pairs: "
+                f"{row['exact_gain_count']} gain energy with the term and {row['plain_gain_count']} without it, "
+                f"{row['higher_count']} rise higher with it and {row['lower_count']} less",
+                flush=True,
+            )
+
+
+if __name__ == "__main__":
+    main()

@@ -31,9 +31,9 @@ import mujoco_warp
 import warp as wp
 
 try:
+    from . import contact_bias  # if both are part of a package
+except ImportError:
     import contact_bias
-except ImportError:  # where both are part of a package
-    from . import contact_bias
 
 PLANE, SPHERE = wp.constant(int(mujoco.mjtGeom.mjGEOM_PLANE)), wp.constant(int(mujoco.mjtGeom.mjGEOM_SPHERE))
 CAPSULE, BOX = wp.constant(int(mujoco.mjtGeom.mjGEOM_CAPSULE)), wp.constant(int(mujoco.mjtGeom.mjGEOM_BOX))

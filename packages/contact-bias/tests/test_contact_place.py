@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from copy import copy
+from functools import partial
 from itertools import islice
 from types import SimpleNamespace
 
@@ -10,9 +11,11 @@ import mujoco_warp as mjw
 import numpy as np
 import pytest
 import warp as wp
-from stepping import BALL, in_two_worlds, take_steps
 
-from experiments.simulation import contact_bias, contact_bias_c, contact_place
+import contact_bias
+import contact_bias_c
+import contact_place
+from contact_tumbles import captured
 
 STATES_OF_A_KIND = 1
 """For each cone and dimension, so that there are 8 of each pair."""
@@ -217,13 +220,19 @@ def test_the_rim_of_a_cylinder_that_nearly_stands_is_no_side_where_the_engine_ro
 
 
 STEP_COUNT = 500
+BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitfast"/>
+  <worldbody>
+    <geom type="plane" size="5 5 1"/>
+    <body pos="0 0 0.03"><freejoint/><geom type="sphere" size="0.03" mass="0.2"/></body>
+  </worldbody>
+</mujoco>"""
 
 
 def ball() -> tuple[mujoco.MjModel, mujoco.MjData]:
     """A ball that rolls at 1 m/s and spins at 20 rad/s."""
     model = mujoco.MjModel.from_xml_string(BALL)
     data = mujoco.MjData(model)
-    data.qvel[:6] = 1.0, 0.0, 0.0, 0.0, 1.0 / 0.03, 20.0
+    data.qvel[:] = 1.0, 0.0, 0.0, 0.0, 1.0 / 0.03, 20.0
     mujoco.mj_forward(model, data)
     return model, data
 
@@ -239,13 +248,17 @@ def in_c(control) -> np.ndarray:
 
 
 def in_warp(*installed: bool, **options) -> np.ndarray:
-    """Position of the ball in two worlds, of which some have the term; shape [2, 8]."""
+    """Position of the ball in two worlds, of which some have the term; shape [2, 7]."""
     model, data = ball()
     with wp.ScopedDevice("cpu"):
-        m, d = in_two_worlds(model, data)
+        m = mjw.put_model(model)
+        d = mjw.put_data(model, data, nworld=2, nconmax=4, njmax=16)
         if installed:
             contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options)
-        take_steps(m, d, STEP_COUNT)
+        mjw.step(m, d)  # compiles, which must not happen inside a capture
+        step = captured(partial(mjw.step, m, d))
+        for _ in range(STEP_COUNT - 1):
+            step()
         return d.qpos.numpy()
 
 

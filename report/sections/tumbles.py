@@ -6,6 +6,10 @@ from measured_report.values.quantities import combined
 from measured_report.values.results import Results
 from report.shared.arithmetic import extreme, gathered, rows_with
 
+order = 142
+page = "cure"
+label = "bodies that tumble"
+
 # Counts of pairs that differ: with the term more, and less.
 DIFFERENCES = {"gain": ("exact_alone_count", "plain_alone_count"), "rise": ("higher_count", "lower_count")}
 

@@ -1,11 +1,16 @@
 """The left-out term of ``contact_bias`` in MuJoCo's C engine and double precision."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from types import SimpleNamespace
+from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
-from newton.solvers import SolverMuJoCo
+
+if TYPE_CHECKING:
+    from newton.solvers import SolverMuJoCo
 
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 

@@ -1,16 +1,15 @@
-"""The patches for upstream apply to the released packages, and docs/upstream.md says what came of it."""
+"""The patches for upstream apply to the released packages, and upstream.md says what came of it."""
 
 import hashlib
 import json
 import re
 import subprocess
 import sys
+from pathlib import Path
 
-from measured_report.files.root import ROOT
-
-FOLDER = ROOT / "assets/upstream"
+FOLDER = Path(__file__).parents[1] / "upstream"
 CHECKED = json.loads((FOLDER / "checked.json").read_text(encoding="utf-8"))
-DOCUMENT = (ROOT / "docs/upstream.md").read_text(encoding="utf-8")
+DOCUMENT = (FOLDER / "upstream.md").read_text(encoding="utf-8")
 
 
 def test_what_was_checked_are_these_patches():
@@ -20,14 +19,9 @@ def test_what_was_checked_are_these_patches():
     assert all("failed" not in found for found in [CHECKED["own_after"], *CHECKED["new"].values()])
 
 
-def test_the_document_has_the_numbers_that_were_measured():
-    rows = json.loads((ROOT / "results/newton-1.4.0/cure.json").read_text(encoding="utf-8"))["rows"]
-    slips = {row["case"]: row.get("slip_mm") for row in rows}
-    shake = "newton-implicitfast-50-shipped-3cm"
+def test_the_document_has_the_numbers_that_were_checked():
     new = [found["passed"] for found in CHECKED["new"].values()]
     said = [
-        f"slides {slips[f'{shake}-plain-rounded']:.1f} mm",
-        f"{slips[f'{shake}-term-rounded']:.2f} mm with the term",
         f"{CHECKED['own_before']['passed']} pass and {CHECKED['own_before']['skipped']} are skipped",
         "all {}, {} and {} pass".format(*new),
     ]
