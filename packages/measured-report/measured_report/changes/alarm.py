@@ -199,15 +199,16 @@ def power(comparison: Comparison) -> str:
     )
 
 
-COUNTED = ("comparisons", "told", "numbers", "moves")
-"""Comparisons in which nothing had changed, a section each, those in which a change is told, and what they compare."""
-
-
 def rate_of(edition: Edition) -> Counter[str]:
-    """Count what each measurement of an edition says against its others; nothing where no section has three."""
-    pairs = [pair for evidence in edition.measurements.evidence.values() for pair in evidence.changed if pair[0]]
-    counts = len(pairs), sum(moves > 0 for _, moves in pairs), *map(sum, zip(*pairs, strict=True))
-    return Counter(dict(zip(COUNTED, counts, strict=True))) if pairs else Counter()
+    """Count comparisons of a section's measurements in which nothing had changed, those
+    in which a change is told, and what they compare; nothing if no section has three."""
+    rate: Counter[str] = Counter()
+    for evidence in edition.measurements.evidence.values():
+        for numbers, moves in evidence.changed:
+            if numbers:
+                told = int(moves > 0)
+                rate.update(comparisons=1, told=told, numbers=numbers, moves=moves)
+    return rate
 
 
 def rate_values(edition: Edition) -> dict[str, Value]:

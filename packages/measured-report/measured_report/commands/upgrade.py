@@ -155,8 +155,11 @@ def verdict(
         [chapter.results.record for name, chapter in side.chapters.items() if name in names]
         for side in (before, after)
     )
-    changed = package_changes(old[0].identity.packages, new[0].identity.packages) if old and new else []
-    packages = ", ".join(change for change in changed if not change.startswith(f"{settings.edition} "))
+    others = []
+    for record in (*old[:1], *new[:1]):
+        versions = record.identity.packages.items()
+        others.append({name: each for name, each in versions if name != settings.edition})
+    packages = ", ".join(package_changes(*others)) if old and new else ""
     machines = " and ".join(sorted({record.machine_text for record in new}))
     measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
