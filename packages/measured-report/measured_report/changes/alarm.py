@@ -38,7 +38,8 @@ Say = Callable[[str, Claim], str]  # words a claim of a section
 
 def check_text(edition: Edition, form: str, say: Say) -> str:
     """Return what an edition says, each claim once, as text, markdown or json."""
-    faults, settings = faults_of(edition), edition.project.report.settings
+    faults = faults_of(edition)
+    settings = edition.project.report.settings
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     if form == "json":
@@ -117,7 +118,8 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
 
 
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
-    outcome, text = claim.outcome, say(section, claim)
+    outcome = claim.outcome
+    text = say(section, claim)
     return {"outcome": outcome.name, "said": outcome.answer, "text": text, "confirmed": claim.confirmed}
 
 

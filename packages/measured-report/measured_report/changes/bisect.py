@@ -78,7 +78,9 @@ def answer_text(answer: Answer | None) -> str:
 
 def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list[Any]]:
     """Return the neighbours between which the answer changes, which first and last differ in, and what can't tell."""
-    low, high, skipped = 0, len(points) - 1, set[int]()
+    low = 0
+    high = len(points) - 1
+    skipped = set[int]()
     while inner := [index for index in range(low + 1, high) if index not in skipped]:
         middle = inner[len(inner) // 2]
         if (is_old := is_first(points[middle])) is None:
@@ -125,7 +127,8 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
 def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]) -> str:
     """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
     settings = search.project.report.settings
-    old, new = search.packages(before), search.packages(after)
+    old = search.packages(before)
+    new = search.packages(after)
     groups = [names for names in settings.changes.package_groups if any(old[name] != new[name] for name in names)]
     pins = [f"{name}=={new[name]}" for names in groups for name in names]
     if any(MISSING in pin for pin in pins):

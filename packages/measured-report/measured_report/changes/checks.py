@@ -25,8 +25,9 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
     """
     if edition is None or edition.project.profile != "full":
         return
-    report, measurable = edition.project.report, sections(edition.project.root)
-    if report.root != edition.project.root:
+    report = edition.project.report
+    measurable = sections(edition.project.root)
+    if report.root.resolve() != edition.project.root.resolve():
         return  # results elsewhere, which need not have what the report names
     settings = report.settings
     rules = settings.changes

@@ -15,7 +15,8 @@ OPTIONS = {**shared("claim", "value", "a", "b", "device"), "profile": {**SHARED[
 
 def run(project: Project, arguments: Arguments) -> int:
     device = measuring_device(arguments.device, "quick") or "cpu"
-    query, ends = query_of(arguments), (arguments.a, arguments.b)
+    query = query_of(arguments)
+    ends = (arguments.a, arguments.b)
     if query.section not in sections() or query.section == query.text:
         raise UsageError(f"{query.text} is in no section{suggestion(query.section, sections())}")
     steps = 2 + math.ceil(math.log2(len(points_between(*ends)) - 1))

@@ -27,7 +27,8 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     chapters = editions[project.release].chapters
     records = {owner.results.source: owner for edition in editions.values() for owner in edition.chapters.values()}
     values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
-    query, package = Query(name), project.report.settings.edition
+    query = Query(name)
+    package = project.report.settings.edition
     pointer = name if name.startswith(f"{package}-") else f"{package}-{project.release}/{name}"
     answers = query.quantity(chapters), values.get(pointer), _cell(records, Pointer(pointer))
     quantity = next((answer for answer in answers if isinstance(answer, Quantity) and answer.source), None)
@@ -69,7 +70,8 @@ def _cell(records: Mapping[str, Chapter], pointer: Pointer) -> Quantity | None:
 
 
 def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> Iterator[str]:
-    record, columns = chapter.results.record, chapter.results.columns
+    record = chapter.results.record
+    columns = chapter.results.columns
     for index, column, cell in sorted((*pointer.cell, pointer) for pointer in cells if pointer.cell):
         row = record.rows[index]
         parameters = columns.changed_parameters(row).items()
@@ -78,7 +80,8 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
         changes = f" ({columns.settings.baseline}{but})" if columns.parameters else ""
         number = _cell({chapter.results.source: chapter}, cell)
         yield f"  row {index}, case {row['case']}{changes}: {column} = {_text(number) if number else row[column]}"
-    release, commit = record.origin.release, record.measured["commit"]
+    release = record.origin.release
+    commit = record.measured["commit"]
     measured = f"{record.machine_text}, {record.time_text}, {columns.settings.edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
     yield from (f"  carried     {pointer}" for pointer in record.carried)

@@ -35,7 +35,8 @@ class Measurements:
         """Return a section whose claims say by how many measurements they are decided, where there are several."""
         if (count := self.evidence[name].count if name in self.evidence else 1) < 2:
             return section
-        text, claims = f"by {count} measurements{self.kinds.get(name, '')}", []
+        text = f"by {count} measurements{self.kinds.get(name, '')}"
+        claims = []
         for claim in section.claims:
             pointers = map(Pointer, claim.outcome.reads)
             has_traces = any(pointer.is_trace for pointer in pointers)  # which replicas lack
@@ -65,7 +66,8 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
     if not tracked:
         return Measurements()
     files = [*replica_files(project), *(project.record_path(name) for name in tracked)]
-    name, module = f"{project.profile}.{project.release}.evidence", outline_of(next(iter(tracked))).file
+    name = f"{project.profile}.{project.release}.evidence"
+    module = outline_of(next(iter(tracked))).file
     # What is no file has a name and no digest, and is named as damaged while it is there.
     return cache.value(name, module, [files_digest(files, project.results), *(path.name for path in files)], find)
 
@@ -85,7 +87,8 @@ def replica_files(project: Project) -> list[Path]:
 
 def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
     """Read an edition's replicas by name, and what is wrong with each that is damaged."""
-    replicas, damaged = {}, []
+    replicas = {}
+    damaged = []
     for path in replica_files(project):
         try:
             replicas[path.stem] = read_replica(path)

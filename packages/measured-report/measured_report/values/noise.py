@@ -44,12 +44,14 @@ def deviations_of(t: Any, freedom: Any) -> Any:
     freedom = np.minimum(freedom, MOST_FREEDOM)
     grown = np.log1p(t * t / freedom)
     a = np.maximum(freedom, 1.0) - 0.5
-    b, y = 48 * a**2, a * grown
+    b = 48 * a**2
+    y = a * grown
     tail = (((-0.4 * y - 3.3) * y - 24) * y - 85.5) / (0.8 * y**2 + 100 + b)
     hill = ((tail + y + 3) / b + 1) * np.sqrt(y)
     if not np.any(freedom < 2):
         return hill
-    deviation, root = np.vectorize(NORMAL.inv_cdf, [float]), np.hypot(t, math.sqrt(2))
+    deviation = np.vectorize(NORMAL.inv_cdf, [float])
+    root = np.hypot(t, math.sqrt(2))
     with np.errstate(invalid="ignore"):  # of a number that is not there
         of_one, of_two = (-deviation(beyond) for beyond in (np.arctan2(1, t) / math.pi, 1 / (root * (root + t))))
     few = np.maximum(freedom, 1.0)
@@ -133,7 +135,8 @@ class Estimate(NamedTuple):
         """Say what it is the mean of; nothing where it was measured once."""
         if len(present := [sample for sample in self.samples if sample is not None]) < 2:
             return ""
-        least, largest = min(present), max(present)
+        least = min(present)
+        largest = max(present)
         several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
         means = "mean of " if least < largest else ""
         return f"{'at an edge, where chance decides: ' if self.is_edge else means}{several}"
@@ -157,7 +160,8 @@ def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
     """
     import numpy as np
 
-    total, squared = variances.sum(axis=1), (variances**2 / freedoms).sum(axis=1)
+    total = variances.sum(axis=1)
+    squared = (variances**2 / freedoms).sum(axis=1)
     return np.sqrt(total), np.where(squared > 0, total**2 / np.maximum(squared, TINY), math.inf)
 
 

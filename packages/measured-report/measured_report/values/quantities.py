@@ -81,10 +81,15 @@ class Quantity:
     def __radd__(self, number: float) -> "Quantity":
         return self + number if number else self  # sum() begins with 0
 
-    __add__, __sub__ = partialmethod(_with, operator.add), partialmethod(_with, operator.sub)
-    __mul__, __truediv__ = partialmethod(_with, operator.mul), partialmethod(_with, operator.truediv)
-    __neg__, __abs__, __rmul__ = partialmethod(_with, operator.neg), partialmethod(_with, abs), __mul__
-    __rsub__, __rtruediv__ = partialmethod(_after, operator.sub), partialmethod(_after, operator.truediv)
+    __add__ = partialmethod(_with, operator.add)
+    __sub__ = partialmethod(_with, operator.sub)
+    __mul__ = partialmethod(_with, operator.mul)
+    __truediv__ = partialmethod(_with, operator.truediv)
+    __neg__ = partialmethod(_with, operator.neg)
+    __abs__ = partialmethod(_with, abs)
+    __rmul__ = __mul__
+    __rsub__ = partialmethod(_after, operator.sub)
+    __rtruediv__ = partialmethod(_after, operator.truediv)
 
     @property
     def reads(self) -> frozenset[str]:
@@ -260,7 +265,8 @@ class Term(Value):
         refusal = "" if across else mixed(*origins)
         lost = [operand.reason for operand in operands if operand.value is None]
         if refusal or lost:
-            value, reason = None, refusal or lost[0]
+            value = None
+            reason = refusal or lost[0]
         else:
             value, reason = _evaluated(function, [operand.value for operand in operands])
         vars(self).update(value=value, unit=unit, reason=reason, origins=frozenset().union(*origins))

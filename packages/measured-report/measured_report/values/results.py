@@ -52,19 +52,23 @@ class Row:
     """
 
     def __init__(self, results: "Results", index: int | None, case: str = ""):
-        self._results, self._record, self._index = results, results.record, index
+        self._results = results
+        self._record = results.record
+        self._index = index
         self.plain: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
         count = sum(row["case"] == case for row in self._record.rows) if index is None else 0
         lack = f"there are {count} rows of case {case}" if count > 1 else f"there is no single row of case {case}"
         self._lack = lack if index is None else ""
-        self.source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
+        self.source = f"{results.source}#/rows/{index}"
+        self._origins = frozenset({self._record.origin})
         self._read = cache(self._cell)  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
         return self._read(column)
 
     def _cell(self, column: str) -> Any:
-        units, case = self._record.units, self.plain["case"]
+        units = self._record.units
+        case = self.plain["case"]
         if column not in self.plain:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
@@ -75,7 +79,9 @@ class Row:
         value = self._results.columns.number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
             return value
-        unit, origins, pointer = units[column], self._origins, f"{self.source}/{column}"
+        unit = units[column]
+        origins = self._origins
+        pointer = f"{self.source}/{column}"
         if value is None:
             reason = ": ".join(filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost")))
             return Quantity(None, unit, pointer, reason, origins)
@@ -201,7 +207,9 @@ class Results:
         if name in self.derived:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
         if isinstance(function, Quantity):
-            unit, sources, function = function.unit, (function,), operator.pos
+            unit = function.unit
+            sources = (function,)
+            function = operator.pos
         if re.search(r"[\s/~#]", name):
             raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
         assert formula.strip(), f"the value {name} has no words for how it is computed, or why it was chosen"
