@@ -66,6 +66,8 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
                 if outcome.name != "unknown" or outcome.is_inconclusive or is_whole:
                     claims.setdefault((section, claim.name), {})[release] = claim
     for (section, name), answers in claims.items():
+        if len({claim.outcome.name for claim in answers.values()}) < 2:
+            continue
         terms = {
             release: _terms_of(section, claim, releases[release])
             for release, claim in answers.items()
@@ -102,9 +104,9 @@ def cells(
     """Return record, row and column of each pointer to a cell of these chapters."""
     records = {each.results.source: each.results.record for each in chapters.values()}
     return [
-        (records[pointer.file], records[pointer.file].rows[pointer.cell[0]], pointer.cell[1])
+        (records[pointer.file], records[pointer.file].rows[cell[0]], cell[1])
         for pointer in map(Pointer, sorted(pointers))
-        if pointer.cell and pointer.file in records
+        if pointer.file in records and (cell := pointer.cell)
     ]
 
 

@@ -47,15 +47,20 @@ def deviations_of(t: Any, freedom: Any) -> Any:
     b = 48 * a**2
     y = a * grown
     tail = (((-0.4 * y - 3.3) * y - 24) * y - 85.5) / (0.8 * y**2 + 100 + b)
-    hill = ((tail + y + 3) / b + 1) * np.sqrt(y)
-    if not np.any(freedom < 2):
+    hill = np.asarray(((tail + y + 3) / b + 1) * np.sqrt(y))
+    t, few = np.broadcast_arrays(t, np.maximum(freedom, 1.0))
+    rare = few < 2
+    if not rare.any():
         return hill
-    deviation = np.vectorize(NORMAL.inv_cdf, [float])
+    t = t[rare]
+    few = few[rare]
     root = np.hypot(t, math.sqrt(2))
+    tails = np.arctan2(1, t) / math.pi, 1 / (root * (root + t))
+    deviation = np.vectorize(NORMAL.inv_cdf, [float])
     with np.errstate(invalid="ignore"):  # of a number that is not there
-        of_one, of_two = (-deviation(beyond) for beyond in (np.arctan2(1, t) / math.pi, 1 / (root * (root + t))))
-    few = np.maximum(freedom, 1.0)
-    return np.where(few < 2, of_one + (few - 1) * (6 - few) / 4 * (of_two - of_one), hill)
+        of_one, of_two = (-deviation(tail) for tail in tails)
+    hill[rare] = of_one + (few - 1) * (6 - few) / 4 * (of_two - of_one)
+    return hill
 
 
 def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
