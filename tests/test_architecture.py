@@ -13,10 +13,14 @@ from measured_report.records.code import Graph
 from measured_report.records.identity import sections
 
 GENERATOR = ROOT / "packages/measured-report"
-PACKAGES = {"measured_report": GENERATOR, "newton_lint": ROOT / "packages/newton-lint"}
+PACKAGES = {
+    "measured_report": GENERATOR,
+    "newton_lint": ROOT / "packages/newton-lint",
+    "number_audit": ROOT / "packages/number-audit",
+}
 FOLDERS = ("experiments", "report", *PACKAGES)
 TERM = ROOT / "packages/contact-bias"  # whose modules are in no folder: the site offers two of them as files
-OUTSIDE = ("build", "experiments.facts", "experiments", "report", "newton_lint", "contact_bias")
+OUTSIDE = ("build", "experiments.facts", "experiments", "report", "newton_lint", "contact_bias", "number_audit")
 """Rooms beside the generator's."""
 ARROW = re.compile(r"^ +([\w.]+) --> ([\w.]+)$", re.MULTILINE)
 
@@ -66,9 +70,10 @@ def arrows() -> frozenset[tuple[str, str]]:
 @pytest.mark.parametrize(
     ("side", "allowed"),
     [
-        ("measured_report", ()),
+        ("measured_report", ("number_audit",)),
         ("newton_lint", ("measured_report",)),
         ("contact_bias", ()),
+        ("number_audit", ()),
         ("experiments", ("measured_report", "newton_lint", "contact_bias")),
     ]
     + [("report", ("measured_report", "experiments.facts"))],

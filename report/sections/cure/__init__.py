@@ -3,10 +3,8 @@
 from dataclasses import replace
 
 from measured_report.files.root import ROOT
-from measured_report.parts.section import Download, Section
-from measured_report.values.results import Results
 from report.sections.cure import bodies, budget, controls, limits, turntable
-from report.shared.arithmetic import joined
+from report.shared import Download, Results, Section, joined
 
 order = 141
 page = "cure"
@@ -34,6 +32,12 @@ FILES = (  # said in full: what is kept of a section is made anew when a file ch
 
 
 def derive(results: Results) -> Section:
-    downloads = [Download(file.name, file.read_text(encoding="utf-8")) for file in map(ROOT.joinpath, FILES)]
-    parts = (turntable, controls, limits, bodies, budget)  # the last reads what the limits are
-    return replace(joined([part.derive(results) for part in parts]), downloads=downloads)
+    downloads = [
+        Download(file.name, file.read_text(encoding="utf-8"))
+        for file in map(ROOT.joinpath, FILES)
+    ]
+    # The budget comes last, since it reads what the limits are.
+    parts = (turntable, controls, limits, bodies, budget)
+    return replace(
+        joined([part.derive(results) for part in parts]), downloads=downloads
+    )
