@@ -168,10 +168,3 @@ def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
     total = variances.sum(axis=1)
     squared = (variances**2 / freedoms).sum(axis=1)
     return np.sqrt(total), np.where(squared > 0, total**2 / np.maximum(squared, TINY), math.inf)
-
-
-def sampled_noise(samples: Sequence[float]) -> float:
-    """Bound how far the mean of these is from the truth, by Student's t; infinitely far of one."""
-    if len(samples) < 2:
-        return math.inf
-    return t_quantile(SURE, len(samples) - 1) * math.sqrt(variance_of(samples) / len(samples))
