@@ -127,7 +127,7 @@ class Perturbation:
         tracked = self.releases[release][name].results
         record = records.get(tracked.source, tracked.record)
         noise = records.get(f"{tracked.path.parent.name}/{config().noise_section}.json")
-        repeats = repeats_of(noise.rows) if noise else tracked.evidence.repeats
+        repeats = repeats_of(noise.rows, tracked.columns) if noise else tracked.evidence.repeats
         evidence = tracked.evidence if record is tracked.record and not noise else Evidence(repeats=repeats)
         changed = {"record": record, "derived": {}, "evidence": evidence, "traces": traces}
         return PerturbedResults(**{each.name: getattr(tracked, each.name) for each in fields(tracked)} | changed)

@@ -10,6 +10,7 @@ from pathlib import Path
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.simulation.host import compile_first, warp_device
 from experiments.simulation.measurement import Conditions
+from measured_report.files.config import report
 from measured_report.measuring.batch import reason_of
 from measured_report.measuring.machine import machine
 
@@ -30,7 +31,7 @@ def main() -> int:
         headline = {"machine": machine(arguments.device), "rows": rows, **seconds}
         arguments.json.write_text(json.dumps(headline), encoding="utf-8")
     except Exception as error:
-        print(f"measuring failed: {reason_of(error)}", file=sys.stderr)
+        print(f"measuring failed: {reason_of(error, report())}", file=sys.stderr)
         return 1
     return 0
 

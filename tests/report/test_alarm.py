@@ -125,7 +125,8 @@ def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost,
     assert (
         diff_text(found, "", "text", say).splitlines()[3].startswith(f"alarm: {said}")
     )
-    advice = verdict(found, say, derived(project.of("1.8.0")), derived(project))[-1]
+    sides = derived(project.of("1.8.0")), derived(project)
+    advice = verdict(found, say, *sides, SECTIONS)[-1]
     assert ("make bisect" in advice) == ("dropped" in lost), (
         "a search between a number and none would be refused"
     )

@@ -138,7 +138,8 @@ def number_table(releases: Releases) -> Table:
         history = points(releases, query)
         if not history:
             continue
-        names.append(Markup("{} [{}]").format(label, unit_label(query.unit)))
+        unit = query.cell(releases[history[0].release]).unit
+        names.append(Markup("{} [{}]").format(label, unit_label(unit)))
         marks = {point.release: point.mark for point in history}
         for name, chapters in releases.items():
             number = query.cell(chapters, name).bare

@@ -7,7 +7,7 @@ import pytest
 from deriving import assert_found, with_cells
 
 from measured_report.records.record import Record
-from measured_report.values.evidence import evidence_of
+from measured_report.values.cells import evidence_of
 from measured_report.values.results import Results
 from report.sections.newton_solvers import derive
 
@@ -28,7 +28,8 @@ def test_whose_slip_does_not_repeat_is_named_with_each_that_keeps_the_cube(editi
             first, {case.replace("_", "-"): slip for case, slip in slips.items()}
         )
         again = replace(again, machine=first.machine | {"gpu_uuid": "another"})
-        evidence = evidence_of([first, again] if slips else [first], {})
+        records = [first, again] if slips else [first]
+        evidence = evidence_of({"again": records}, {}, tracked.columns)["again"]
         section = derive(
             Results(first, tracked.path, tracked.others, evidence=evidence)
         )

@@ -4,16 +4,18 @@ import json
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from measured_report.changes.compare import Comparison, faults_of
 from measured_report.changes.moves import NAMED, Move, few
-from measured_report.files.config import config
+from measured_report.files.settings import Changes
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
-from measured_report.records.columns import column_of
 from measured_report.records.replicas import FOLDER
 from measured_report.values.format import format_share
+from measured_report.values.noise import FALSE_SHARE
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
@@ -37,14 +39,15 @@ Say = Callable[[str, Claim], str]  # words a claim of a section
 def check_text(edition: Edition, form: str, say: Say) -> str:
     """Return what an edition says, each claim once, as text, markdown or json."""
     faults = faults_of(edition)
+    settings = edition.project.report.settings
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     if form == "json":
         outcomes = [{"section": name, "claim": claim.name, **_claim_data(name, claim, say)} for name, claim in claims]
         reasons = [{"section": section, "reason": reason} for section, reason in absent]
         parts = {"faults": list(map(vars, faults)), "claims": outcomes, "absent": reasons}
-        return _json("check", bool(faults), {config().edition: edition.project.release, **parts})
-    lines = [fault.text for fault in faults]
+        return _json("check", bool(faults), {settings.edition: edition.project.release, **parts})
+    lines = [fault.text(settings) for fault in faults]
     for section, claim in claims:
         confirmed = f" ({claim.confirmed})" if claim.confirmed else ""
         lines.append(f"{claim.outcome.answer:12} {section}.{claim.name}: {say(section, claim)}{confirmed}")
@@ -56,11 +59,11 @@ def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
     """Return the comparison as text, markdown or json; beside what it counts stands the ``rate`` of false alarms."""
     if form == "json":
         return _json("diff", comparison.is_alarm, {"false_alarms": rate, **_diff_data(comparison, say)})
-    editions = " → ".join(f"{config().edition} {release}" for release in comparison.releases)
+    editions = " → ".join(f"{comparison.report.settings.edition} {release}" for release in comparison.releases)
     counts = f"can't be trusted: {len(comparison.faults)}; what matters: {len(comparison.alarms)}"
     counts += f"; claims that flipped: {len(comparison.flips)}; values that changed: {len(comparison.moves)}"
     lines = [f"{editions}: {summary(comparison)}", f"{counts}; false alarms: {rate}"]
-    lines += [fault.text for fault in comparison.faults[:NAMED]]
+    lines += [fault.text(comparison.report.settings) for fault in comparison.faults[:NAMED]]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
     lines += [f"smallest change that would have been seen: {power(comparison)}", *_details(comparison, say)]
     return _lines(lines, form)
@@ -75,7 +78,7 @@ def upgrade_text(comparison: Comparison, verdict: Sequence[str], form: str, say:
 
 def _details(comparison: Comparison, say: Say) -> list[str]:
     """Say of a comparison what its verdict does not."""
-    lines = [fault.text for fault in comparison.faults[NAMED:]]
+    lines = [fault.text(comparison.report.settings) for fault in comparison.faults[NAMED:]]
     for flip in comparison.flips:
         lines += [f"{flip.claim}: {flip.outcomes}", *(f"  {say(flip.section, claim)}" for claim in flip.ends)]
     for section, sums in _sums(comparison).items():
@@ -115,7 +118,8 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
 
 
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
-    outcome, text = claim.outcome, say(section, claim)
+    outcome = claim.outcome
+    text = say(section, claim)
     return {"outcome": outcome.name, "said": outcome.answer, "text": text, "confirmed": claim.confirmed}
 
 
@@ -124,7 +128,7 @@ def _move_data(move: Move) -> dict[str, Any]:
     return {
         "section": move.section,
         **move.place,
-        "column": move.column,
+        "column": move.column.name,
         "before": move.before,
         "after": move.after,
         "unit": before.unit if isinstance(before, Quantity) else None,
@@ -136,7 +140,7 @@ def _move_data(move: Move) -> dict[str, Any]:
 
 def summary(comparison: Comparison) -> str:
     """Say how many numbers changed, and whether that matters."""
-    count = sum(cell.chance is not None for cell in comparison.cells)
+    count = comparison.number_count
     if not (changed := sum(move.chance is not None for move in comparison.moves)):
         return f"none of {count} numbers changed by more than the noise"
     return f"{changed} of {count} numbers changed; by more than its threshold: {len(comparison.alarms) or 'none'}"
@@ -145,25 +149,26 @@ def summary(comparison: Comparison) -> str:
 def largest(comparison: Comparison) -> list[str]:
     """Tell the largest changes in a line each, one of each column and in how many rows it changed; alarms first."""
     columns: dict[str, list[Move]] = {}
-    for move in sorted(comparison.moves, key=_rank, reverse=True):
-        is_setting = move.is_setting or column_of(move.column).is_setting  # which are told by themselves
+    for move in sorted(comparison.moves, key=partial(_rank, rules=comparison.report.settings.changes), reverse=True):
+        is_setting = move.is_setting or move.column.is_setting  # which are told by themselves
         if not is_setting and (move.share or (move.is_gone and move.after is None) or move.exceeds_threshold):
-            columns.setdefault(move.column, []).append(move)
+            columns.setdefault(move.column.name, []).append(move)
     lines = []
     for lead, *more in list(columns.values())[:LINES]:
         share = "" if lead.share is None or math.isinf(lead.share) else f", {format_share(lead.share, '+')}"
         location = f"{lead.section} {lead.place.get('case', '')}".strip()
         location += f"; and {len(more)} more" if more else ""
-        text = f"{'alarm: ' if lead.exceeds_threshold else ''}{column_of(lead.column).words} {lead.ends}{share}"
+        text = f"{'alarm: ' if lead.exceeds_threshold else ''}{lead.column.words} {lead.ends}{share}"
         lines.append(f"{text} {lead.direction}".rstrip() + f" ({location})")
     return lines
 
 
-def _rank(move: Move) -> tuple[bool, bool, bool, bool, float]:
-    """Put alarms first, of these what was given, then what decides, columns that can ring, and the most change."""
-    is_cause = move.exceeds_threshold and "computed" in column_of(move.column).kinds
-    is_named = any(name.endswith(f".{move.column}") for name in config().changes.thresholds)
-    is_first = move.section in config().changes.upgrade_sections
+def _rank(move: Move, rules: Changes) -> tuple[bool, bool, bool, bool, float]:
+    """Order alarms first, of these what the engine was given, then sections that decide,
+    columns with a threshold, and the largest changes."""
+    is_cause = move.exceeds_threshold and "computed" in move.column.kinds
+    is_named = any(name.endswith(f".{move.column.name}") for name in rules.thresholds)
+    is_first = move.section in rules.upgrade_sections
     return move.exceeds_threshold, is_cause, is_first, is_named, move.sure_share
 
 
@@ -179,32 +184,38 @@ def settings_text(settings: Sequence[Move]) -> str:
 
 
 def power(comparison: Comparison) -> str:
-    """Say the least change of each named number that would have been seen, and which were not measured in both."""
+    """Return the least change of each named number that would have been seen if no other
+    changed, and which numbers were not measured in both editions."""
     least: dict[str, float] = {}
+    limit = FALSE_SHARE / max(1, comparison.number_count)
+    thresholds = comparison.report.settings.changes.thresholds
     for cell in comparison.cells:
-        threshold = config().changes.thresholds.get(cell.name)
-        if threshold is not None and cell.share is not None and cell.before:
-            label = column_of(cell.column).words
-            least[label] = max(least.get(label, threshold), comparison.alone(cell) / abs(cell.before))
-    shares = [f"{label} from {format_share(share)}" for label, share in least.items()] or ["nothing that is named"]
-    missing = f"; not measured in both: {', '.join(comparison.missing)}" if comparison.missing else ""
-    return ", ".join(shares) + missing
-
-
-COUNTED = ("comparisons", "told", "numbers", "moves")
-"""Comparisons in which nothing had changed, a section each, those in which a change is told, and what they compare."""
+        if cell.name in thresholds and cell.share is not None and cell.before:
+            label = cell.column.words
+            share = (replace(cell, limit=limit).noise or 0.0) / abs(cell.before)
+            least[label] = max(least.get(label, thresholds[cell.name]), share)
+    shares = [f"{label} from {format_share(share)}" for label, share in least.items()]
+    missing = comparison.missing
+    return ", ".join(shares or ["nothing that is named"]) + (
+        f"; not measured in both: {', '.join(missing)}" if missing else ""
+    )
 
 
 def rate_of(edition: Edition) -> Counter[str]:
-    """Count what each measurement of an edition says against its others; nothing where no section has three."""
-    pairs = [pair for evidence in edition.measurements.evidence.values() for pair in evidence.changed if pair[0]]
-    counts = len(pairs), sum(moves > 0 for _, moves in pairs), *map(sum, zip(*pairs, strict=True))
-    return Counter(dict(zip(COUNTED, counts, strict=True))) if pairs else Counter()
+    """Count comparisons of a section's measurements in which nothing had changed, those
+    in which a change is told, and what they compare; nothing if no section has three."""
+    rate: Counter[str] = Counter()
+    for evidence in edition.measurements.evidence.values():
+        for numbers, moves in evidence.changed:
+            if numbers:
+                told = int(moves > 0)
+                rate.update(comparisons=1, told=told, numbers=numbers, moves=moves)
+    return rate
 
 
 def rate_values(edition: Edition) -> dict[str, Value]:
     """Return the counts for a page, by name; none where there was nothing to compare."""
-    prefix = f"{config().edition_folder(edition.project.release)}/{VALUES_FILE}#/{FOLDER}"
+    prefix = f"{edition.project.results.name}/{VALUES_FILE}#/{FOLDER}"
     formula = "each measurement left out in turn and compared with the others: "
     counts = rate_of(edition).items()
     return {name: Value(count, "1", f"{prefix}/{name}", noise=0.0, formula=formula + name) for name, count in counts}

@@ -12,13 +12,12 @@ from measured_report.editions.release import (
     release_of,
     releases_between,
 )
-from measured_report.editions.status import states_of
-from measured_report.files.config import config
+from measured_report.editions.status import expected_packages, states_of
 from measured_report.files.errors import ReportError, UsageError, suggestion
 from measured_report.files.git import git
 from measured_report.findings.editions import editions_of
 from measured_report.measuring.measure import measure
-from measured_report.records.identity import MISSING, sections
+from measured_report.records.identity import MISSING, package_changes, sections
 from measured_report.records.record import load_record
 
 ASIDE = "bisect"  # the folder below `results` of what a search measured
@@ -32,37 +31,51 @@ class Bisection:
 
     def answer(self, release: Release) -> Answer | None:
         """Return what a release answers, measured unless it has records of that."""
-        answer, noise = self._measured(release, [self.query.section]), config().noise_section
-        if answer is None and noise in sections(self.project.root):  # without which most differences can't be told
+        answer = self._measured(release, [self.query.section])
+        noise = self.project.report.settings.noise_section
+        # Without the section on noise most differences cannot be told.
+        if answer is None and noise in sections(self.project.root):
             answer = self._measured(release, [self.query.section, noise])
         print(f"{release}: {self.query.text} {answer_text(answer)}", flush=True)
         return answer
 
     def _measured(self, release: Release, names: Sequence[str]) -> Answer | None:
         """Ask what a release has of these sections, by itself; what has no record is measured, and kept apart."""
-        side = self._side(release, names)
-        if lacking := _lacking(side, names):
-            side = measure(side, release, lacking, self.device)
+        side = self.side(release, names)
         edition = editions_of(side, among=[side.release])[side.release]
         claims = [*self.query.names(edition.chapters)]
         if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in claims:
             raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, claims)}")
         return self.query.answer(edition.chapters)
 
-    def _side(self, release: Release, names: Sequence[str]) -> Project:
+    def side(self, release: Release, names: Sequence[str]) -> Project:
+        """Return where a release has records of these sections; what is missing is
+        measured, and kept apart."""
         side = self.project.of(str(release))
-        return replace(side, aside=ASIDE) if _lacking(side, names) else side
+        if _lacking(side, names):
+            side = replace(side, aside=ASIDE)
+        lacking = _lacking(side, names) if side.aside else []
+        return measure(side, release, lacking, self.device) if lacking else side
 
     def packages(self, release: Release) -> Mapping[str, str]:
         section = self.query.section
-        return load_record(self._side(release, [section]).record_path(section)).identity.packages
+        path = self.side(release, [section]).record_path(section)
+        return load_record(path).identity.packages
 
 
 def _lacking(project: Project, names: Sequence[str]) -> list[str]:
-    """Name those without a record of what would be measured; of older code one will do that took hours."""
-    states = (state for state in states_of(project) if state.section in names)
-    parts = "stale" if project.aside else "packages"
-    return [state.section for state in states if not state.record or parts in state.summary]
+    """Return the sections that have to be measured: those without a record, and those
+    whose record is of other packages, or, if a search measured it, of older code."""
+    states = states_of(project)
+    packages = expected_packages(project, [state.record for state in states if state.record])
+    lacking = []
+    for state in states:
+        record = state.record
+        is_other = not record or package_changes(record.identity.packages, packages)
+        is_old = project.aside and state.kind == "stale"
+        if state.section in names and (is_other or is_old):
+            lacking.append(state.section)
+    return lacking
 
 
 def answer_text(answer: Answer | None) -> str:
@@ -71,7 +84,9 @@ def answer_text(answer: Answer | None) -> str:
 
 def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list[Any]]:
     """Return the neighbours between which the answer changes, which first and last differ in, and what can't tell."""
-    low, high, skipped = 0, len(points) - 1, set[int]()
+    low = 0
+    high = len(points) - 1
+    skipped = set[int]()
     while inner := [index for index in range(low + 1, high) if index not in skipped]:
         middle = inner[len(inner) // 2]
         if (is_old := is_first(points[middle])) is None:
@@ -117,14 +132,16 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
 
 def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]) -> str:
     """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
-    old, new = search.packages(before), search.packages(after)
-    groups = [names for names in config().changes.package_groups if any(old[name] != new[name] for name in names)]
+    settings = search.project.report.settings
+    old = search.packages(before)
+    new = search.packages(after)
+    groups = [names for names in settings.changes.package_groups if any(old[name] != new[name] for name in names)]
     pins = [f"{name}=={new[name]}" for names in groups for name in names]
     if any(MISSING in pin for pin in pins):
         return "which package did it cannot be told: one of them is not there in all"
     ways = [sum(map(len, groups[:count])) for count in range(1, len(groups) + 1)]
     steps = [before, *(release_of(before.asked, " ".join(pins[:count])) for count in ways), after]
     low, high, skipped = first_change(steps, is_first)
-    changed = [*groups, (config().edition,)][steps.index(low) : steps.index(high)]
+    changed = [*groups, (settings.edition,)][steps.index(low) : steps.index(high)]
     names = " or ".join(" and ".join(names) for names in changed)
     return f"it is one of {names}" if skipped else f"{names} did it: {low} is as before, {high} is not"

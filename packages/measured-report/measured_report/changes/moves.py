@@ -1,17 +1,24 @@
-"""Moves: values that editions have differently, and whether beyond the noise of both."""
+"""Moves: numbers and texts that two editions have, and which differ beyond the noise."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import partial
 from typing import Any
 
-from measured_report.files.config import cached_in_report, config
 from measured_report.files.groups import single
+from measured_report.files.settings import Changes
 from measured_report.findings.chapters import Chapter
-from measured_report.records.columns import REASON, column_of, is_number, parameters
+from measured_report.records.columns import REASON, Column, Schema, is_number
 from measured_report.records.record import Record
-from measured_report.values.evidence import EDGES, Cells, is_absolute, is_lost, key_of
+from measured_report.values.evidence import (
+    EDGES,
+    Cells,
+    Key,
+    is_absolute,
+    is_lost,
+    key_of,
+)
 from measured_report.values.noise import (
     FALSE_SHARE,
     ROUNDED_SHARE,
@@ -21,152 +28,189 @@ from measured_report.values.noise import (
     welch,
 )
 from measured_report.values.quantities import Quantity
-from measured_report.values.results import Row
+from measured_report.values.results import Results, Row
 
 NAMED = 4  # chosen: so many claims, and twice as many settings, are named in a line
-CHOSEN_SHARE = 0.1  # chosen: the share of a value that counts as noise where none was measured
+CHOSEN_SHARE = 0.1  # chosen: the noise of a value, as a share, where none was measured
 
 
 @dataclass(frozen=True)
 class Move:
-    """Hold a value of two editions, and how often chance has it as far apart."""
+    """Holds a value of two editions, and how often chance makes it differ as much."""
 
-    column: str
+    column: Column
     before: Any
-    after: Any  # a number, a text, or yes and no, as the other; None where an edition lacks it
-    chance: float | None = None  # None for what is no number
+    after: Any  # a number, a text, yes or no; None if an edition lacks it
+    chance: float | None = None  # None for what is not a number
     error: float = 0.0  # standard error of the difference, and its degrees of freedom
     freedom: float = math.inf
     least: float = 0.0  # what a difference has to exceed in any case
-    is_chosen: bool = False  # set where nobody knows the noise, and a share of the value stands for it
+    is_chosen: bool = False  # whether a share of the value stands for an unknown noise
     section: str = ""
-    place: Mapping[str, Any] = field(default_factory=dict)
-    rows: Sequence[Row] = ()  # its row in both; none where it is of many
-    unit: str = "1"
+    place: Mapping[str, Any] = field(default_factory=dict)  # the key of its row
+    rows: Sequence[Row] = ()  # its row in both; none if it is the mean of many
+    rules: Changes = field(default_factory=Changes, repr=False)
     limit: float = FALSE_SHARE  # the largest chance that counts as none
 
     @property
     def sides(self) -> list[Any]:
         """Return before and after with their units, as their rows have them."""
         if self.rows:
-            return [row[self.column] for row in self.rows]
+            return [row[self.column.name] for row in self.rows]
         ends = [self.before, self.after]
-        return ends if self.chance is None else [Quantity(end, self.unit, "") for end in ends]
+        if self.chance is None:
+            return ends
+        return [Quantity(end, self.column.unit, "") for end in ends]
 
     @property
     def name(self) -> str:
-        """Name it as VALUE= does."""
-        return ".".join(filter(None, (self.section, self.place.get("case", ""), self.column)))
+        """Return the name that VALUE= takes."""
+        names = self.section, self.place.get("case"), self.column.name
+        return ".".join(filter(None, names))
 
     @property
     def is_setting(self) -> bool:
-        """Tell whether it is a default or an option, which is compared exactly."""
-        return self.place.get("kind") in config().changes.settings
+        """Return whether it is a default or an option, which is compared exactly."""
+        return self.place.get("kind") in self.rules.settings
 
-    @cached_property
+    @property
     def is_real(self) -> bool:
-        """Tell whether the values differ, numbers beyond the noise."""
-        return self.before != self.after if self.is_setting or self.chance is None else self.chance <= self.limit
+        """Return whether the values differ, numbers beyond the noise."""
+        if self.is_setting or self.chance is None:
+            return bool(self.before != self.after)
+        return self.chance <= self.limit
 
     @property
     def noise(self) -> float | None:
-        """Return the least difference that would count; None for what is no number."""
-        return None if self.chance is None else self.least + t_quantile(1 - self.limit, self.freedom) * self.error
+        """Return the least difference that would count; None for what is not a number."""
+        if self.chance is None:
+            return None
+        return self.least + t_quantile(1 - self.limit, self.freedom) * self.error
 
     @property
     def share(self) -> float | None:
-        """Return the change as a share of the older value; None for what is no number."""
-        before, after = self.before, self.after
-        if None in (self.chance, before, after):
+        """Return the change as a share of the older value; None without two numbers."""
+        if None in (self.chance, self.before, self.after):
             return None
-        return (after - before) / abs(before) if before else math.copysign(math.inf, after) if after else 0.0
+        if self.before:
+            return (self.after - self.before) / abs(self.before)
+        return math.copysign(math.inf, self.after) if self.after else 0.0
 
     @property
     def sure_share(self) -> float:
         """Return the share of the change that is beyond chance."""
         if not self.share or self.noise is None:
             return 0.0
-        return max(0.0, 1 - self.noise / abs(self.after - self.before)) * abs(self.share)
+        certainty = max(0.0, 1 - self.noise / abs(self.after - self.before))
+        return certainty * abs(self.share)
 
     @property
     def exceeds_threshold(self) -> bool:
-        """Tell whether a setting, or a number that report.toml names, moved by more than its threshold, or is lost."""
-        rules, run = config().changes, self.name.rpartition(".")[0]
-        if "failure" in column_of(self.column).kinds:
-            return self.is_real and any(name.rpartition(".")[0] == run for name in rules.thresholds)
-        threshold = rules.setting_threshold if self.is_setting else rules.thresholds.get(self.name)
+        """Return whether a setting, or a number that report.toml names, moved by more
+        than its threshold, or is lost."""
+        named = self.rules.thresholds
+        if "failure" in self.column.kinds:
+            run = self.name.rpartition(".")[0]
+            return self.is_real and any(name.rpartition(".")[0] == run for name in named)
+        threshold = named.get(self.name)
+        if self.is_setting:
+            threshold = self.rules.setting_threshold
         if threshold is None or self.share is None:
             return threshold is not None and self.is_gone
         return self.is_real and abs(self.share) > threshold
 
     @property
     def is_gone(self) -> bool:
-        """Tell whether it is a number that was asked for in both editions and is there in one."""
-        return (self.before is None) != (self.after is None) and all(isinstance(side, Quantity) for side in self.sides)
+        """Return whether only one edition has the number, which both measured."""
+        is_one_sided = (self.before is None) != (self.after is None)
+        return is_one_sided and all(isinstance(side, Quantity) for side in self.sides)
 
     @property
     def direction(self) -> str:
-        """Say ``better`` or ``worse``, where one can."""
-        better = column_of(self.column).better
-        if None in (self.before, self.after) or not better:
-            return ""
-        return "better" if (abs(self.after) > abs(self.before)) == (better == "more") else "worse"
-
-    @property
-    def mark(self) -> str:
-        """Say ``better``, ``worse`` or ``moved`` where it is beyond the noise."""
-        return (self.direction or "moved") if self.is_real else ""
+        """Return ``better`` or ``worse``, or nothing if neither can be said."""
+        return direction(self.column, self.before, self.after)
 
     @property
     def ends(self) -> str:
-        """Write before and after; of numbers as many digits as tell them apart."""
+        """Return before and after in words, with enough digits to tell them apart."""
         ends = self.before, self.after
         if self.is_setting:
-            return " → ".join("none" if value is None else f"{value:.7g}" for value in ends)
+            return " → ".join("none" if end is None else f"{end:.7g}" for end in ends)
         sides = self.sides
-        if self.chance is not None and not column_of(self.column).is_exact:  # each by what is known of both
-            noise = max(self.error, min(filter(None, map(abs, (*ends, self.after - self.before))), default=0.0) / 10)
-            sides = [replace(side, value=value, noise=noise) for side, value in zip(sides, ends, strict=True)]
+        if self.chance is not None and not self.column.is_exact:
+            sizes = [abs(number) for number in (*ends, self.after - self.before)]
+            noise = max(self.error, min(filter(None, sizes), default=0.0) / 10)
+            pairs = zip(sides, ends, strict=True)
+            sides = [replace(side, value=end, noise=noise) for side, end in pairs]
         return " → ".join(map(_text, sides))
 
 
-Estimates = Sequence[Estimate | None]  # of a number in both editions; None where nobody knows how it scatters
-Pair = tuple[Move, Estimates, float]  # a move that is not yet judged, with the share of edges: no chance is less
+def direction(column: Column, before: Any, after: Any) -> str:
+    """Return ``better`` or ``worse``, or nothing if neither can be said."""
+    if None in (before, after) or not column.better:
+        return ""
+    is_more = abs(after) > abs(before)
+    return "better" if is_more == (column.better == "more") else "worse"
 
 
-def cells_between(before: Chapter, after: Chapter) -> list[Move]:
-    """Return the values of a section that compare between two editions, moved or not, and settings that one lacks."""
-    records = before.results.record, after.results.record
-    edges = before.results.evidence.edges | after.results.evidence.edges
-    edge_share = max(chapter.results.evidence.edge_share for chapter in (before, after))
-    rules, old, new = config().changes, _rows_by_key(before), _rows_by_key(after)
-    pairs = list(_means_between(before, after))
-    is_other_card = records[0].card != records[1].card
-    moves, mean_cells = [], {(move.place["case"], move.column) for move, *_ in pairs}
+def few(names: Sequence[str], count: int = NAMED) -> str:
+    """Return at most so many names in words, and how many more there are."""
+    more = f"; and {len(names) - count} more" if len(names) > count else ""
+    return "; ".join(names[:count]) + more
+
+
+def _text(cell: Any) -> str:
+    if isinstance(cell, Quantity):
+        return f"{cell} ({cell.reason})" if cell.value is None else str(cell)
+    return {True: "yes", False: "no", None: "none"}.get(cell, str(cell))
+
+
+Estimates = Sequence[Estimate | None]  # of a number in both editions; None: unknown
+Pair = tuple[Move, Estimates, float]
+"""A number that is not judged yet, its estimates, and the least chance that it has."""
+
+
+def moves_between(before: Chapter, after: Chapter) -> list[Move]:
+    """Return the values of a section that compare between two editions, moved or not,
+    and the settings that only one of them has."""
+    sides = before.results, after.results
+    columns = after.results.columns
+    rules = columns.settings.changes
+    edges = sides[0].evidence.edges | sides[1].evidence.edges
+    edge_share = max(side.evidence.edge_share for side in sides)
+    is_other_card = sides[0].record.card != sides[1].record.card
+    pairs = list(_means_between(sides, is_other_card))
+    means = {(move.place["case"], move.column) for move, *_ in pairs}
+    old, new = map(_rows_by_key, sides)
+    moves = []
     for key in dict.fromkeys((*old, *new)):
-        row_key, a, b = dict(key), old.get(key), new.get(key)
-        if a is None or b is None:
-            if row_key.get("kind") in rules.settings:
-                values = a and a.plain["value"], b and b.plain["value"]
-                moves.append(Move("value", *values, section=before.name, place=row_key))
+        cells = zip(rules.keys, key, strict=True)
+        place = {name: cell for name, cell in cells if cell is not None}
+        move_of = partial(Move, section=before.name, place=place, rules=rules)
+        if key not in old or key not in new:
+            a, b = ((side[key].plain if key in side else {}) for side in (old, new))
+            if place.get("kind") in rules.settings:
+                moves.append(move_of(columns["value"], a.get("value"), b.get("value")))
             continue
-        # Where repeats of a run end in different classes it is chance which one the row is about.
-        endings = [row.plain[rules.endings].split(", ") for row in (a, b) if rules.endings in row]
-        if key_of(a.plain) in edges or any(len(set(classes)) > 1 for classes in endings):
+        rows = old[key], new[key]
+        # If repeats of a run ended in different classes, it is chance which one counts.
+        endings = [row.plain[rules.endings] for row in rows if rules.endings in row]
+        is_mixed = any(len(set(classes.split(", "))) > 1 for classes in endings)
+        if is_mixed or key in edges:
             continue
-        for column in _comparable((a.plain, b.plain), records):
-            ends = a.plain[column], b.plain[column]
-            move = Move(column, *ends, section=before.name, place=row_key, rows=(a, b))
+        for column in _comparable([row.plain for row in rows], sides):
+            ends = [row.plain[column.name] for row in rows]
+            move = move_of(column, *ends, rows=rows)
             if not all(map(is_number, ends)):
                 moves.append(move)
-            elif (row_key["case"], column) not in mean_cells:
-                estimates = [a.estimate(column), b.estimate(column)]
+            elif (place["case"], column) not in means:
+                estimates = [row.estimate(column.name) for row in rows]
                 if is_absolute(column):
                     if is_other_card and not _knows_cards(estimates):
                         continue
-                    # Of a time of one process nobody knows how far another of the same card would be.
+                    # How far a time of another process would be is not known.
                     estimates = [
-                        replace(time, count=1.0, least=CHOSEN_SHARE * abs(time.value))
+                        time._replace(count=1.0, least=CHOSEN_SHARE * abs(time.value))
                         if time and not time.is_again
                         else time
                         for time in estimates
@@ -175,105 +219,124 @@ def cells_between(before: Chapter, after: Chapter) -> list[Move]:
     return [*judged(pairs), *moves]
 
 
-def _knows_cards(estimates: Sequence[Estimate | None]) -> bool:
-    """Tell whether somebody knows how far absolute times of two cards of one kind are apart."""
+def _rows_by_key(results: Results) -> dict[Key, Row]:
+    """Return rows by key, without rows that share one, and on noise without the runs,
+    which are compared by their means."""
+    is_noise = results.record.section == results.columns.settings.noise_section
+    rows = [row for row in results.rows if not (is_noise and "of" in row)]
+    return single((key_of(row.plain, results.columns), row) for row in rows)
+
+
+def _knows_cards(estimates: Estimates) -> bool:
+    """Return whether it is known how far absolute times of two cards are apart."""
     return any(estimate and estimate.is_of_cards for estimate in estimates)
 
 
-def _means_between(before: Chapter, after: Chapter) -> Iterator[Pair]:
-    """Yield the means of what the section on noise has many runs of, by case and column."""
-    if before.name != config().noise_section:
+def _means_between(sides: Sequence[Results], is_other_card: bool) -> Iterator[Pair]:
+    """Yield the means of runs of one case, of the section on noise."""
+    columns = sides[1].columns
+    rules = columns.settings.changes
+    section = sides[1].record.section
+    if section != columns.settings.noise_section:
         return
-    old, new = (chapter.results.evidence.means() for chapter in (before, after))
-    is_other_card = before.results.record.card != after.results.record.card
-    for case, column in (key for key in old if key in new):
-        means = old[case, column], new[case, column]
-        if not (is_absolute(column) and is_other_card) or _knows_cards(means):
-            ends, unit = [mean.value for mean in means], before.results.record.units[column]
-            yield Move(column, ends[0], ends[1], section=before.name, place={"case": case}, unit=unit), means, 0.0
+    old, new = (side.evidence.means() for side in sides)
+    for case, name in (key for key in old if key in new):
+        means = old[case, name], new[case, name]
+        if not (is_absolute(columns[name]) and is_other_card) or _knows_cards(means):
+            of_case = partial(Move, section=section, place={"case": case}, rules=rules)
+            yield of_case(columns[name], means[0].value, means[1].value), means, 0.0
+
+
+def cost_terms(record: Record, row: Cells, columns: Schema) -> tuple[Any, ...]:
+    """Return what two costs must share to be compared: the machine and the amount of work."""
+    work = [row.get(name) for name in columns.settings.cost_terms]
+    return record.machine_for_speed, *work
+
+
+def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Column]:
+    """Yield the columns whose cells in two rows can be compared."""
+    a, b = rows
+    columns = sides[1].columns
+    lost = [is_lost(row, columns) for row in rows]
+    terms = [
+        cost_terms(side.record, row, columns)
+        for side, row in zip(sides, rows, strict=True)
+    ]
+    changed = [
+        columns[name]
+        for name in a
+        if None not in (a[name], b.get(name)) and a[name] != b[name]
+        if "setting" in columns[name].kinds or name in columns.parameters
+    ]
+    is_longer = all("setting" in column.kinds for column in changed)
+    ignored = (*columns.settings.changes.keys, "")
+    for name in a:
+        column = columns[name]
+        if name not in b or name in ignored or name.endswith((REASON, *EDGES)):
+            continue
+        if "uncompared" in column.kinds:
+            continue
+        if isinstance(a[name], str | bool) or isinstance(b[name], str | bool):
+            if not all(lost) or "failure" not in column.kinds:
+                yield column
+        elif any(lost) or (column.is_cost and terms[0] != terms[1]):
+            continue
+        elif not changed or column.is_setting:
+            yield column
+        elif is_longer and column.unit.endswith(("/s", "/cycle")):
+            yield column  # a rate, of runs that only took longer or shorter
 
 
 def judged(pairs: Sequence[Pair]) -> list[Move]:
-    """Say of numbers how often chance makes such a move, by what is known of both sides; all at once.
-
-    What was measured again tells of a number that was measured once how far its own other measurements would be, and
-    what is known of one side alone stands for both.
-    """
-    import numpy as np  # most commands that know what a move is judge none
+    """Return numbers with the chance that they differ as much by noise alone."""
+    import numpy as np  # most commands that import this module judge no move
 
     if not pairs:
         return []
-    estimated = [_estimates_of(move, estimates) for move, estimates, _ in pairs]
-    ends = np.array([[side.value for side in sides] for sides, _, _ in estimated])
-    sides = np.array([[(side.variance / side.count, side.freedom) for side in sides] for sides, _, _ in estimated])
-    errors, freedoms = welch(sides[:, :, 0], sides[:, :, 1])
-    leasts = np.array([least for _, least, _ in estimated])
-    distance = np.maximum(0.0, abs(np.diff(ends)[:, 0]) - leasts)
-    arrays = chance_of(distance, errors, freedoms), errors.tolist(), freedoms.tolist(), leasts.tolist()
-    judgements, moves = zip(pairs, estimated, *arrays, strict=True), []
-    for (move, _, edge_share), ((before, after), _, is_chosen), chance, error, freedom, least in judgements:
-        difference = {"chance": max(chance, edge_share), "error": error, "freedom": freedom, "least": least}
-        moves.append(replace(move, before=before.value, after=after.value, is_chosen=is_chosen, **difference))
+    known = [_known(move, estimates) for move, estimates, _ in pairs]
+    values = np.array([[side.value for side in sides] for sides, *_ in known])
+    variances = [[side.variance / side.count for side in sides] for sides, *_ in known]
+    freedoms = [[side.freedom for side in sides] for sides, *_ in known]
+    errors, freedoms = welch(np.array(variances), np.array(freedoms))
+    leasts = np.array([least for _, least, _ in known])
+    distances = np.maximum(0.0, abs(np.diff(values)[:, 0]) - leasts)
+    chances = chance_of(distances, errors, freedoms)
+    moves = []
+    difference = zip(chances, errors.tolist(), freedoms.tolist(), strict=True)
+    for index, (chance, error, freedom) in enumerate(difference):
+        move, _, least_chance = pairs[index]
+        (before, after), least, is_chosen = known[index]
+        judged_move = replace(
+            move,
+            before=before.value,
+            after=after.value,
+            chance=max(chance, least_chance),
+            error=error,
+            freedom=freedom,
+            least=least,
+            is_chosen=is_chosen,
+        )
+        moves.append(judged_move)
     return moves
 
 
-def _estimates_of(move: Move, estimates: Estimates) -> tuple[list[Estimate], float, bool]:
-    """Return what is known of both sides, the least difference that counts, and whether nobody knows any of that."""
-    bare = [each or Estimate(end) for each, end in zip(estimates, (move.before, move.after), strict=True)]
-    size, resolution = max(abs(each.value) for each in bare), column_of(move.column).resolution
-    if (teacher := max(filter(None, estimates), key=lambda each: each.is_again, default=None)) is None:
+def _known(move: Move, estimates: Estimates) -> tuple[list[Estimate], float, bool]:
+    """Return the estimates of both sides, the least difference that counts, and whether
+    that is chosen because no noise is known.
+
+    If only one side was measured several times, its scatter counts for the other side.
+    A noise that is known of one side only counts for both.
+    """
+    ends = move.before, move.after
+    bare = [each or Estimate(end) for each, end in zip(estimates, ends, strict=True)]
+    size = max(abs(each.value) for each in bare)
+    resolution = move.column.resolution
+    if not any(estimates):
         return bare, max(resolution, CHOSEN_SHARE * size), True
-    sides = [
-        side if each and each.is_again >= teacher.is_again else Estimate(side.value, teacher.variance, teacher.freedom)
-        for side, each in zip(bare, estimates, strict=True)
-    ]
+    teacher = max(filter(None, estimates), key=lambda each: each.is_again)
+    sides = []
+    for side, each in zip(bare, estimates, strict=True):
+        if each is None or each.is_again < teacher.is_again:
+            side = Estimate(side.value, teacher.variance, teacher.freedom)
+        sides.append(side)
     return sides, max(resolution, ROUNDED_SHARE * size, teacher.least), False
-
-
-def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple[Any, ...]:
-    """Return what two costs must share to be compared: the machine, and how much was run."""
-    return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
-
-
-def _comparable(cells: tuple[Cells, Cells], records: Sequence[Record]) -> Iterator[str]:
-    has_same_terms = len(set(map(cost_terms, records, cells))) == 1
-    lost, (a, b) = [is_lost(cell) for cell in cells], cells
-    unlike = [name for name in a if None not in (a[name], b.get(name)) and a[name] != b[name]]
-    changed = [kinds for name in unlike if "setting" in (kinds := column_of(name).kinds) or name in parameters()]
-    for column in (name for name in a if name in b and _may_differ(name)):
-        about = column_of(column)
-        if isinstance(a[column], str | bool) or isinstance(b[column], str | bool):
-            is_so = not (all(lost) and "failure" in about.kinds)
-        elif any(lost) or ("cost" in about.kinds and not has_same_terms):
-            is_so = False
-        else:  # of runs that were not set alike nothing, and of those that ran for longer or shorter rates alone
-            is_rate = about.unit.endswith(("/s", "/cycle"))
-            is_so = not changed or about.is_setting or (is_rate and all("setting" in kinds for kinds in changed))
-        if is_so:
-            yield column
-
-
-@cached_in_report
-def _may_differ(column: str) -> bool:
-    """Tell whether a column says something of a run, which is no chance and of no other column."""
-    is_key = column in config().changes.keys
-    return not (is_key or "uncompared" in column_of(column).kinds or column.endswith((REASON, *EDGES)))
-
-
-def few(names: Sequence[str], count: int = NAMED) -> str:
-    """Name no more than so many, and say how many more there are."""
-    return "; ".join(names[:count]) + (f"; and {len(names) - count} more" if len(names) > count else "")
-
-
-def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
-    """Return rows by what tells them apart; those that nothing does are left out, and repeats, which are the noise."""
-    names = config().changes.keys
-    rows = [row for row in chapter.results.rows if not (chapter.name == config().noise_section and "of" in row)]
-    keys = (tuple((name, row.plain[name]) for name in names if row.plain.get(name) is not None) for row in rows)
-    return single(zip(keys, rows, strict=True))
-
-
-def _text(cell: Any) -> str:
-    if isinstance(cell, Quantity):
-        return f"{cell} ({cell.reason})" if cell.value is None else str(cell)
-    return {True: "yes", False: "no", None: "none"}.get(cell, str(cell))

@@ -109,8 +109,9 @@ def uncovered(old: Program, new: Program, called: Set[Place]) -> str:
         for function in filter(None, (before, after)):
             if function.place not in called or places[function.place] > 1:
                 return f"no run calls {name}"
-    before, after = (program.of_both(other, [*changed]) for program, other in ((old, new), (new, old)))
-    for kind, text in sorted((before - after) | (after - before)):
+    gone = old.of_both(new, [*changed])
+    come = new.of_both(old, [*changed])
+    for kind, text in sorted((gone - come) | (come - gone)):
         return f"a run may not show the {kind} {text} of {', '.join(changed)}"
     return ""
 

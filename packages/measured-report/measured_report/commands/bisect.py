@@ -10,15 +10,22 @@ from measured_report.files.errors import UsageError, suggestion
 from measured_report.measuring.machine import measuring_device
 from measured_report.records.identity import sections
 
-OPTIONS = {**shared("claim", "value", "a", "b", "device"), "profile": {**SHARED["profile"], "default": "quick"}}
+OPTIONS = {
+    **shared("claim", "value", "a", "b", "device"),
+    "profile": {**SHARED["profile"], "default": "quick"},
+}
 
 
 def run(project: Project, arguments: Arguments) -> int:
     device = measuring_device(arguments.device, "quick") or "cpu"
-    query, ends = query_of(arguments), (arguments.a, arguments.b)
-    if query.section not in sections() or query.section == query.text:
-        raise UsageError(f"{query.text} is in no section{suggestion(query.section, sections())}")
-    steps = 2 + math.ceil(math.log2(len(points_between(*ends)) - 1))
-    print(f"about {steps} steps, each a {project.profile} run of {query.section} where there is none", flush=True)
-    print(bisect(Bisection(project, query, device), *ends))
+    query = query_of(arguments)
+    names = sections(project.root)
+    if query.section not in names or query.section == query.text:
+        similar = suggestion(query.section, names)
+        raise UsageError(f"{query.text} is in no section{similar}")
+    between = points_between(arguments.a, arguments.b)
+    count = 2 + math.ceil(math.log2(len(between) - 1))
+    step = f"{project.profile} run of {query.section}"
+    print(f"about {count} steps, each a {step} where there is none", flush=True)
+    print(bisect(Bisection(project, query, device), arguments.a, arguments.b))
     return 0

@@ -23,7 +23,10 @@ def run(project: Project, arguments: Arguments) -> int:
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
     # Each by itself: what compares releases says nothing of one of them.
-    before, after = (derive_edition(project.of(name), DerivedCache(project.root)) for name in names)
-    comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
+    before, after = (
+        derive_edition(project.of(name), DerivedCache(project.root)) for name in names
+    )
+    comparison = compare(before, after)
+    rate = rate_of(before) + rate_of(after)
     print(diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project)))
     return int(comparison.is_alarm)

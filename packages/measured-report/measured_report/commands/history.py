@@ -3,7 +3,6 @@
 from measured_report.changes.query import Query, history
 from measured_report.commands.options import Arguments, shared
 from measured_report.editions.project import Project
-from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.findings.editions import editions_of
 
@@ -13,7 +12,8 @@ OPTIONS = shared("claim", "value", "profile")
 def run(project: Project, arguments: Arguments) -> int:
     releases = {release: edition.chapters for release, edition in editions_of(project).items()}
     if not (arguments.claim or arguments.value):
-        print("\n\n".join(history(releases, Query(value)) for value in config().changes.headlines.values()))
+        headlines = project.report.settings.changes.headlines.values()
+        print("\n\n".join(history(releases, Query(value)) for value in headlines))
         return 0
     query = query_of(arguments)
     if not any(query.answer(side) is not None or query.text in query.names(side) for side in releases.values()):

@@ -12,11 +12,9 @@ from measured_report.commands.options import (
     shared,
 )
 from measured_report.editions.project import Project
-from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.findings.chapters import Chapter
 from measured_report.findings.editions import Edition, editions_of
-from measured_report.records.columns import changed_parameters, parameters
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import (
     VALUES_FILE,
@@ -40,7 +38,8 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     chapters = editions[project.release].chapters
     records = {owner.results.source: owner for edition in editions.values() for owner in edition.chapters.values()}
     values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
-    query, package = Query(name), config().edition
+    query = Query(name)
+    package = project.report.settings.edition
     pointer = name if name.startswith(f"{package}-") else f"{package}-{project.release}/{name}"
     answers = query.quantity(chapters), values.get(pointer), _cell(records, Pointer(pointer))
     quantity = next((answer for answer in answers if isinstance(answer, Quantity) and answer.source), None)
@@ -65,12 +64,12 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
 
 
 def _printed(project: Project, source: str) -> Iterator[str]:
-    release = project.own_release or project.release
+    own = project.of(project.own_release or project.release).results.name
     for path in sorted((project.site if project.is_own else project.site / project.results.name).glob("*.html")):
         anchor = ""
         for match in re.finditer(' id="([^"]+)"| data-src="([^"]+)"', path.read_text(encoding="utf-8")):
             anchor = match[1] or anchor
-            if match[2] and local(source, release) in match[2].split():
+            if match[2] and local(source, own) in match[2].split():
                 yield f"{path.name}#{anchor}"
 
 
@@ -83,14 +82,18 @@ def _cell(records: Mapping[str, Chapter], pointer: Pointer) -> Quantity | None:
 
 def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> Iterator[str]:
     record = chapter.results.record
+    columns = chapter.results.columns
     for index, column, cell in sorted((*pointer.cell, pointer) for pointer in cells if pointer.cell):
         row = record.rows[index]
-        changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
-        changes = f" ({config().baseline}{f', but for {changed}' if changed else ''})" if parameters() else ""
+        parameters = columns.changed_parameters(row).items()
+        changed = ", ".join(f"{name} {value}" for name, value in parameters)
+        but = f", but for {changed}" if changed else ""
+        changes = f" ({columns.settings.baseline}{but})" if columns.parameters else ""
         number = _cell({chapter.results.source: chapter}, cell)
         yield f"  row {index}, case {row['case']}{changes}: {column} = {_text(number) if number else row[column]}"
-    release, commit = record.origin.release, record.measured["commit"]
-    measured = f"{record.machine_text}, {record.time_text}, {config().edition} {release}"
+    release = record.origin.release
+    commit = record.measured["commit"]
+    measured = f"{record.machine_text}, {record.time_text}, {columns.settings.edition} {release}"
     yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
     yield from (f"  carried     {pointer}" for pointer in record.carried)
     if chapter.state.notes:

@@ -25,7 +25,6 @@ from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
 from measured_report.editions.status import records_of, states_of
 from measured_report.files.atomic import write_file
-from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.findings.editions import Edition, derive_edition, editions_of
 from measured_report.measuring.accelerator import lacks
@@ -33,38 +32,52 @@ from measured_report.measuring.machine import machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
 from measured_report.pages.editions import sentences_of
 from measured_report.parts.claim import HOLDS
-from measured_report.records.columns import column_of
 from measured_report.records.identity import package_changes, sections
 from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.site.build import build
 from measured_report.values.evidence import is_absolute
 
+STALE = ("missing", "stale", "damaged")  # kinds of records that are measured anew
 TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
 SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compare with, in place of the one before"}
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Measure the few sections that decide, say what changed, largest first, and build the site; 1 for an alarm."""
+    """Measure the few sections that decide, print what changed, largest first, and build
+    the site; return 1 for an alarm."""
     device = measuring_device(arguments.device, project.profile)
-    base = arguments.since or release_of(base_of(project) or project.own_release)
+    measurable = sections(project.root)
+    names = project.report.settings.changes.upgrade_sections or measurable
+    base = arguments.since or release_of(base_of(project, names) or project.own_release or project.release)
     refuse_itself(str(base), project.release)
     answer = sys.stdout if arguments.format == "text" else _answer_file()
-    # What may not install goes first: a base would be measured for nothing.
-    sides = {arguments.release: True, base: False}
-    unmeasured = {release: _unmeasured(project.of(str(release)), device, renews) for release, renews in sides.items()}
-    for release, names in unmeasured.items():
-        if names:
-            took = sum(record.measured["seconds"] for record in records_of(project) if record.section in names)
-            time = f", about {took:.0f} s of a processor as last time" if took else ""
-            print(f"{config().edition} {release}: to be measured are {', '.join(names)}{time}", flush=True)
-    after, before = (_measured(project, release, device, names) for release, names in unmeasured.items())
-    compared = [*editions_of(project, among=[before.release, after.release]).values()]
-    comparison = compare(compared[0], compared[1], timed_in_turn([before, after], [base, arguments.release], device))
-    absent = [Fault(after.release, section, "missing", "it could not be measured") for section in lacking(after)]
-    comparison = replace(comparison, faults=[*absent, *comparison.faults])
+    # The newer edition goes first: if it cannot be installed, no base is measured for it.
+    releases = [arguments.release, base]
+    settings = project.report.settings
+    unmeasured = {}
+    for release in releases:
+        kinds = STALE if device and release == arguments.release else ("missing",)
+        states = states_of(project.of(str(release)))
+        found = {state.section for state in states if state.kind in kinds}
+        unmeasured[release] = wanted = [name for name in names if name in found]
+        if wanted and not device:
+            raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
+        if wanted:
+            text = f"{settings.edition} {release}: to be measured are {', '.join(wanted)}"
+            print(text, flush=True)
+    after, before = (_measured(project, each, device, unmeasured[each]) for each in releases)
+    editions = editions_of(project, among=[before.release, after.release])
+    old, new = editions.values()
+    timed = []
+    if device:
+        timed = timed_in_turn([before, after], releases[::-1], measurable, device)
+    comparison = compare(old, new, timed)
+    lost = [Fault(after.release, name, "missing", "it could not be measured") for name in lacking(after, names)]
+    comparison = replace(comparison, faults=[*lost, *comparison.faults])
     say = sentences_of(project)
-    print(upgrade_text(comparison, verdict(comparison, say, *compared), arguments.format, say), file=answer, flush=True)
+    lines = verdict(comparison, say, old, new, names)
+    print(upgrade_text(comparison, lines, arguments.format, say), file=answer, flush=True)
     if arguments.format == "text":  # the front page stays that of the project's own edition
         project = project.of(project.own_release or project.release)
         build(project)
@@ -73,99 +86,121 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def _answer_file() -> TextIO:
-    """Return where the answer for a program goes; all else that is printed from now on, by others too, is no part."""
+    """Return a file for the answer to a program; whatever is printed from now on, by
+    other programs as well, goes to standard error."""
     sys.stdout.flush()
     answer = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     return answer
 
 
-def _unmeasured(edition: Project, device: str | None, renews: bool) -> list[str]:
-    """Name the sections that are to be measured, those that are stale too where it ``renews`` them."""
-    stale = {state.section for state in states_of(edition) if state.kind != "fresh"} if device and renews else ()
-    names = [section for section in upgrade_sections(edition) if section in {*stale, *lacking(edition)}]
-    if names and not device:
-        raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
-    return names
-
-
 def _measured(project: Project, release: Release, device: str | None, names: Sequence[str]) -> Project:
     edition = project.of(str(release))
     if not names or not device:
         return edition
-    print(f"{config().edition} {edition.release}: measuring {', '.join(names)}", flush=True)
+    package = project.report.settings.edition
+    print(f"{package} {edition.release}: measuring {', '.join(names)}", flush=True)
     return measure_what_can(kept_by(edition, machine_name(device), names), release, names, device)[0]
 
 
-def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device: str | None) -> list[Edition]:
-    """Time two editions twice, one after the other, on this machine; nothing where none is timed, or one can't be.
+def timed_in_turn(
+    sides: Sequence[Project], releases: Sequence[Release], measurable: Sequence[str], device: str
+) -> list[Edition]:
+    """Time two editions twice, one after the other, on this machine; return nothing if no
+    section is timed, or one cannot be.
 
-    How fast a machine is, what else it does and which card it has is then the same for both.
+    The speed of the machine, its load and its card are then the same for both.
     """
-    rules, measurable = config().changes, sections(sides[0].root)
-    named = dict.fromkeys(name.partition(".")[0] for name in rules.thresholds if is_absolute(name.rpartition(".")[2]))
-    if not device or not (names := [name for name in named if name in measurable]):
-        return []
+    report = sides[0].report
+    sections_timed = {
+        name.partition(".")[0]: None
+        for name in report.settings.changes.thresholds
+        if is_absolute(report.columns[name.rpartition(".")[2]])
+    }
+    names = [name for name in sections_timed if name in measurable]
     timed = [replace(side, aside=TIMED) for side in sides]
-    for again in (False, True):
+    for again in (False, True) if names else ():
         for index, release in enumerate(releases):
-            print(f"{config().edition} {release}: timing {', '.join(names)}, in turn", flush=True)
+            print(f"{report.settings.edition} {release}: timing {', '.join(names)}, in turn", flush=True)
             timed[index], is_done = measure_what_can(timed[index], release, names, device)
             if not is_done:
                 return []
             if not again:
                 records = [record for record in records_of(timed[index]) if record.section in names]
                 write_file(timed[index].results / FOLDER / "first.tgz", archive_of(records))
-    return list(map(derive_edition, timed))
+    return list(map(derive_edition, timed)) if names else []
 
 
-def upgrade_sections(project: Project) -> Sequence[str]:
-    """Name the sections that tell most of an edition: those that report.toml names, or else all."""
-    return config().changes.upgrade_sections or sections(project.root)
-
-
-def base_of(project: Project) -> str | None:
-    """Return the same release as it came out, or else the newest before it, that has the sections."""
-    sides = [side.of(name) for side in (project, replace(project, profile="full")) for name in side.releases]
-    plain = [side for side in sides if side.release == side.named.version != project.release and not lacking(side)]
-    before = [side for side in plain if side.named.order <= project.named.order]
+def base_of(project: Project, names: Sequence[str]) -> str | None:
+    """Return the same release as it came out, or else the newest one before it, that has
+    the sections of these names."""
+    profiles = project, replace(project, profile="full")
+    sides = [side.of(release) for side in profiles for release in side.releases]
+    before = [
+        side
+        for side in sides
+        if side.release == side.named.version != project.release
+        and side.named.order <= project.named.order
+        and not lacking(side, names)
+    ]
     return max(before, key=lambda side: side.named.order).release if before else None
 
 
-def lacking(project: Project) -> list[str]:
-    """Name the sections that an edition has no record of."""
-    return [section for section in upgrade_sections(project) if not project.record_path(section).exists()]
+def lacking(project: Project, names: Sequence[str]) -> list[str]:
+    """Return the sections that an edition has no record of."""
+    return [name for name in names if not project.record_path(name).exists()]
 
 
-def verdict(comparison: Comparison, say: Say, before: Edition, after: Edition) -> list[str]:
-    """Return at most a dozen lines, worst first."""
+def verdict(
+    comparison: Comparison, say: Say, before: Edition, after: Edition, names: Sequence[str]
+) -> list[str]:
+    """Return at most a dozen lines on the sections of these names, worst first."""
+    settings = comparison.report.settings
     a, b = comparison.releases
-    names = upgrade_sections(after.project)
-    pair = [[chapter for name, chapter in side.chapters.items() if name in names] for side in (before, after)]
-    old, new = ([chapter.results.record for chapter in chapters] for chapters in pair)
-    changed = package_changes(old[0].identity.packages, new[0].identity.packages) if old and new else []
-    packages = ", ".join(change for change in changed if not change.startswith(f"{config().edition} "))
+    old, new = (
+        [chapter.results.record for name, chapter in side.chapters.items() if name in names]
+        for side in (before, after)
+    )
+    others = []
+    for record in (*old[:1], *new[:1]):
+        versions = record.identity.packages.items()
+        others.append({name: each for name, each in versions if name != settings.edition})
+    packages = ", ".join(package_changes(*others)) if old and new else ""
     machines = " and ".join(sorted({record.machine_text for record in new}))
     measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in comparison.flips]
-    query, why = Query(config().changes.explanation, is_claim=True), "the sections that were measured do not say"
-    if given := [move for move in comparison.moves if move.is_setting or "computed" in column_of(move.column).kinds]:
-        why = f"what it is set to changed: {few([f'{move.name} {move.ends}' for move in given])}"
-    if (cause := query.claim(after.chapters)) and cause.outcome == HOLDS:
-        why = say(query.section, cause)
-    asks_why = flips or any(not move.is_setting for move in comparison.alarms)
+    faults = few([fault.text(settings) for fault in comparison.faults])
     return [
-        f"{config().edition_name} {b} against {a}{f' ({packages})' if packages else ''}: {summary(comparison)}",
+        f"{settings.edition_name} {b} against {a}{f' ({packages})' if packages else ''}: {summary(comparison)}",
         f"measured: {measured}",
-        *([f"can't be trusted: {few([fault.text for fault in comparison.faults])}"] if comparison.faults else []),
+        *([f"can't be trusted: {faults}"] if faults else []),
         f"settings: {settings_text(comparison.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
         *(largest(comparison) or ["changed: nothing"]),
         f"smallest change that would have been seen: {power(comparison)}",
-        *([f"why: {why}"] if asks_why else []),
+        *_why(comparison, say, after),
         f"what to do: {_advice(comparison, before.project, after.project)}",
     ]
+
+
+def _why(comparison: Comparison, say: Say, after: Edition) -> list[str]:
+    """Return a line on the cause of a flip or of a number's alarm; nothing if there is
+    neither."""
+    if not comparison.flips and all(move.is_setting for move in comparison.alarms):
+        return []
+    query = Query(comparison.report.settings.changes.explanation, is_claim=True)
+    cause = query.claim(after.chapters)
+    if cause and cause.outcome == HOLDS:
+        return [f"why: {say(query.section, cause)}"]
+    given = [
+        f"{move.name} {move.ends}"
+        for move in comparison.moves
+        if move.is_setting or "computed" in move.column.kinds
+    ]
+    if given:
+        return [f"why: what it is set to changed: {few(given)}"]
+    return ["why: the sections that were measured do not say"]
 
 
 def _advice(comparison: Comparison, before: Project, after: Project) -> str:
@@ -179,4 +214,5 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
         return f"make bisect {queries[0]} {ends} finds which change did it; {lists}"
     if comparison.moves:
         return f"see whether what changed was meant to: {lists}"
-    return "nothing; make report measures the rest" if config().changes.upgrade_sections else "nothing"
+    is_part = comparison.report.settings.changes.upgrade_sections
+    return "nothing; make report measures the rest" if is_part else "nothing"

@@ -192,6 +192,20 @@ def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     return list(dict.fromkeys(chain.from_iterable(rows)))
 
 
+def unbelieved(row: Mapping[str, Any]) -> dict[str, str]:
+    """Return, by column, the reason for each number that no record may hold."""
+    reasons = {
+        name.removesuffix(REASON): str(cell)
+        for name, cell in row.items()
+        if name.endswith(REASON)
+    }
+    return {
+        name: reason
+        for name, reason in reasons.items()
+        if reason.startswith(UNBELIEVED)
+    }
+
+
 def is_number(value: Any) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 

@@ -131,7 +131,8 @@ def derive_edition(project: Project, cache: DerivedCache | None = None) -> Editi
     def derive(state: State, chapters: Chapters) -> Chapter:
         assert state.record
         evidence = measurements.evidence.get(state.section, Evidence())
-        results = Results(state.record, project.record_path(state.section), evidence=evidence)
+        path, columns = project.record_path(state.section), project.report.columns
+        results = Results(state.record, path, evidence=evidence, columns=columns)
         return edition.derive(state, results, chapters)
 
     measured = sorted(filter(lambda state: state.record, states), key=lambda state: outline_of(state.section).order)

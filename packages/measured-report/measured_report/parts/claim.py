@@ -16,7 +16,6 @@ from measured_report.parts.words import Wording
 from measured_report.records.columns import column_of
 from measured_report.values.quantities import VALUES_FILE, Quantity, combined, mixed
 
-WITHIN = "the difference is within the noise"
 NEAR_NOISE = 2.0  # chosen: up to so many times the noise a difference can't tell: some other pair may differ more
 
 
@@ -59,6 +58,7 @@ class Outcome:
         return {"unknown": "cannot tell"}.get(self.name, "the opposite" if self.is_opposite else self.name)
 
 
+WITHIN = Outcome("unknown", "the difference is within the noise")
 HOLDS = Outcome("holds")
 FAILS = Outcome("fails")
 OPPOSITE = Outcome("fails", is_opposite=True)
@@ -174,7 +174,7 @@ def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Ou
         if len(values) < 2:
             return Outcome("unknown", "it takes two values to see a trend")
         if abs(values[-1] - values[0]) <= most:
-            return Outcome("unknown", WITHIN)
+            return WITHIN
         if _rises(values[::-1], most):
             return HOLDS
         return OPPOSITE if _rises(values, most) else FAILS

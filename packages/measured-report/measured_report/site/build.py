@@ -1,14 +1,13 @@
 """The site: the pages of every release that has results, each checked, then drawn, then all put in place as a whole."""
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from measured_report.changes.query import (
+from measured_report.changes.checks import (
     blind_spots,
     gaps,
-    idle_labels,
     idle_settings,
     refuse_unknown_names,
 )
@@ -72,18 +71,18 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         built = {}
         for release, edition in editions.items():
             stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
-            notes = _notes(editions, edition) if edition.project.is_own else ()
+            notes = _notes(edition) if edition.project.is_own else ()
             built[release] = Built(stale, [*edition.left_out, *edition.plugins.left_out], *notes)
         cache.put(BUILT, (digest, digests_below(project.site)), built)
     return built
 
 
-def _notes(editions: Mapping[str, WordedEdition], edition: WordedEdition) -> tuple[list[str], list[str]]:
+def _notes(edition: WordedEdition) -> tuple[list[str], list[str]]:
     """Say what of an edition is no answer, and what is of nothing, or can't be told."""
     printed = ((name, item) for name, chapter in edition.chapters.items() for item in chapter.prose.printed)
     matches = [(name, LOST.match(item)) for name, item in printed if isinstance(item, str)]
     lost = [f"{name}: its words print what is not there: {match[1]}" for name, match in matches if match]
-    idle = _records_of_nothing(edition) + idle_settings(edition) + idle_labels(editions, edition)
+    idle = _records_of_nothing(edition) + idle_settings(edition)
     return gaps(edition) + lost, blind_spots(edition) + idle
 
 

@@ -9,11 +9,12 @@ from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.config import config
+from measured_report.files.config import config, report
 from measured_report.findings.sections import file_of, outline_of
 from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
-from measured_report.values.evidence import Evidence, Repeated, evidence_of, repeats_of
+from measured_report.values.cells import evidence_of
+from measured_report.values.evidence import Evidence, Repeated, repeats_of
 from measured_report.values.format import (
     WRITES,
     format_code,
@@ -123,15 +124,16 @@ class Data:
         row_pointer, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), row_pointer)
         cell = number_of(column, row)
-        estimate = self._evidence(name).estimate(column, row)
+        estimate = self._evidence(name).estimate(column, row, report().columns)
         return cell, estimate.written_noise if estimate else None
 
     def _evidence_of(self, name: str) -> Evidence:
-        return evidence_of(measurements_beside(self.folder / name, self._replica), self._repeats(Path(name).parent))
+        records = measurements_beside(self.folder / name, self._replica)
+        return evidence_of({name: records}, self._repeats(Path(name).parent), report().columns)[name]
 
     def _repeats_in(self, folder: Path) -> Repeated:
         noise = folder / f"{config().noise_section}.json"
-        return repeats_of(self.file(str(noise))["rows"]) if (self.folder / noise).is_file() else {}
+        return repeats_of(self.file(str(noise))["rows"], report().columns) if (self.folder / noise).is_file() else {}
 
     @cached_property
     def typed(self) -> re.Pattern[str]:

@@ -81,6 +81,11 @@ class Site:
     address: str  # address that it will have; empty where that is not known
     cache: DerivedCache
 
+    @property
+    def own(self) -> str:
+        """Return the folder of the data of the edition that is shown first."""
+        return self.editions[self.shown].project.results.name
+
     def write(self) -> None:
         """Draw all figures, and write data and pages of all releases, and what is there once."""
         contents = {release: contents_of(self.editions, release, self.templates) for release in self.editions}
@@ -133,7 +138,7 @@ class Site:
             content_names = {"content": content, "shown": shown, "references": references}
             pages[content.page.file] = self.templates.layout("base.html.j2", {**shared, **content_names})
         for file, html in pages.items():
-            self._write(f"{folder}{file}", local(html, self.shown))
+            self._write(f"{folder}{file}", local(html, self.own))
         self._write(f"{folder}style.css", stylesheet(root))
         static = {path.relative_to(root).as_posix(): path for path in (root / "static").rglob("*")}
         for name, path in {"page.js": LAYOUT / "page.js", ICON: icon, **static}.items():
@@ -153,7 +158,7 @@ class Site:
             drawings[figure.anchor] = figure.html(drawn, address, edition.root)
             for end, picture in zip(("", "-narrow"), drawn or (), strict=True) if address else ():
                 svg = macros().drawing_file(picture) if isinstance(picture, Picture) else picture
-                self._write(f"{edition.folder}{address}{end}.svg", local(svg, self.shown))
+                self._write(f"{edition.folder}{address}{end}.svg", local(svg, self.own))
             has_drawing |= is_whole
         return drawings
 
@@ -183,7 +188,7 @@ class Site:
             derived[FOLDER] = dict(rates)
         entries = {name: {label: value.entry for label, value in values.items()} for name, values in derived.items()}
         text = json.dumps(entries, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
-        self._write(local(f"{folder}{VALUES_FILE}", self.shown), local(text, self.shown))
+        self._write(local(f"{folder}{VALUES_FILE}", self.own), local(text, self.own))
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:

@@ -1,13 +1,12 @@
 """Series: the page that shows each headline over all editions, and where it changed."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.changes.query import Point, Query, points
-from measured_report.files.config import Page, config
+from measured_report.changes.query import Point, Query, points, schema_of
+from measured_report.files.config import Page
 from measured_report.findings.chapters import Releases
 from measured_report.pages.prose import Prose, Templates
 from measured_report.parts.macros import macros
@@ -17,46 +16,45 @@ PAGE = Page("history")
 WIDTH, HEIGHT, EDGE = 288.0, 48.0, 4.0  # of a chart, in the units of its drawing
 
 
-@dataclass(frozen=True)
-class Series:
-    """Hold what all editions say of a headline, as its chart and its table have it."""
-
-    query: Query
-    points: Sequence[Point]
-    releases: Releases
-
-    @property
-    def name(self) -> str:
-        return f"{self.query.label} [{unit_label(self.query.unit)}]"
-
-    def number(self, point: Point) -> Any:
-        """Return the number of an edition with its source."""
-        number = self.query.quantity(self.releases[point.release])
-        return getattr(number, "bare", number)
-
-    @property
-    def changes(self) -> Iterator[tuple[Point, Point]]:
-        """Yield the editions on either side of each change."""
-        return (pair for pair in zip(self.points, self.points[1:], strict=False) if pair[1].mark)
-
-    @property
-    def dots(self) -> Iterator[tuple[Point, float, float, float, float]]:
-        """Yield the place of each edition, its number's, and those of the ends of its noise."""
-        reaches = [(float(point.answer), point.noise or 0.0) for point in self.points]
-        low, high = min(number - noise for number, noise in reaches), max(number + noise for number, noise in reaches)
-        scale, names = (HEIGHT - 2 * EDGE) / ((high - low) or 1.0), [*self.releases]  # one axis for all charts
-        for point, (number, noise) in zip(self.points, reaches, strict=True):
-            heights = (HEIGHT - EDGE - (end - low) * scale for end in (number, number - noise, number + noise))
-            place = WIDTH * (names.index(point.release) + 0.5) / len(names)
-            yield (point, *(round(end, 1) for end in (place, *heights)))  # type: ignore[misc]
-
-
 def series_page(releases: Releases, templates: Templates) -> Prose | None:
-    """Put the headlines into words that two editions answer, or more; None where there is none."""
-    queries = (Query(value, label=label) for label, value in config().changes.headlines.items())
-    series = [Series(query, points(releases, query), releases) for query in queries]
-    shown = [each for each in series if len(each.points) > 1]
-    if not shown or PAGE.name in {page.name for page in config().pages}:
+    """Return a page with each headline that two editions have, or more; None without."""
+    columns = next(filter(None, map(schema_of, releases.values())), None)
+    if columns is None or PAGE.name in {page.name for page in columns.settings.pages}:
         return None
-    table = macros().series(shown, config(), Markup(f'viewBox="0 0 {WIDTH:g} {HEIGHT:g}"'), HEIGHT)
+    series = []
+    for label, value in columns.settings.changes.headlines.items():
+        query = Query(value, label=label)
+        answered = points(releases, query)
+        if len(answered) > 1:
+            unit = unit_label(columns[query.column].unit)
+            series.append(_series(f"{label} [{unit}]", query, answered, releases))
+    if not series:
+        return None
+    box = Markup(f'viewBox="0 0 {WIDTH:g} {HEIGHT:g}"')
+    table = macros().series(series, columns.settings, box, HEIGHT, list(releases))
     return templates.text("series.md.j2").prose(PAGE.name, {"table": table}, level=1)
+
+
+def _series(
+    name: str, query: Query, answered: list[Point], releases: Releases
+) -> dict[str, Any]:
+    """Return what the chart and the table have of a headline: its numbers, with their
+    sources, the places of its dots, and the numbers on either side of each change."""
+    numbers = {}
+    reaches = []
+    for point in answered:
+        quantity = query.quantity(releases[point.release])
+        numbers[point.release] = getattr(quantity, "bare", quantity)
+        reaches.append((float(point.answer), point.noise or 0.0))
+    low = min(number - noise for number, noise in reaches)
+    high = max(number + noise for number, noise in reaches)
+    scale = (HEIGHT - 2 * EDGE) / ((high - low) or 1.0)
+    names = list(releases)  # one axis for all charts
+    dots = []
+    for point, (number, noise) in zip(answered, reaches, strict=True):
+        ends = number, number - noise, number + noise
+        heights = (round(HEIGHT - EDGE - (end - low) * scale, 1) for end in ends)
+        place = WIDTH * (names.index(point.release) + 0.5) / len(names)
+        dots.append((point, round(place, 1), *heights))
+    changes = [pair for pair in pairwise(answered) if pair[1].mark]
+    return {"name": name, "points": answered, "numbers": numbers, "dots": dots, "changes": changes}

@@ -6,10 +6,9 @@ both. Whose variance that is ``evidence.py`` says.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from statistics import NormalDist, fmean, median
-from typing import Any
+from typing import Any, NamedTuple
 
 SURE = 0.95  # chosen: so often the truth is within a printed number's noise
 FALSE_SHARE = 0.01  # chosen: so large a share of the changes that are told may be none
@@ -45,16 +44,23 @@ def deviations_of(t: Any, freedom: Any) -> Any:
     freedom = np.minimum(freedom, MOST_FREEDOM)
     grown = np.log1p(t * t / freedom)
     a = np.maximum(freedom, 1.0) - 0.5
-    b, y = 48 * a**2, a * grown
+    b = 48 * a**2
+    y = a * grown
     tail = (((-0.4 * y - 3.3) * y - 24) * y - 85.5) / (0.8 * y**2 + 100 + b)
-    hill = ((tail + y + 3) / b + 1) * np.sqrt(y)
-    if not np.any(freedom < 2):
+    hill = np.asarray(((tail + y + 3) / b + 1) * np.sqrt(y))
+    t, few = np.broadcast_arrays(t, np.maximum(freedom, 1.0))
+    rare = few < 2
+    if not rare.any():
         return hill
-    deviation, root = np.vectorize(NORMAL.inv_cdf, [float]), np.hypot(t, math.sqrt(2))
+    t = t[rare]
+    few = few[rare]
+    root = np.hypot(t, math.sqrt(2))
+    tails = np.arctan2(1, t) / math.pi, 1 / (root * (root + t))
+    deviation = np.vectorize(NORMAL.inv_cdf, [float])
     with np.errstate(invalid="ignore"):  # of a number that is not there
-        of_one, of_two = (-deviation(beyond) for beyond in (np.arctan2(1, t) / math.pi, 1 / (root * (root + t))))
-    few = np.maximum(freedom, 1.0)
-    return np.where(few < 2, of_one + (few - 1) * (6 - few) / 4 * (of_two - of_one), hill)
+        of_one, of_two = (-deviation(tail) for tail in tails)
+    hill[rare] = of_one + (few - 1) * (6 - few) / 4 * (of_two - of_one)
+    return hill
 
 
 def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
@@ -115,31 +121,32 @@ def binomial_noise(share: float, trials: float) -> float:
     return abs(share - middle) + half
 
 
-@dataclass(frozen=True)
-class Estimate:
-    """Tells what is known of a number by all that was measured of it."""
+class Estimate(NamedTuple):
+    """Holds what is known of a number by all that was measured of it."""
 
-    value: float | int  # the mean of its measurements; where they agree, what they say
+    value: float | int  # the mean of its measurements, or the number that all agree on
     variance: float = 0.0  # of one measurement
     freedom: float = math.inf  # degrees of freedom of the variance
-    count: float = 1.0  # measurements that the value is the mean of
+    count: float = 1.0  # type: ignore[assignment] # of what the value is the mean of
     least: float = 0.0  # the least that it may be off, as by rounding
-    samples: Sequence[float | None] = ()  # by measurement, None where it was not measured; empty where it is exact
-    is_of_cards: bool = False  # set where the variance has the part that cards of one kind have
-    is_again: bool = False  # set where it was measured more than once
-    is_edge: bool = False  # set where chance decides in which of two ways it ends
+    samples: Sequence[float | None] = ()
+    """By measurement, None where it was not measured; empty for an exact number."""
+    is_of_cards: bool = False  # whether the variance has the part that cards have
+    is_again: bool = False  # whether it was measured more than once
+    is_edge: bool = False  # whether chance decides in which of two ways it ends
 
     @property
     def note(self) -> str:
         """Say what it is the mean of; nothing where it was measured once."""
         if len(present := [sample for sample in self.samples if sample is not None]) < 2:
             return ""
-        least, largest = min(present), max(present)
+        least = min(present)
+        largest = max(present)
         several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
         means = "mean of " if least < largest else ""
         return f"{'at an edge, where chance decides: ' if self.is_edge else means}{several}"
 
-    @cached_property
+    @property
     def noise(self) -> float:
         """Bound how far the truth may be from the value: ``SURE``, by Student's t of the mean."""
         error = math.sqrt(self.variance / self.count)
@@ -158,12 +165,6 @@ def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
     """
     import numpy as np
 
-    total, squared = variances.sum(axis=1), (variances**2 / freedoms).sum(axis=1)
+    total = variances.sum(axis=1)
+    squared = (variances**2 / freedoms).sum(axis=1)
     return np.sqrt(total), np.where(squared > 0, total**2 / np.maximum(squared, TINY), math.inf)
-
-
-def sampled_noise(samples: Sequence[float]) -> float:
-    """Bound how far the mean of these is from the truth, by Student's t; infinitely far of one."""
-    if len(samples) < 2:
-        return math.inf
-    return t_quantile(SURE, len(samples) - 1) * math.sqrt(variance_of(samples) / len(samples))

@@ -15,9 +15,8 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
-from measured_report.files.config import config
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import PLAIN, is_unit
+from measured_report.records.columns import PLAIN
 from measured_report.records.record import Origin
 from measured_report.values.format import (
     LEAST,
@@ -34,9 +33,10 @@ POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
 
 
-def local(text: str, release: str) -> str:
-    """Write ``text`` as the site of a release has it: the addresses of its values are shorter."""
-    return text.replace(f"{config().edition_folder(release)}/{VALUES_FILE}", VALUES_FILE)
+def local(text: str, folder: str) -> str:
+    """Return ``text`` with shorter addresses of the values of the site's own edition,
+    whose data lie in ``folder``."""
+    return text.replace(f"{folder}/{VALUES_FILE}", VALUES_FILE)
 
 
 @dataclass(frozen=True)
@@ -48,6 +48,11 @@ class Pointer:
     @property
     def file(self) -> str:
         return self.text.partition("#")[0]
+
+    @property
+    def is_trace(self) -> bool:
+        """Return whether it names a whole trace."""
+        return self.text.endswith(".csv.gz")
 
     @property
     def cell(self) -> tuple[int, str] | None:
@@ -83,10 +88,15 @@ class Quantity:
     def __radd__(self, number: float) -> "Quantity":
         return self + number if number else self  # sum() begins with 0
 
-    __add__, __sub__ = partialmethod(_with, operator.add), partialmethod(_with, operator.sub)
-    __mul__, __truediv__ = partialmethod(_with, operator.mul), partialmethod(_with, operator.truediv)
-    __neg__, __abs__, __rmul__ = partialmethod(_with, operator.neg), partialmethod(_with, abs), __mul__
-    __rsub__, __rtruediv__ = partialmethod(_after, operator.sub), partialmethod(_after, operator.truediv)
+    __add__ = partialmethod(_with, operator.add)
+    __sub__ = partialmethod(_with, operator.sub)
+    __mul__ = partialmethod(_with, operator.mul)
+    __truediv__ = partialmethod(_with, operator.truediv)
+    __neg__ = partialmethod(_with, operator.neg)
+    __abs__ = partialmethod(_with, abs)
+    __rmul__ = __mul__
+    __rsub__ = partialmethod(_after, operator.sub)
+    __rtruediv__ = partialmethod(_after, operator.truediv)
 
     @property
     def reads(self) -> frozenset[str]:
@@ -165,8 +175,6 @@ def absent(unit: str, reason: str) -> Quantity:
 
 def constant(value: float, unit: str = PLAIN) -> Quantity:
     """Make an exact number that nobody measured, as a factor."""
-    if not is_unit(unit):
-        raise ReportError(f"{value:g} has the unit {unit}, not known here; units in report.toml adds it")
     return Quantity(value, unit, "", noise=0.0)
 
 
@@ -201,7 +209,8 @@ def mixed(*origins: frozenset[Origin]) -> str:
 
 def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[float | None]:
     """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
-    return [None if None in values else _sampled(function, values) for values in _measurements(sources)]
+    rows = _measurements(sources)
+    return [None if None in row else _evaluated(function, row)[0] for row in rows]
 
 
 def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
@@ -212,14 +221,6 @@ def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
         return []
     ways = [samples or count * (source.value,) for samples, source in zip(sampled, sources, strict=True)]
     return [*zip_longest(*(way[:count] for way in ways))]
-
-
-def _sampled(function: Callable[..., float], values: Sequence[float]) -> float | None:
-    try:
-        value = function(*values)
-        return float(value) if math.isfinite(value) else None
-    except (ArithmeticError, ValueError, LookupError, TypeError):
-        return None
 
 
 def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | None:
@@ -269,7 +270,12 @@ class Term(Value):
     def __init__(self, function: Callable[..., float], operands: Sequence[Any], unit: str, across: bool):
         origins = [operand.origins for operand in operands]
         refusal = "" if across else mixed(*origins)
-        value, reason = (None, refusal) if refusal else _evaluated(function, operands)
+        lost = [operand.reason for operand in operands if operand.value is None]
+        if refusal or lost:
+            value = None
+            reason = refusal or lost[0]
+        else:
+            value, reason = _evaluated(function, [operand.value for operand in operands])
         vars(self).update(value=value, unit=unit, reason=reason, origins=frozenset().union(*origins))
         vars(self).update(function=function, operands=operands, roots=frozenset().union(*(o.reads for o in operands)))
 
@@ -337,11 +343,10 @@ def _product_unit(a: str, b: str, power: int) -> str:
     return "/".join(["·".join(above) or PLAIN, *below])
 
 
-def _evaluated(function: Callable[..., float], sources: Sequence[Any]) -> tuple[float | None, str]:
-    if reasons := [source.reason for source in sources if source.value is None]:
-        return None, reasons[0]
+def _evaluated(function: Callable[..., float], values: Sequence[Any]) -> tuple[float | None, str]:
+    """Return what a function makes of values, and why that is no number if it is none."""
     try:
-        value = function(*(source.value for source in sources))
+        value = function(*values)
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:

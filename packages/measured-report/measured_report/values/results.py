@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError
-from measured_report.files.config import config
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.files.groups import single
-from measured_report.records.columns import PLAIN, REASON, column_of, is_unit, number_of
+from measured_report.records.columns import PLAIN, REASON, Schema
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
 from measured_report.values.evidence import Evidence
@@ -58,19 +58,23 @@ class Row:
     """
 
     def __init__(self, results: "Results", index: int | None, case: str = ""):
-        self._results, self._record, self._index = results, results.record, index
+        self._results = results
+        self._record = results.record
+        self._index = index
         self.plain: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
         count = sum(row["case"] == case for row in self._record.rows) if index is None else 0
         lack = f"there are {count} rows of case {case}" if count > 1 else f"there is no single row of case {case}"
         self._lack = lack if index is None else ""
-        self.source, self._origins = f"{results.source}#/rows/{index}", frozenset({self._record.origin})
+        self.source = f"{results.source}#/rows/{index}"
+        self._origins = frozenset({self._record.origin})
         self._read = cache(self._cell)  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
         return self._read(column)
 
     def _cell(self, column: str) -> Any:
-        units, case = self._record.units, self.plain["case"]
+        units = self._record.units
+        case = self.plain["case"]
         if column not in self.plain:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
@@ -78,10 +82,12 @@ class Row:
                 lack = self._lack or f"{case} has no column {column}{suggestion(column, units)}"
                 raise ResultsError(f"{self._record.section}: {lack}")
             return ""
-        value = number_of(column, self.plain)
+        value = self._results.columns.number_of(column, self.plain)
         if column not in units or isinstance(value, bool | str):
             return value
-        unit, origins, pointer = units[column], self._origins, f"{self.source}/{column}"
+        unit = units[column]
+        origins = self._origins
+        pointer = f"{self.source}/{column}"
         if value is None:
             reason = ": ".join(filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost")))
             return Quantity(None, unit, pointer, reason, origins)
@@ -107,7 +113,8 @@ class Row:
 
     def estimate(self, column: str) -> Estimate | None:
         """Return what is known of one of its numbers; None where nobody knows how that scatters."""
-        return self._results.evidence.estimate(column, self.plain)
+        results = self._results
+        return results.evidence.estimate(column, self.plain, results.columns)
 
     @property
     def label(self) -> str:
@@ -138,11 +145,12 @@ class Results:
     label: str = ""  # name of the section in figures and tables
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
     """What people call its cases, see ``label_of``; a number that is not there says of which run it is."""
+    columns: Schema = field(default_factory=lambda: report().columns, repr=False)
 
     @property
     def edition(self) -> str:
         """Return the label of the edition that it belongs to."""
-        return config().edition_in(self.path.parent.name)
+        return self.columns.settings.edition_in(self.path.parent.name)
 
     @property
     def source(self) -> str:
@@ -161,7 +169,7 @@ class Results:
 
     def _lacks_setting(self, row: Mapping[str, Any]) -> bool:
         names = (name for name, cell in row.items() if cell is None and row.get(name + REASON))
-        return any(name not in self.record.units or "parameter" in column_of(name).kinds for name in names)
+        return any(name not in self.record.units or "parameter" in self.columns[name].kinds for name in names)
 
     @cached_property
     def row(self) -> Rows:
@@ -205,11 +213,13 @@ class Results:
         if name in self.derived:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
         if isinstance(function, Quantity):
-            unit, sources, function = function.unit, (function,), operator.pos
+            unit = function.unit
+            sources = (function,)
+            function = operator.pos
         if re.search(r"[\s/~#]", name):
             raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
         assert formula.strip(), f"the value {name} has no words for how it is computed, or why it was chosen"
-        if not is_unit(unit):
+        if not self.columns.is_unit(unit):
             raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
         term = combined(function, *sources, unit=unit, across=across)
         names = "value", "unit", "reason", "origins", *(() if is_noise else ("noise", "samples")), "roots"

@@ -21,25 +21,30 @@ WILD = 3.3  # chosen: a variance so many normal deviations above its column's is
 
 def digamma(x: Array | float) -> Array:
     """Return the derivative of ln Γ: Abramowitz and Stegun (1964), 6.3.5 and 6.3.18."""
-    x, below = np.asarray(x, float), 0.0
+    x = np.asarray(x, float)
+    below = 0.0
     for _ in range(6):
-        below, x = below + 1 / x, x + 1
+        below = below + 1 / x
+        x = x + 1
     square = 1 / x**2
     return np.log(x) - 1 / (2 * x) - square * (1 / 12 - square * (1 / 120 - square / 252)) - below
 
 
 def trigamma(x: Array | float) -> Array:
     """Return the second derivative of ln Γ: Abramowitz and Stegun (1964), 6.4.6 and 6.4.12."""
-    x, below = np.asarray(x, float), 0.0
+    x = np.asarray(x, float)
+    below = 0.0
     for _ in range(6):
-        below, x = below + 1 / x**2, x + 1
+        below = below + 1 / x**2
+        x = x + 1
     square = 1 / x**2
     return 1 / x + square / 2 + square / x * (1 / 6 - square * (1 / 30 - square / 42)) + below
 
 
 def trigamma_inverse(y: float) -> float:
     """Return x of which ``y`` is the trigamma, which falls: by halving, in logarithms."""
-    low, high = np.log(1e-3), np.log(1e6)
+    low = np.log(1e-3)
+    high = np.log(1e6)
     for _ in range(60):
         middle = (low + high) / 2
         low, high = (middle, high) if trigamma(np.exp(middle)) > y else (low, middle)
@@ -96,7 +101,9 @@ def moderated(variances: Array, freedoms: Array, sizes: Array, usual: float = 0.
 
 def _deviations(ratios: Array, freedoms: Array, freedom: float) -> Array:
     """Return normal deviations as rare as these ratios of two variances: Paulson (1942), Ann. Math. Stat. 13, 233."""
-    above, below, root = 2 / (9 * freedoms), 2 / (9 * freedom), np.cbrt(ratios)
+    above = 2 / (9 * freedoms)
+    below = 2 / (9 * freedom)
+    root = np.cbrt(ratios)
     return ((1 - below) * root - (1 - above)) / np.sqrt(below * root**2 + above)
 
 

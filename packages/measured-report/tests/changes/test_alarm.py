@@ -9,7 +9,6 @@ import pytest
 from damage import damage
 from toys import MODULE, ROWS, TEMPLATE, compared
 
-from measured_report.changes import moves
 from measured_report.changes.alarm import check_text, diff_text
 from measured_report.changes.compare import Comparison
 from measured_report.commands import check as check_command
@@ -17,7 +16,7 @@ from measured_report.commands import diff
 from measured_report.commands.options import FORMATS
 from measured_report.editions.project import Project
 from measured_report.editions.release import release_of
-from measured_report.files.config import config
+from measured_report.files.config import report
 from measured_report.findings.editions import derive_edition
 from measured_report.parts.claim import Claim
 from measured_report.records.record import write_record
@@ -67,8 +66,8 @@ def test_each_damaged_replica_is_said_by_itself(toy, form):
     [({}, "A processor", ["helps"]), ({}, "Another", []), ({"frame_count": 450}, "A processor", [])],
 )
 def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(toy, monkeypatch, cells, cpu, flipped):
-    settings = replace(config(), cost_terms=["frame_count"])
-    monkeypatch.setattr(moves, "config", lambda: settings)
+    monkeypatch.setitem(vars(report()), "config", replace(report().settings, cost_terms=["frame_count"]))
+    vars(report()).pop("columns", None)
     toy.write("report/sections/toy.py", MODULE.replace("slip_mm", "frame_ms"))
     toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("slip_mm", "frame_ms"))
     costs = [{"case": case, "frame_count": 900, "frame_ms": cost} for case, cost in (("soft", 40.0), ("stiff", 2.0))]

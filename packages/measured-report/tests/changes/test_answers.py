@@ -7,7 +7,9 @@ import pytest
 
 from measured_report.changes import query
 from measured_report.changes.bisect import answer_text, first_change
-from measured_report.changes.query import Query, blind_spots, history, points
+from measured_report.changes.checks import blind_spots
+from measured_report.changes.query import Query, history, points
+from measured_report.files.config import report
 from measured_report.files.settings import Changes, Config
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
 from measured_report.values.quantities import Quantity
@@ -17,7 +19,8 @@ def chapters(value=None, noise=None, outcome=None):
     """What an edition has of one section: a value and a claim."""
     slip = Quantity(value, "mm", "values.json#/s/slip_mm", "" if value is not None else "it fell", noise=noise)
     record = SimpleNamespace(units={"slip_mm": "mm"})
-    results = SimpleNamespace(derived={"slip_mm": slip}, row={}, rows=[], record=record)
+    columns = report().columns
+    results = SimpleNamespace(derived={"slip_mm": slip}, row={}, rows=[], record=record, columns=columns)
     section = SimpleNamespace(claims=[Claim("c", outcome)] if outcome else [])
     return {"s": SimpleNamespace(results=results, section=section)}
 
@@ -28,8 +31,8 @@ def test_a_number_is_as_the_first_where_it_is_nearer_to_it_and_halfway_it_is_not
     assert [Query("s.v").is_first(each, -1.0, -3.0) for each in (0.0, -1.5, -2.5)] == [True, True, False]
     claim = Query("s.c", is_claim=True)
     assert claim.is_first("holds", "holds", "fails") and not claim.is_first("fails", "holds", "fails")
-    parts = [(each.section, each.case, each.column, each.unit) for each in map(Query, ("s.gap_m", "s.at-0.5.slip_mm"))]
-    assert parts == [("s", "", "gap_m", "m"), ("s", "at-0.5", "slip_mm", "mm")]
+    parts = [(each.section, each.case, each.column) for each in map(Query, ("s.gap_m", "s.at-0.5.slip_mm"))]
+    assert parts == [("s", "", "gap_m"), ("s", "at-0.5", "slip_mm")]
 
 
 MARKS = [((2.0, 0.25), (3.0, 0.125), "worse"), ((3.0, 0.125), (2.0, 0.25), "better")]  # less slip is better
@@ -49,11 +52,11 @@ def test_a_series_of_many_editions_says_where_it_changed_and_rings_for_no_noise(
         for steps in ([], [13], [9, 17]):
             numbers = [chance.gauss(1.0 + 0.4 * sum(step <= index for step in steps), 0.1) for index in range(24)]
             for noise in (0.2, None):
-                changed = query.changes_in(numbers, [noise] * 24, "x")
+                changed = query.changes_in(numbers, [noise] * 24, 0.0)
                 false += not steps and bool(changed)
                 missed += any(min((abs(step - each) for each in changed), default=9) > 1 for step in steps)
     assert false <= 6 and missed <= 20, "of 200 and 400"
-    assert query.changes_in([1.0, 1.0, 2.0, 2.0, 1.0, 3.0], [0.0] * 6, "x") == [2, 4, 5]
+    assert query.changes_in([1.0, 1.0, 2.0, 2.0, 1.0, 3.0], [0.0] * 6, 0.0) == [2, 4, 5]
 
 
 def test_a_history_says_numbers_in_four_digits_with_their_noise_and_why_there_is_none():
@@ -77,9 +80,10 @@ LATE += [
 
 
 @pytest.mark.parametrize(("value", "noise", "threshold", "late"), LATE)
-def test_a_threshold_rings_late_where_the_noise_of_two_is_a_larger_share(monkeypatch, value, noise, threshold, late):
-    monkeypatch.setattr(query, "config", lambda: Config(changes=Changes(thresholds={"s.slip_mm": threshold})))
-    spots = blind_spots(SimpleNamespace(chapters=chapters(value, noise)))
+def test_a_threshold_rings_late_where_the_noise_of_two_is_a_larger_share(value, noise, threshold, late):
+    settings = Config(changes=Changes(thresholds={"s.slip_mm": threshold}))
+    project = SimpleNamespace(report=SimpleNamespace(settings=settings))
+    spots = blind_spots(SimpleNamespace(chapters=chapters(value, noise), project=project))
     assert spots == ([late] if late else [])
 
 

@@ -144,7 +144,6 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(
 
     monkeypatch.setattr(module, "measure", note)
     monkeypatch.setattr(module, "releases_between", lambda first, last: [release_of("1.5.9")])
-    monkeypatch.setattr(command, "sections", lambda: ["toy"])
     search.answer(release_of("1.4.9"))
     assert [side.results.relative_to(toy.project.root).as_posix() for side in measured] == [
         "results/bisect/full/newton-1.4.9"

@@ -2,6 +2,7 @@
 
 from argparse import Namespace
 from dataclasses import replace
+from functools import partial
 from types import SimpleNamespace
 
 import pytest
@@ -12,6 +13,7 @@ from measured_report.changes.compare import flips_between
 from measured_report.changes.moves import Move, judged
 from measured_report.commands import diff, page
 from measured_report.editions.release import release_of
+from measured_report.files.config import report
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.records.record import load_record
@@ -83,7 +85,7 @@ def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, 
     assert diff.run(toy.project, arguments) == 0
     newer.measure([SOFT, {**STIFF, "slip_mm": 900.0, "dropped": True}])
     moves = compared(toy.project, newer.project).moves
-    assert [(move.column, move.direction) for move in moves] == [("dropped", "worse")]
+    assert [(move.column.name, move.direction) for move in moves] == [("dropped", "worse")]
 
 
 def test_what_is_near_the_noise_has_not_flipped(toy):
@@ -122,7 +124,7 @@ def test_what_may_be_chance_has_not_moved(toy, newer, before, after, moved):
 
 AGAIN, ONCE = Estimate(1.0, 0.01, 4.0, 4.0, is_again=True), Estimate(2.0, 100.0, 7.0, least=0.5)
 KNOWN = [(AGAIN, ONCE, 0.0125, 5.882353, 2e-6), (ONCE, AGAIN, 0.0125, 5.882353, 2e-6)]
-KNOWN += [(AGAIN, replace(AGAIN, value=2.0), 0.005, 8.0, 2e-6), (AGAIN, None, 0.0125, 5.882353, 3e-6)]
+KNOWN += [(AGAIN, AGAIN._replace(value=2.0), 0.005, 8.0, 2e-6), (AGAIN, None, 0.0125, 5.882353, 3e-6)]
 KNOWN += [(ONCE, None, 200.0, 14.0, 0.5)]
 
 
@@ -130,23 +132,25 @@ KNOWN += [(ONCE, None, 200.0, 14.0, 0.5)]
 def test_what_was_measured_again_tells_of_what_was_measured_once(before, after, square, freedom, least):
     """By Welch: a mean of four and one, of a variance of 0.01, have (1/400 + 1/100)² / (1/400² + 1/100²) · 4."""
     ends = tuple(each.value if each else 3.0 for each in (before, after))
-    [move] = judged([(Move("load", *ends), (before, after), 0.0)])
+    [move] = judged([(Move(report().columns["load"], *ends), (before, after), 0.0)])
     assert (move.error**2, move.freedom, move.least) == pytest.approx((square, freedom, least))
     stats = pytest.importorskip("scipy.stats")
     assert move.chance == pytest.approx(
         2 * stats.t.sf((abs(ends[1] - ends[0]) - least) / square**0.5, freedom), rel=0.01
     )
-    [seldom] = judged([(Move("load", *ends), (before, after), 0.99)])
+    [seldom] = judged([(Move(report().columns["load"], *ends), (before, after), 0.99)])
     assert seldom.chance == 0.99
 
 
 def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
     """2.5758 deviations are 99 % of a normal distribution: of a fall by 1, 0.05 and 0.25758 are none."""
-    falls, grows = (Move("load", *ends, chance=0.0, error=0.1, least=0.05) for ends in ((2.0, 1.0), (-2.0, -1.0)))
+    load, value = (report().columns[name] for name in ("load", "value"))
+    falls, grows = (Move(load, *ends, chance=0.0, error=0.1, least=0.05) for ends in ((2.0, 1.0), (-2.0, -1.0)))
     assert (falls.share, grows.share, falls.noise) == pytest.approx((-0.5, 0.5, 0.30758), rel=1e-4)
     assert falls.sure_share == grows.sure_share == pytest.approx(0.5 * (1 - 0.30758), rel=1e-4)
     assert replace(falls, error=1.0).sure_share == 0.0
-    some = [Move("value", 1.0, after, 0.0, place={"case": f"by {after}", "kind": "option"}) for after in (1.0001, 0.8)]
+    setting = partial(Move, value, 1.0, chance=0.0, rules=report().settings.changes)
+    some = [setting(after=after, place={"case": f"by {after}", "kind": "option"}) for after in (1.0001, 0.8)]
     assert [each.exceeds_threshold for each in some] == [False, True] and settings_text(some).startswith("by 0.8 ")
     evidence = {"a": SimpleNamespace(changed=[(40, 0), (40, 1), (0, 0)]), "b": SimpleNamespace(changed=[(20, 3)])}
     found = rate_of(SimpleNamespace(measurements=SimpleNamespace(evidence=evidence)))

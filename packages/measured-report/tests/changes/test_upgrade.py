@@ -20,6 +20,8 @@ from measured_report.files.config import config, report_in
 from measured_report.files.errors import UsageError
 from measured_report.files.settings import Columns
 
+SECTIONS = ["toy"]
+
 
 def test_progress_does_not_run_into_an_answer_for_a_program():
     code = (
@@ -33,20 +35,20 @@ def test_progress_does_not_run_into_an_answer_for_a_program():
 def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(toy):
     newer = toy.of("1.9.0")
     toy.record_path.unlink()
-    assert base_of(newer.project) is None
+    assert base_of(newer.project, SECTIONS) is None
     for release, profile in (("1.4.0", "quick"), ("1.8.0", "full"), ("1.10.0", "full")):
-        for section in config().changes.upgrade_sections:
+        for section in SECTIONS:
             path = Project(release, profile, root=toy.project.root).record_path(section)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("{}")
     for profile in ("full", "quick"):
-        assert base_of(Project("1.9.0", profile, root=toy.project.root)) == "1.8.0"
+        assert base_of(Project("1.9.0", profile, root=toy.project.root), SECTIONS) == "1.8.0"
     measured = Project("1.8.0", root=toy.project.root)
     write_manifest(measured.results, Manifest("1.8.0", "2026-11-11", ()))
     for profile in ("full", "quick"):
         pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
-        assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"
-    assert lacking(newer.project) == [*config().changes.upgrade_sections]
+        assert base_of(pinned, SECTIONS) == "1.8.0", "one package is another, and nothing of it was measured"
+    assert lacking(newer.project, SECTIONS) == SECTIONS
 
 
 def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monkeypatch):
@@ -88,7 +90,6 @@ def test_the_front_page_stays_the_own_edition_s_after_the_upgrade_of_an_older_on
     toy.of("1.3.0").measure()
     monkeypatch.setattr(upgrade, "measure_what_can", lambda project, *others: (project, True))
     monkeypatch.setattr(upgrade, "verdict", lambda *others: [])
-    monkeypatch.setattr(upgrade, "upgrade_sections", lambda project: [])
     project = replace(toy.project.of("1.3.0"))
     upgrade.run(project, Namespace(device="cpu", since=release_of("1.4.0"), release=release_of("1.3.0"), format="text"))
     assert '<meta name="release" content="1.4.0">' in toy.front
@@ -121,6 +122,6 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
         monkeypatch.setitem(vars(entered), "settings", rules)
         vars(entered).pop("columns", None)
         sides = [derived(side.project) for side in (toy, newer)]
-        lines = upgrade.verdict(compare(*sides), lambda *claim: "", *sides)
+        lines = upgrade.verdict(compare(*sides), lambda *claim: "", *sides, SECTIONS)
         assert "why: what it is set to changed: toy.soft.damping 0 → 0.62; toy.stiff.damping 0 → 0.62" in lines
         assert Query("toy.firm.slip_mm").quantity(sides[0].chapters).reason == "toy has not been measured so"

@@ -21,7 +21,6 @@ from measured_report.values.noise import (
     chance_of,
     discoveries,
     fenced,
-    sampled_noise,
     t_quantile,
     tolerance,
     variance_of,
@@ -102,8 +101,9 @@ def test_the_noise_of_a_share_is_of_wilson_s_interval(successes, trials, end):
 def test_the_noise_of_a_mean_is_its_confidence_interval():
     """Three costs of 23.3, 22.6 and 23.3 % have a deviation of 0.404 %: t of 4.303 makes ±1.00 % of their mean."""
     costs = [23.3, 22.6, 23.3]
-    assert sampled_noise(costs) == pytest.approx(stats.t.ppf(0.975, 2) * stats.sem(costs), rel=0.01)
-    assert sampled_noise(costs) == pytest.approx(1.0, rel=0.05) and sampled_noise([1.0]) == math.inf
+    noise = Estimate(fmean(costs), variance_of(costs), freedom=2.0, count=3.0).noise
+    assert noise == pytest.approx(stats.t.ppf(0.975, 2) * stats.sem(costs), rel=0.01)
+    assert noise == pytest.approx(1.0, rel=0.05)
     known = Estimate(5.0, variance=0.04, freedom=20.0, count=4.0)
     assert known.noise == pytest.approx(stats.t.ppf(0.975, 20) * 0.1, rel=1e-3)
     assert Estimate(5.0, variance=0.04, count=4.0).noise == pytest.approx(0.196, rel=1e-3)

@@ -1,0 +1,150 @@
+"""Checks: what ``report.toml`` names and no result has, and what results leave open."""
+
+import math
+import re
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping
+from itertools import chain
+
+from measured_report.changes.moves import CHOSEN_SHARE
+from measured_report.changes.query import Query
+from measured_report.files.config import FILE
+from measured_report.files.errors import ReportError, suggestion
+from measured_report.findings.editions import Edition
+from measured_report.parts.claim import WITHIN
+from measured_report.records.columns import columns_of, unbelieved
+from measured_report.records.identity import sections
+from measured_report.values.format import format_share
+from measured_report.values.quantities import Quantity
+
+
+def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | None) -> None:
+    """Raise ReportError for the first name in report.toml that names nothing.
+
+    Sections that were not measured yet are not asked for a value.
+    """
+    if edition is None or edition.project.profile != "full":
+        return
+    report = edition.project.report
+    measurable = sections(edition.project.root)
+    if report.root.resolve() != edition.project.root.resolve():
+        return  # results elsewhere, which need not have what the report names
+    settings = report.settings
+    rules = settings.changes
+    _refuse("noise_section", [settings.noise_section], "section", measurable)
+    for setting in ("upgrade_sections", "equivalent_sections"):
+        _refuse(f"changes.{setting}", getattr(rules, setting), "section", measurable)
+    asked = [("thresholds", Query(name)) for name in rules.thresholds]
+    asked += [("headlines", Query(name)) for name in rules.headlines.values()]
+    if rules.explanation:
+        asked.append(("explanation", Query(rules.explanation, is_claim=True)))
+    for setting, query in asked:
+        _refuse(f"changes.{setting}", [query.section], "section", measurable)
+        if query.section in edition.chapters and not _is_there(query, edition):
+            names = [*query.names(edition.chapters)]
+            _refuse(f"changes.{setting}", [query.text], "value", names)
+    groups = chain(*rules.package_groups)
+    _refuse("changes.package_groups", groups, "package", settings.packages)
+    if edition.left_out:
+        return
+    columns = {*report.columns.parameters}
+    for each in editions.values():
+        columns.update(_columns_of(each))
+    for table in settings.columns:
+        others = table.rate_of, table.known_within, table.grows_with, table.trials, table.unless
+        _refuse("columns", (*table.names, *others), "column", columns)
+    for setting in ("repeating", "cost_terms"):
+        _refuse(setting, getattr(settings, setting), "column", columns)
+
+
+def _refuse(setting: str, names: Iterable[str], kind: str, existing: Collection[str]) -> None:
+    for name in names:
+        if name and name not in existing:
+            similar = suggestion(name, existing)
+            raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{similar}")
+
+
+def _is_there(query: Query, edition: Edition) -> bool:
+    """Return whether an edition has the claim or the number, which may be missing."""
+    if query.is_claim:
+        return query.claim(edition.chapters) is not None
+    number = query.quantity(edition.chapters)
+    return isinstance(number, bool) or (isinstance(number, Quantity) and bool(number.source))
+
+
+def _columns_of(edition: Edition) -> list[str]:
+    chapters = edition.chapters.values()
+    return columns_of([row for chapter in chapters for row in chapter.results.record.rows])
+
+
+def gaps(edition: Edition) -> list[str]:
+    """Return rows that nothing tells apart, numbers that do not exist, and claims and
+    figures that lack something."""
+    lines = []
+    for name, chapter in edition.chapters.items():
+        rows = [row for row in chapter.results.record.rows if "of" not in row]
+        exact = [
+            tuple(item for item in row.items() if not isinstance(item[1], float))
+            for row in rows
+        ]
+        doubles = [dict(cells)["case"] for cells, count in Counter(exact).items() if count > 1]
+        for case in dict.fromkeys(doubles):
+            lines.append(f"{name}: several rows of case {case}, which nothing tells apart")
+        for row in rows:
+            for column, reason in unbelieved(row).items():
+                lines.append(f"{name}: {row['case']} has no {column}: {reason}")
+        for key, figure in chapter.section.figures.items():
+            if not figure.sources:
+                lines.append(f"{name}: the figure {key} has no sources")
+        for claim in chapter.section.claims:
+            for number in claim.unread:
+                lines.append(f"{name}.{claim.name} prints {number}, which its test has not read")
+            outcome = claim.outcome
+            is_near = outcome.is_inconclusive or outcome == WITHIN
+            if outcome.name == "unknown" and not is_near:
+                lines.append(f"{name}.{claim.name} cannot tell: {outcome.reason}")
+    return lines
+
+
+def blind_spots(edition: Edition) -> list[str]:
+    """Return thresholds that are below the noise, or of a number that is missing."""
+    late = []
+    for name, threshold in edition.project.report.settings.changes.thresholds.items():
+        query = Query(name)
+        number = query.quantity(edition.chapters)
+        if not isinstance(number, Quantity) or query.section not in edition.chapters:
+            continue
+        if number.value is None:
+            late.append(f"{name} can raise no alarm: {number.reason}")
+        elif number.value:
+            least = CHOSEN_SHARE
+            if number.noise is not None:
+                least = math.sqrt(2) * number.noise / abs(number.value)
+            if least > threshold:
+                hidden = f"noise hides changes below {format_share(least)}"
+                late.append(f"{name}: threshold {format_share(threshold)}, but {hidden}")
+    return late
+
+
+def idle_settings(edition: Edition) -> list[str]:
+    """Return settings that name columns or cells that no row has, as a mistyped pattern."""
+    if edition.left_out:
+        return []
+    schema = edition.project.report.columns
+    settings = schema.settings
+    columns = {*_columns_of(edition), *schema.parameters, ""}
+    patterns = [table.pattern for table in settings.columns]
+    patterns += [settings.changes.endings, *settings.changes.keys]
+    idle = [
+        pattern
+        for pattern in patterns
+        if not any(re.fullmatch(pattern, column) for column in columns)
+    ]
+    for name, cells in settings.repeating.items():
+        present = {
+            str(row.get(name, schema.parameters.get(name)))
+            for chapter in edition.chapters.values()
+            for row in chapter.results.record.rows
+        }
+        idle += [f"{name} = {cell}" for cell in cells if str(cell) not in present]
+    return [f"{FILE}: no row has {name}" for name in idle]
