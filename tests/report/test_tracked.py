@@ -39,7 +39,7 @@ def test_every_claim_table_and_figure_is_on_the_page_and_only_what_was_not_measu
 def test_every_outcome_of_every_claim_can_be_said(editions):
     """A wording that names a number it does not have would fail only when the claim flips."""
     chapters = {release: edition.chapters for release, edition in editions.items()}
-    words = {name: Templates(ROOT / "templates").text(f"{name}.md.j2").words for name in ("story", "investigation")}
+    words = {name: Templates(ROOT / "templates").words(f"{name}.md.j2") for name in ("story", "investigation")}
     for release in editions:
         claims = [claim for chapter in chapters[release].values() for claim in chapter.section.claims]
         told = {"story": story.derive(chapters, release), "investigation": investigation.derive(chapters[release])}

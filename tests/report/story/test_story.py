@@ -201,7 +201,7 @@ def test_ways_are_drawn_where_shipped_pads_were_timed_with_one_world_alone(editi
 def test_with_nothing_to_change_nothing_is_to_be_taken(editions, templates):
     found = {section: chapter.results for section, chapter in editions["1.4.0"].chapters.items()}
     found["reproduction"] = with_cells(found["reproduction"], "slip_mm", {"as-shipped": 0.05})
-    words = templates.text("story.md.j2").words
+    words = templates.words("story.md.j2")
     for claim in advised(found):
         assert "take" not in replace(claim, wording=words["claim", claim.name]).text
 

@@ -12,15 +12,16 @@ from measured_report.files.atomic import digests_below, replace, short_path, sta
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, config, report
 from measured_report.files.errors import ReportError
-from measured_report.findings.cache import DerivedCache, installed
-from measured_report.pages.editions import WordedEdition, worded_editions
-from measured_report.pages.passages import LOST
+from measured_report.findings.cache import installed
+from measured_report.findings.editions import Edition
 from measured_report.pages.prose import LAYOUT, Templates
+from measured_report.pages.wording import worded_editions
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions, sections, sources
 from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site
+from measured_report.values.quantities import lost_reason
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)  # files that the site is made from, besides the folders
 BUILT = "site"  # what is kept of the last build
@@ -47,10 +48,10 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
         with unchanged_files():
-            derived, templates = DerivedCache(project.root), Templates(project.templates)
-            editions = worded_editions(project, templates, derived)
+            templates = Templates(project.templates)
+            editions = worded_editions(project, templates)
             refuse_unknown_names(editions, editions.get(project.own_release or project.release))
-            Site(fresh, project.release, editions, templates, address, derived).write()
+            Site(fresh, project.release, editions, templates, address).write()
             (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
         replace(project.site, fresh)
         built = {}
@@ -62,16 +63,19 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     return built
 
 
-def _notes(editions: Mapping[str, WordedEdition], edition: WordedEdition) -> tuple[list[str], list[str]]:
+def _notes(editions: Mapping[str, Edition], edition: Edition) -> tuple[list[str], list[str]]:
     """Say what of an edition is no answer, and what is of nothing, or can't be told."""
-    printed = ((name, item) for name, chapter in edition.chapters.items() for item in chapter.prose.printed)
-    matches = [(name, LOST.match(item)) for name, item in printed if isinstance(item, str)]
-    lost = [f"{name}: its words print what is not there: {match[1]}" for name, match in matches if match]
+    lost = [
+        f"{name}: its words print what is not there: {reason}"
+        for name, chapter in edition.chapters.items()
+        for item in (chapter.prose.printed if chapter.prose else ())
+        if (reason := lost_reason(item))
+    ]
     idle = _records_of_nothing(edition) + idle_settings(edition) + idle_labels(editions, edition)
     return gaps(edition) + lost, blind_spots(edition) + idle
 
 
-def _records_of_nothing(edition: WordedEdition) -> list[str]:
+def _records_of_nothing(edition: Edition) -> list[str]:
     """Say which records are of no section, as those of one that was renamed, which traces of none, and so on."""
     results, known = edition.project.results, sections(edition.project.root)
     editions = map(config().edition_folder, edition.project.releases)

@@ -9,8 +9,9 @@ from markupsafe import Markup
 from measured_report.changes.query import Point, Query, points
 from measured_report.files.config import Page, config
 from measured_report.findings.chapters import Releases
-from measured_report.pages.prose import Prose, Templates
+from measured_report.pages.prose import Templates
 from measured_report.parts.macros import macros
+from measured_report.parts.prose import Prose
 from measured_report.values.format import unit_label
 
 PAGE = Page("history")
@@ -59,4 +60,4 @@ def series_page(releases: Releases, templates: Templates) -> Prose | None:
     if not shown or PAGE.name in {page.name for page in config().pages}:
         return None
     table = macros().series(shown, config(), Markup(f'viewBox="0 0 {WIDTH:g} {HEIGHT:g}"'), HEIGHT)
-    return templates.text("series.md.j2").prose(PAGE.name, {"table": table}, level=1)
+    return templates.prose("series.md.j2", PAGE.name, {"table": table}, level=1)
