@@ -8,13 +8,15 @@ from functools import cache, cached_property
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
-from typing import Annotated, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 from msgspec import Meta, ValidationError, convert
 
 from measured_report.files import root
 from measured_report.files.errors import ReportError, suggestion
 
+if TYPE_CHECKING:
+    from measured_report.records.columns import Schema
 if sys.version_info >= (3, 11):
     import tomllib as tomllib  # which others read here too
 else:
@@ -203,6 +205,28 @@ class Report:
             return config
         return replace(config, packages=[package, *config.packages], edition_name=config.edition_name or package)
 
+    @property
+    def settings(self) -> Config:
+        """Return the settings of ``report.toml``."""
+        return self.config
+
+    @cached_property
+    def columns(self) -> "Schema":
+        """Return the schema of the report's columns."""
+        from measured_report.records.columns import Schema, case_parameters
+
+        return Schema(self.config, case_parameters(self.config))
+
+    @cached_property
+    def host(self) -> ModuleType:
+        """Import the module that measures on a host."""
+        return module_named("host", self.config.host)
+
+    @cached_property
+    def accelerator(self) -> ModuleType:
+        """Import the module of the devices that accelerate the report's host."""
+        return module_named("accelerator", self.config.accelerator)
+
     def __enter__(self) -> "Report":
         self._follow(report())
         _entered.append(self)
@@ -248,9 +272,13 @@ def config() -> Config:
 
 def module_of(setting: str) -> ModuleType:
     """Import the module that a setting names; ReportError, one line, where there is none."""
-    name = getattr(config(), setting)
+    return module_named(setting, getattr(config(), setting).partition(":")[0])
+
+
+def module_named(setting: str, name: str) -> ModuleType:
+    """Import the module ``name``, which a setting of ``report.toml`` names; ReportError where there is none."""
     try:
-        return import_module(name.partition(":")[0])
+        return import_module(name)
     except ImportError as error:
         raise ReportError(f"{FILE}: {setting} = {name!r}: {error}") from error
 

@@ -7,7 +7,7 @@ from functools import cache, cached_property
 from itertools import chain
 from typing import Any, TypeGuard
 
-from measured_report.files.config import FILE, ColumnTraits, cached_in_report, config, module_of
+from measured_report.files.config import FILE, ColumnTraits, Config, module_named, report
 from measured_report.files.errors import UNPRINTABLE, ReportError
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
@@ -30,6 +30,7 @@ class Column(ColumnTraits):
 
     name: str
     unit: str  # `1` where the name says none
+    words: str  # its name in words, without the unit
     least: float  # of the numbers that are believed, as the next
     largest: float
     kinds: frozenset[str]
@@ -39,62 +40,185 @@ class Column(ColumnTraits):
         """Tell whether it was set before a run: a parameter of a case, or how much was run."""
         return not self.kinds.isdisjoint(("parameter", "setting"))
 
-    @property
-    def words(self) -> str:
-        """Write its name in words, without the unit."""
-        ends = [end for end, unit in units().items() if unit == self.unit != PLAIN and self.name.endswith(f"_{end}")]
-        return self.name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
-
     @cached_property
     def is_exact(self) -> bool:
         """Tell whether it holds what was set, or made from that alone, and so has no noise."""
         return self.is_setting or "computed" in self.kinds
 
+    @property
+    def is_cost(self) -> bool:
+        """Tell whether its numbers are of the machine: times, rates, bytes."""
+        return "cost" in self.kinds
 
-@cached_in_report
+
+class Schema:
+    """Describes the columns of a report: ``schema["slip_mm"]`` is a `Column`.
+
+    Args:
+        settings: the settings of ``report.toml``, which declare what a name does not tell.
+        parameters: the parameters of a case with their defaults, ``MISSING`` for one that has none.
+    """
+
+    def __init__(self, settings: Config, parameters: Mapping[str, Any]):
+        self.settings = settings
+        self.parameters = parameters
+        self._columns: dict[str, Column] = {}
+        known = _LENGTHS | _TIMES | _OTHERS
+        for end, unit in settings.units.items():
+            if not unit or known.get(end, unit) != unit:
+                raise ReportError(f"{FILE}: units has {end}, which is {known.get(end, 'empty')}: take another end")
+        self.units: Mapping[str, str] = known | dict(settings.units)
+        """The unit by the end of a column's name; the longest end that fits counts."""
+
+    def __getitem__(self, name: str) -> Column:
+        if name not in self._columns:
+            self._columns[name] = self._column(name)
+        return self._columns[name]
+
+    def _column(self, name: str) -> Column:
+        declared = [
+            table for table in self.settings.columns if name in table.names or re.fullmatch(table.pattern, name)
+        ]
+        if len({table.better for table in declared if name in table.names} - {""}) > 1:
+            raise ReportError(f"{FILE}: column {name} is listed both as lower-is-better and as higher-is-better")
+        unit = self._unit(name)
+        largest = LARGEST.get(unit, 1e18)
+        signed = next((table.signed for table in declared if table.signed is not None), unit not in NEVER_NEGATIVE)
+        kinds = {table.kind for table in declared if table.kind}
+        if name in self.parameters:
+            kinds.add("parameter")
+        traits = {}
+        for table in reversed(declared):
+            for field in fields(ColumnTraits):
+                if value := getattr(table, field.name):
+                    traits[field.name] = value
+        return Column(
+            name=name,
+            unit=unit,
+            words=self._words(name, unit),
+            least=-largest if signed else 0.0,
+            largest=largest,
+            kinds=frozenset(kinds),
+            **traits,
+        )
+
+    def _unit(self, name: str) -> str:
+        """Return the unit that the longest known end of a name stands for, without an end like ``_p95``."""
+        pieces = re.sub("_p[0-9]+$", "", name).split("_")
+        ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
+        return next((self.units[end] for end in ends if end in self.units), PLAIN)
+
+    def _words(self, name: str, unit: str) -> str:
+        ends = [end for end in self.units if self.units[end] == unit != PLAIN and name.endswith(f"_{end}")]
+        return name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
+
+    def is_unit(self, text: str) -> bool:
+        """Tell whether a text is a unit: a known one, or known ones with ``/`` and ``·`` between them."""
+        unknown = {factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)}
+        declared = {factor for unit in self.units.values() for factor in (unit, *re.split("[/·]", unit))}
+        return unknown <= declared
+
+    def changed_parameters(self, row: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the parameters of a row's case that differ from their defaults."""
+        return {name: cell for name, cell in row.items() if self.parameters.get(name, MISSING) not in (MISSING, cell)}
+
+    def number_of(self, column: str, row: Mapping[str, Any]) -> Any:
+        """Return a cell of a row, None for a number that does not exist because the run failed."""
+        return None if row.get(self[column].unless) else row[column]
+
+    def units_of(self, rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
+        """Return the units of the columns that hold numbers, missing ones included."""
+        columns = columns_of(rows)
+        numeric = {name for row in rows for name, cell in row.items() if is_number(cell)}
+        names = [name for name in columns if name in numeric]
+        names += [name.removesuffix(REASON) for name in columns if name.endswith(REASON)]
+        return {name: self[name].unit for name in names}
+
+    def number_problem(self, name: str, value: int | float) -> str:
+        """Say what is wrong with a number in the column ``name``; empty when nothing is."""
+        column = self[name]
+        if column.least <= value <= column.largest:
+            return ""
+        return f"is {value!r:.20}, and no number from {column.least:g} to {column.largest:g}"
+
+    def refuse_mixed(self, rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]) -> None:
+        """Raise ValueError unless units are those of the columns' names, and a column holds one kind of thing."""
+        units = self.units_of(rows)
+        for name in sorted({*units, *noted}):
+            if noted.get(name) != units.get(name):
+                raise ValueError(
+                    f"the unit of {name} is given as {noted.get(name)}, and its name says {units.get(name)}"
+                )
+        for name in columns_of(rows):
+            holding = [row for row in rows if name in row]
+            types = {type(row[name]) for row in holding} - {int, float, type(None)}
+            if types and (name in units or self[name].unit != PLAIN):
+                raise ValueError(f"{name} is not all numbers")
+            if len(types) > 1:
+                raise ValueError(f"{name} is text in one row and yes or no in another")
+            if name not in units:
+                continue
+            if not all(row.get(name + REASON) for row in holding if row[name] is None):
+                raise ValueError(f"{name} is null without a {name}{REASON}")
+            numbers = [row[name] for row in holding if row[name] is not None]
+            for number in (min(numbers), max(numbers)) if numbers else ():
+                if problem := self.number_problem(name, number):
+                    raise ValueError(f"{name} {problem}")
+
+
+def case_parameters(settings: Config) -> Mapping[str, Any]:
+    """Return the fields of the dataclass that ``case`` names and their defaults, ``MISSING`` for one without."""
+    if not settings.case:
+        return {}
+    module, _, name = settings.case.partition(":")
+    case = getattr(module_named("case", module), name, None)
+    if not is_dataclass(case):
+        raise ReportError(f"{FILE}: case = {settings.case!r}: there is no such dataclass")
+    return {field.name: field.default for field in fields(case)}
+
+
+# Of the current report, for callers that are not yet given one.
+
+
 def units() -> Mapping[str, str]:
-    """Return the unit by the end of a column's name; the longest end that fits counts."""
-    known = _LENGTHS | _TIMES | _OTHERS
-    if other := [end for end, unit in config().units.items() if not unit or known.get(end, unit) != unit]:
-        raise ReportError(f"{FILE}: units has {other[0]}, which is {known.get(other[0], 'empty')}: take another end")
-    return known | dict(config().units)
+    return report().columns.units
 
 
-@cached_in_report
 def column_of(name: str) -> Column:
-    declared = [table for table in config().columns if name in table.names or re.fullmatch(table.pattern, name)]
-    if len({table.better for table in declared if name in table.names} - {""}) > 1:
-        raise ReportError(f"{FILE}: of {name} both less and more is better, by two tables of columns")
-    pieces = re.sub("_p[0-9]+$", "", name).split("_")
-    ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
-    unit = next((units()[end] for end in ends if end in units()), PLAIN)
-    largest = LARGEST.get(unit, 1e18)
-    signed = next((table.signed for table in declared if table.signed is not None), unit not in NEVER_NEGATIVE)
-    kinds = {table.kind for table in declared if table.kind} | ({"parameter"} if name in parameters() else set())
-    names = [field.name for field in fields(ColumnTraits)]
-    traits = {field: value for table in reversed(declared) for field in names if (value := getattr(table, field))}
-    least = -largest if signed else 0.0
-    return Column(name=name, unit=unit, least=least, largest=largest, kinds=frozenset(kinds), **traits)
+    return report().columns[name]
 
 
-@cached_in_report
 def parameters() -> Mapping[str, Any]:
-    """Return the parameters of a case and their defaults, ``MISSING`` for one that has none."""
-    module, _, name = config().case.partition(":")
-    case = getattr(module_of("case"), name, None) if module else None
-    if module and not is_dataclass(case):
-        raise ReportError(f"{FILE}: case = {config().case!r}: there is no such dataclass")
-    return {field.name: field.default for field in fields(case)} if case else {}
+    return report().columns.parameters
 
 
 def is_cost(column: str) -> bool:
-    """Tell whether a column's numbers are of the machine: times, rates, bytes."""
-    return "cost" in column_of(column).kinds
+    return report().columns[column].is_cost
 
 
 def is_unit(text: str) -> bool:
-    unknown = {factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)}
-    return not unknown or unknown <= {factor for unit in units().values() for factor in (unit, *re.split("[/·]", unit))}
+    is_known = all(SYMBOL.fullmatch(factor) for factor in re.split("[/·]", text))
+    return is_known or report().columns.is_unit(text)  # constants are made while modules are imported
+
+
+def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
+    return report().columns.changed_parameters(row)
+
+
+def number_of(column: str, row: Mapping[str, Any]) -> Any:
+    return report().columns.number_of(column, row)
+
+
+def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
+    return report().columns.units_of(rows)
+
+
+def number_problem(name: str, value: int | float) -> str:
+    return report().columns.number_problem(name, value)
+
+
+def refuse_mixed(rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]) -> None:
+    report().columns.refuse_mixed(rows, noted)
 
 
 def unlike(units: Iterable[str]) -> list[str]:
@@ -105,45 +229,6 @@ def unlike(units: Iterable[str]) -> list[str]:
         if kinds.setdefault(kind, unit) != unit:
             return [kinds[kind], unit]
     return []
-
-
-def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the parameters of a row's case that differ from their defaults."""
-    return {name: cell for name, cell in row.items() if parameters().get(name, MISSING) not in (MISSING, cell)}
-
-
-def number_of(column: str, row: Mapping[str, Any]) -> Any:
-    """Return a cell of a row, None for a number that what was lost does not have."""
-    return None if row.get(column_of(column).unless) else row[column]
-
-
-def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
-    """Return the units of the columns that hold numbers, missing ones included."""
-    columns, numeric = columns_of(rows), {name for row in rows for name, cell in row.items() if is_number(cell)}
-    names = [name for name in columns if name in numeric]
-    names += [name.removesuffix(REASON) for name in columns if name.endswith(REASON)]
-    return {name: column_of(name).unit for name in names}
-
-
-def refuse_mixed(rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]) -> None:
-    """Raise ValueError unless the units given are those of the columns' names, and a column holds one kind of thing."""
-    units = units_of(rows)
-    for name in sorted({*units, *noted}):
-        if noted.get(name) != units.get(name):
-            raise ValueError(f"the unit of {name} is given as {noted.get(name)}, and its name says {units.get(name)}")
-    for name in columns_of(rows):
-        holding = [row for row in rows if name in row]
-        types = {type(row[name]) for row in holding} - {int, float, type(None)}
-        if types and (name in units or column_of(name).unit != PLAIN):
-            raise ValueError(f"{name} is not all numbers")
-        if len(types) > 1:
-            raise ValueError(f"{name} is text in one row and yes or no in another")
-        if name in units and not all(row.get(name + REASON) for row in holding if row[name] is None):
-            raise ValueError(f"{name} is null without a {name}{REASON}")
-        numbers = [row[name] for row in holding if row[name] is not None] if name in units else []
-        for number in (min(numbers), max(numbers)) if numbers else ():
-            if problem := number_problem(name, number):
-                raise ValueError(f"{name} {problem}")
 
 
 def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -161,14 +246,6 @@ def plain(cell: Any, name: str) -> Any:
     if value is None or isinstance(value, bool | int | float | str):
         return value
     raise ReportError(f"the column {name} has {value!r:.80}, which is no number, text, yes or no")
-
-
-def number_problem(name: str, value: int | float) -> str:
-    """Say what is wrong with a number in the column ``name``; empty when nothing is."""
-    column = column_of(name)
-    if column.least <= value <= column.largest:
-        return ""
-    return f"is {value!r:.20}, and no number from {column.least:g} to {column.largest:g}"
 
 
 def name_problem(text: str) -> str:

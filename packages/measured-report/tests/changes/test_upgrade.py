@@ -18,7 +18,6 @@ from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
 from measured_report.files.config import Columns, config, report_in
 from measured_report.files.errors import UsageError
-from measured_report.records.columns import column_of
 
 
 def test_progress_does_not_run_into_an_answer_for_a_program():
@@ -119,7 +118,7 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
     rules = replace(config(), changes=changed, columns=columns)
     with report_in(toy.project.root) as entered:
         monkeypatch.setitem(vars(entered), "config", rules)
-        column_of.cache_clear()
+        vars(entered).pop("columns", None)
         sides = [derived(side.project) for side in (toy, newer)]
         lines = upgrade.verdict(compare(*sides), lambda *claim: "", *sides)
         assert "why: what it is set to changed: toy.soft.damping 0 → 0.62; toy.stiff.damping 0 → 0.62" in lines

@@ -5,9 +5,19 @@ from dataclasses import MISSING, replace
 import pytest
 
 from measured_report.files.atomic import RecordError
+from measured_report.files.config import Config
 from measured_report.files.errors import ReportError
 from measured_report.records import columns
-from measured_report.records.columns import column_of, is_unit, number_problem, plain, text_problem, units_of, unlike
+from measured_report.records.columns import (
+    Schema,
+    column_of,
+    is_unit,
+    number_problem,
+    plain,
+    text_problem,
+    units_of,
+    unlike,
+)
 from measured_report.records.record import read_record, record_text
 from measured_report.records.replicas import is_copy, mismatch
 
@@ -49,8 +59,8 @@ def test_texts_and_cells_have_their_limits_and_a_parameter_counts_where_it_is_no
     assert units_of(rows) == {"way_mm": "mm", "pull_n": "N", "pause_s": "s"}
     slips = [columns.number_of("slip_mm", {"slip_mm": 1.0, "dropped": is_lost}) for is_lost in (True, False)]
     assert slips == [None, 1.0]
-    monkeypatch.setattr(columns, "parameters", lambda: {"mu": 0.5, "gap_mm": 0.0, "name": MISSING})
-    assert columns.changed_parameters({"mu": 0.5, "gap_mm": 1.0, "name": "a", "way_mm": 2.0}) == {"gap_mm": 1.0}
+    schema = Schema(Config(), {"mu": 0.5, "gap_mm": 0.0, "name": MISSING})
+    assert schema.changed_parameters({"mu": 0.5, "gap_mm": 1.0, "name": "a", "way_mm": 2.0}) == {"gap_mm": 1.0}
 
 
 WRONG = {"way_mm is 100000000000.0, and no number from -1e": [1.0, 1e11], "way_mm is -1000": [1.0, -1e11]}
