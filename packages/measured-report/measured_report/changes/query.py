@@ -271,7 +271,7 @@ def gaps(edition: Edition) -> list[str]:
         lines += [f"{name}: {case} has no {column}: {text}" for case, column, text in lost]
         claims, figures = chapter.section.claims, chapter.section.figures.items()
         lines += [f"{name}: the figure {key} has no sources" for key, figure in figures if not figure.sources]
-        unread = ((claim.name, number) for claim in claims for number in claim.unread)
+        unread = ((claim.name, number) for claim in claims for number in claim.unread(edition.report.columns))
         lines += [f"{name}.{claim} prints {number}, which its test has not read" for claim, number in unread]
         for claim, outcome in ((claim.name, claim.outcome) for claim in claims if claim.outcome.name == "unknown"):
             if not outcome.is_inconclusive and outcome.reason != WITHIN:

@@ -14,6 +14,7 @@ from typing import Any
 from urllib.parse import quote, unquote
 
 from measured_report.files.atomic import atomic_file, read_own_file
+from measured_report.files.config import report
 from measured_report.files.errors import UNPRINTABLE, ReportError, suggestion
 from measured_report.records.columns import PLAIN, is_number
 from measured_report.site.check_numbers import UNRESOLVED, Data
@@ -31,7 +32,7 @@ SAMPLES = ("times", "data", "samples")
 SECONDS = ("mean", "median", "min", "max", "stddev", "iqr", "q1", "q3", "total", "user", "system", "times", "data")
 SCATTER = {"mean": 1.0, "median": 1.2533}  # of many samples, in standard errors of the mean
 CELL = re.compile(r"[-+]?\d{1,20}(\.\d{0,20})?(e[-+]?\d{1,3})?", re.IGNORECASE)
-data_of = cache(Data)
+data_of = cache(lambda folder: Data(folder, report()))
 BYTE_LIMIT = 256 << 20
 PRINTED = {"text": "{file}:{line}: {kind}: {text}", "github": "::{level} file={file},line={line}::{kind}: {text}"}
 COMMENT = r"<!--(?:(?P<comment>(?s:.*?))-->|(?s:.*)\Z)"

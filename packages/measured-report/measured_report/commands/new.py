@@ -15,7 +15,7 @@ from urllib.parse import unquote, urlparse
 from measured_report.commands import audit
 from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
-from measured_report.files.config import Config
+from measured_report.files.config import Config, report_in
 from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError
 from measured_report.records.identity import git
 
@@ -60,7 +60,7 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     marks = {"@PACKAGE@": name, "@VERSION@": version, "@OPTION@": Config(edition=name).option}
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, kind, {**marks, "@TITLE@": title or KINDS[kind].format(name)})
-    (folder / FILE).write_text(reference(), encoding="utf-8")
+    (folder / FILE).write_text(reference(report_in(folder)), encoding="utf-8")
     way = shlex.quote(os.path.relpath(folder))
     print(f"wrote {folder}; cd {way} && make report measures, and builds site/index.html")
 

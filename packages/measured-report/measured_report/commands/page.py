@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.editions.status import NOT_SHOWN, State
-from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.machine import needs_device
 from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections
@@ -36,8 +35,9 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     if lacking:
         # A CPU's results never stand with those of an accelerator.
         takes_card = needs_device(lacking[0], project.root) and any(machines_besides(project, "cpu"))
-        on = f" on a {accelerator().NOUN}"
-        device = None if accelerator().accelerators() or takes_card else "cpu"
+        accelerator = project.report.accelerator
+        on = f" on a {accelerator.NOUN}"
+        device = None if accelerator.accelerators() or takes_card else "cpu"
         print(f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}")
     for note in (*built.gaps, *built.notes):
         print(note)

@@ -10,7 +10,7 @@ from platform import python_version
 from typing import Any
 
 from measured_report.files.cache import Cache
-from measured_report.files.config import config, report
+from measured_report.files.config import Report
 from measured_report.parts import macros
 from measured_report.records.code import files, roots_of
 from measured_report.records.syntax import digest_of
@@ -28,12 +28,11 @@ PACKAGES = (
 
 @dataclass(frozen=True)
 class DerivedCache(Cache):
-    """Keep what modules of one project make; each entry and each module is read once."""
+    """Keep what modules of a report make; each entry and each module is read once."""
 
-    digest_code: Callable[[Path], str] = field(
-        default_factory=lambda: functools.cache(code_digest)
-    )
+    report: Report
     read: dict[tuple[str, str], Any] = field(default_factory=dict)
+    digests: dict[Path, str] = field(default_factory=dict)  # of code
 
     def get(self, name: str, key: str) -> Any:
         if (name, key) not in self.read:
@@ -44,7 +43,9 @@ class DerivedCache(Cache):
 
     def key(self, code: Path, inputs: Sequence[str]) -> str:
         """Digest all that the module ``code`` makes something from."""
-        return digest_of([*inputs, self.digest_code(code)])
+        if code not in self.digests:
+            self.digests[code] = code_digest(code, self.report)
+        return digest_of([*inputs, self.digests[code]])
 
     def value(
         self, name: str, code: Path, inputs: Sequence[str], make: Callable[[], Any]
@@ -57,17 +58,18 @@ class DerivedCache(Cache):
         return kept[0]
 
 
-def code_digest(code: Path) -> str:
+def code_digest(code: Path, report: Report) -> str:
     """Digest a module with all that it imports, the files that they name, and packages."""
     root = next(folder for folder in code.parents if (folder / "report").is_dir())
-    roots = [*roots_of(root), *roots_of(report().root)]
+    roots = [*roots_of(root), *roots_of(report.root)]
     graph = files().graph(tuple(dict.fromkeys(roots)))
     starts = (Path(__file__).resolve(), code)
     closure = {file for start in starts for file in graph.closure(str(start))}
     sources = {graph.name_of(file): graph.source(file) for file in closure}
     # No module imports the settings, which say what columns are.
     named = {name for source in sources.values() for name in source.assets}
-    paths = {name: report().root / name for name in named.union(config().sources)}
+    named.update(report.settings.sources)
+    paths = {name: report.root / name for name in named}
     paths[macros.FILE.name] = macros.FILE
     digests = {
         name: hashlib.sha256(path.read_bytes()).hexdigest()

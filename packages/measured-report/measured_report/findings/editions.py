@@ -9,7 +9,7 @@ from measured_report.editions.kind import Kind
 from measured_report.editions.project import MANIFEST, Project, read_manifest
 from measured_report.editions.status import State, states_of
 from measured_report.files.atomic import RecordError, short_path
-from measured_report.files.config import Page, config, module_of
+from measured_report.files.config import Page, Report, module_named
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import forked
 from measured_report.findings.cache import DerivedCache
@@ -26,6 +26,7 @@ from measured_report.findings.replicas import (
     replica_files,
 )
 from measured_report.findings.sections import (
+    Outline,
     Read,
     derive_by,
     derive_section,
@@ -56,6 +57,10 @@ class Edition:
     """What has no record or can't be shown: sections, and replicas and texts as well."""
     measurements: Measurements = field(default_factory=Measurements)
 
+    @cached_property
+    def report(self) -> Report:
+        return self.project.report
+
     @property
     def folder(self) -> str:
         """Return where its pages lie below the site."""
@@ -67,15 +72,16 @@ class Edition:
         chapters = list(self.chapters.values())
         chapters.sort(key=lambda chapter: not chapter.outline.first)
         pages = {}
-        for page in config().pages:
+        for page in self.report.settings.pages:
             members = [chapter for chapter in chapters if chapter.page == page]
-            if members or page == config().front:
+            if members or page == self.report.settings.front:
                 pages[page] = members
         return pages
 
     def address(self, page: Page) -> str:
         """Return where its page of that name lies below the site, or else its front."""
-        return self.folder + (page if page in self.pages else config().front).file
+        shown = page if page in self.pages else self.report.settings.front
+        return self.folder + shown.file
 
     @property
     def measured_on(self) -> str:
@@ -86,16 +92,14 @@ class Edition:
     @cached_property
     def plugins(self) -> Any:
         """Return what the report shows of it besides its sections."""
-        return module_of("plugins").Plugins(self)
+        return module_named("plugins", self.report.settings.plugins).Plugins(self)
 
     def unmeasured(self, page: Page) -> list[State]:
         """Return the sections of a page that have no record; of all for the front page."""
-        return [
-            state
-            for state in self.left_out
-            if state.kind == Kind.MISSING
-            and page in (config().front, outline_of(state.section).page)
-        ]
+        missing = [state for state in self.left_out if state.kind == Kind.MISSING]
+        if page == self.report.settings.front:
+            return missing
+        return [each for each in missing if self._outline_of(each.section).page == page]
 
     @property
     def uncompared(self) -> dict[str, Chapter]:
@@ -171,7 +175,11 @@ class Edition:
         others = {each.name: each.results for each in self._read_by(chapter).values()}
         read = Read(outline, others)
         for other in outline.reads:
-            read.get(other)  # which refuses one that stands after it, measured or not
+            if self._outline_of(other).order >= outline.order:
+                raise ReportError(
+                    f"{outline.source} reads {other}, which stands after it: "
+                    "give it a higher order"
+                )
         evidence = self.measurements.evidence.get(name, Evidence())
         results = replace(chapter.results, evidence=evidence, others=read, derived={})
         chapter = replace(chapter, results=results)
@@ -188,7 +196,9 @@ class Edition:
 
     def story(self, name: str, releases: Releases) -> Section:
         """Derive what a text of a page tells: its module takes chapters or releases."""
-        package = module_of("text_modules").__name__ if config().text_modules else ""
+        package = self.report.settings.text_modules
+        if package:
+            module_named("text_modules", package)
         file = file_of(package, name) if package else None
         count = files().source(file, name).top.get("derive", 0) if file else 0
         if not (file and count):
@@ -214,12 +224,15 @@ class Edition:
             return kept
         section, values = derive()
         if self.draws:
-            section = section.drawn(anchor)
+            section = section.drawn(anchor, self.report.columns)
             self.cache.put(entry, key, (section, values))
         return section, values
 
     def _entry(self, name: str) -> str:
         return f"{self.project.profile}.{self.project.release}.{name}"
+
+    def _outline_of(self, section: str) -> Outline:
+        return outline_of(section, self.report)
 
     def _read_by(self, chapter: Chapter) -> Chapters:
         """Return the chapters whose results a chapter may read."""
@@ -232,7 +245,8 @@ class Edition:
     @cached_property
     def _measured(self) -> str:
         """Digest what says how noisy numbers are: replicas compare all sections."""
-        paths = [self.project.record_path(config().noise_section)]
+        noise = self.report.settings.noise_section
+        paths = [self.project.record_path(noise)]
         if replicas := replica_files(self.project):
             paths += [*replicas, *map(self.project.record_path, self.chapters)]
         return files_digest(paths, self.project.results)
@@ -250,7 +264,7 @@ def editions_of(
     project: Project, among: Sequence[str] = (), *, draws: bool = False
 ) -> dict[str, Edition]:
     """Derive what the results of every release make, oldest first; ``among``: of these alone."""
-    cache = DerivedCache(project.root)
+    cache = DerivedCache(project.root, project.report)
     with project.report, unchanged_files():
         editions = {
             release: read_edition(project.of(release), cache)
@@ -288,7 +302,7 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
 
 def derive_edition(project: Project, cache: DerivedCache | None = None) -> Edition:
     """Derive one release by itself: what compares releases has its results alone."""
-    edition = read_edition(project, cache or DerivedCache(project.root))
+    edition = read_edition(project, cache or DerivedCache(project.root, project.report))
     edition.set_keys()
     edition.derive()
     return edition
@@ -307,7 +321,7 @@ def read_edition(project: Project, cache: DerivedCache) -> Edition:
     for state in states:
         if record := state.record:
             try:
-                outline = outline_of(state.section)
+                outline = outline_of(state.section, edition.report)
             except ReportError as error:
                 edition.leave_out(state, error)
                 continue

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from measured_report.files.atomic import RecordError, short_path
-from measured_report.files.config import Page, config
+from measured_report.files.config import Page, Report
+from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
@@ -35,7 +36,7 @@ class Outline:
     reads: tuple[str, ...]  # sections before it whose results it reads as well
 
 
-def outline_of(section: str) -> Outline:
+def outline_of(section: str, report: Report | None = None) -> Outline:
     """Read the facts of a section's module; ReportError, one line, where one is wrong."""
     if (file := file_of(PACKAGE, section)) is None:
         raise ReportError(
@@ -54,7 +55,8 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in facts:
         raise ReportError(f"{name} has no function derive(results)")
-    pages = {page.name: page for page in config().pages[1:]}
+    settings = (report or current_report()).settings
+    pages = {page.name: page for page in settings.pages[1:]}
     page = facts.get("page", next(iter(pages), ""))
     if page not in pages:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
@@ -85,20 +87,16 @@ def outline_of(section: str) -> Outline:
 
 @dataclass(frozen=True)
 class Read(Mapping[str, Results]):
-    """Give a section the results that it reads; ReportError for one that it may not."""
+    """Give a section the results that it reads; ReportError for one that it does not name."""
 
     outline: Outline
     results: Mapping[str, Results]
 
     def __getitem__(self, name: str) -> Results:  # which ``in`` and ``get`` ask as well
-        source = self.outline.source
         if name not in self.outline.reads and not self.outline.compares:
             raise ReportError(
-                f"{source} reads {name}, which its line reads = (...) does not name"
-            )
-        if outline_of(name).order >= self.outline.order:
-            raise ReportError(
-                f"{source} reads {name}, which stands after it: give it a higher order"
+                f"{self.outline.source} reads {name}, "
+                "which its line reads = (...) does not name"
             )
         return self.results[name]
 

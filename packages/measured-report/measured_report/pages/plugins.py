@@ -5,7 +5,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from measured_report.files.config import module_of
+from measured_report.files.config import Report, module_named
 
 
 class Plugins:
@@ -45,5 +45,5 @@ def scripts() -> Sequence[str]:
     return ()
 
 
-def plugins() -> ModuleType:
-    return module_of("plugins")
+def plugins(report: Report) -> ModuleType:
+    return module_named("plugins", report.settings.plugins)

@@ -18,7 +18,8 @@ from markdown import Markdown
 from markdown.extensions.toc import slugify
 from markupsafe import Markup, escape
 
-from measured_report.files.config import config
+from measured_report.files.config import Report
+from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError
 from measured_report.pages.passages import parse_passage
 from measured_report.parts.citations import parse_stated, references, stated
@@ -67,7 +68,7 @@ class Tags(Extension):
 class Templates:
     """Find the templates of one project; ReportError for what is wrong with one."""
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, report: Report | None = None):
         own, base = map(jinja2.FileSystemLoader, (folder, LAYOUT))
         layouts = jinja2.PrefixLoader({"layout": base})
         self._loader = jinja2.ChoiceLoader([own, base, layouts])
@@ -77,7 +78,7 @@ class Templates:
         self._prose.extend(wordings=defaultdict(dict), references=self.references)
         self._layout.globals |= {
             "references": self.references,
-            "config": config(),
+            "config": (report or current_report()).settings,
             "sources": sources(),
             "stated": stated,
         }

@@ -55,7 +55,7 @@ def template_of(section: str) -> str:
 
 def sentences_of(project: Project) -> Callable[[str, Claim], str]:
     """Return what says a claim of a section; templates are parsed when one is said."""
-    templates = cache(lambda: Templates(project.templates))
+    templates = cache(lambda: Templates(project.templates, project.report))
 
     def say(section: str, claim: Claim) -> str:
         template = template_of(section)

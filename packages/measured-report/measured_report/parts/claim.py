@@ -13,7 +13,7 @@ from markupsafe import Markup, escape
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
-from measured_report.records.columns import column_of
+from measured_report.records.columns import Schema
 from measured_report.values.quantities import VALUES_FILE, Quantity, combined, mixed
 
 WITHIN = "the difference is within the noise"
@@ -97,14 +97,13 @@ class Claim:
             return self
         return replace(self, outcome=replace(self.outcome, name="unknown", reason=lost.reason, is_opposite=False))
 
-    @property
-    def unread(self) -> Iterator[str]:
+    def unread(self, columns: Schema) -> Iterator[str]:
         """Yield the numbers it may print of which its test read neither themselves nor all that makes them."""
         reads, names = self.outcome.reads, self.wording.names if self.wording else frozenset()
         for name in sorted(names & self.numbers.keys()) if self.outcome.name != "unknown" else ():
             sources = self.numbers[name].reads if isinstance(self.numbers[name], Quantity) else ()
             leaves = (source for source in sources if VALUES_FILE not in source)
-            measured = {leaf for leaf in leaves if not column_of(leaf.rpartition("/")[2]).is_setting}
+            measured = {leaf for leaf in leaves if not columns[leaf.rpartition("/")[2]].is_setting}
             if not (measured <= reads or self.numbers[name].source in reads):
                 yield name
 

@@ -11,7 +11,7 @@ from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.words import Wording
-from measured_report.records.columns import PLAIN, column_of, is_unit, unlike
+from measured_report.records.columns import PLAIN, Schema, unlike
 from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import ResultsError, Series
@@ -110,7 +110,7 @@ class Figure:
     def is_there(self) -> bool:
         return any(source.value is not None for source in self.sources)
 
-    def drawn(self, anchor: str) -> "Figure":
+    def drawn(self, anchor: str, columns: Schema) -> "Figure":
         """Return the same drawn: of its series it keeps only whether they are there."""
         pictures: Sequence[Picture] = ()
         fault = ""
@@ -118,7 +118,7 @@ class Figure:
             from measured_report.parts.figures import draw_svgs
 
             try:
-                pictures = draw_svgs(self._checked, name=anchor)
+                pictures = draw_svgs(lambda: self._checked(columns), name=anchor)
             except Exception as error:
                 if all(source.value is not None for source in self.sources):
                     bug = bug_of(error)
@@ -141,7 +141,7 @@ class Figure:
             fault=fault,
         )
 
-    def _checked(self) -> "Drawing":
+    def _checked(self, columns: Schema) -> "Drawing":
         """Draw it; ReportError for what is no drawing, or an axis in a wrong unit."""
         from matplotlib.figure import Figure as Drawing
 
@@ -150,7 +150,7 @@ class Figure:
             kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
             raise ReportError(f"it draws a {kind}, and not a new_figure()")
         assert any(axes.has_data() for axes in drawing.axes), "it draws nothing"
-        units = set(self._units())
+        units = set(self._units(columns))
         labels = [
             label
             for axes in drawing.axes
@@ -172,7 +172,7 @@ class Figure:
                 )
             if unit is None or unit in units:
                 continue
-            if " " not in unit and not is_unit(unit):
+            if " " not in unit and not columns.is_unit(unit):
                 raise ReportError(
                     f"its axis {label!r} has a unit that is not known; "
                     "units in report.toml adds it"
@@ -185,13 +185,13 @@ class Figure:
                     )
         return drawing
 
-    def _units(self) -> Iterator[str]:
+    def _units(self, columns: Schema) -> Iterator[str]:
         """Yield the units of all that it draws."""
         for source in self.sources:
             if isinstance(source, Quantity):
                 yield source.unit
             elif source.value is not None:
-                yield from (column_of(column).unit for column in source.value)
+                yield from (columns[name].unit for name in source.value)
 
     def html(self, address: str = "", root: str = "") -> Markup:
         """Show it, where anything of it exists; drawings that are files are at ``address``."""
@@ -261,14 +261,14 @@ class Section:
             is_shown = hasattr(item, "__html__") or hasattr(item, "draw")
             assert is_shown, f"{name} is no Table(frame), or Figure(draw, …)"
 
-    def drawn(self, anchor: str) -> "Section":
+    def drawn(self, anchor: str, columns: Schema) -> "Section":
         """Return the same with its tables as HTML and its figures drawn."""
         tables = {
             name: table.rendered() if isinstance(table, Table) else table
             for name, table in self.tables.items()
         }
         figures = {
-            name: figure.drawn(f"{anchor}-{name}")
+            name: figure.drawn(f"{anchor}-{name}", columns)
             for name, figure in self.figures.items()
         }
         return replace(self, tables=tables, figures=figures)

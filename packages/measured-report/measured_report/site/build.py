@@ -10,7 +10,7 @@ from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums
 from measured_report.files.cache import Cache
-from measured_report.files.config import FILE, config, report
+from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
 from measured_report.findings.cache import installed
 from measured_report.findings.editions import Edition
@@ -48,7 +48,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
         with unchanged_files():
-            templates = Templates(project.templates)
+            templates = Templates(project.templates, project.report)
             editions = worded_editions(project, templates)
             refuse_unknown_names(editions, editions.get(project.own_release or project.release))
             Site(fresh, project.release, editions, templates, address).write()
@@ -78,7 +78,7 @@ def _notes(editions: Mapping[str, Edition], edition: Edition) -> tuple[list[str]
 def _records_of_nothing(edition: Edition) -> list[str]:
     """Say which records are of no section, as those of one that was renamed, which traces of none, and so on."""
     results, known = edition.project.results, sections(edition.project.root)
-    editions = map(config().edition_folder, edition.project.releases)
+    editions = map(edition.report.settings.edition_folder, edition.project.releases)
     strange = sorted({path.parent.name for path in results.parent.glob("*/*.json")}.difference(editions))
     paths = (path for path in sorted(results.glob("*.json")) if path not in edition.plugins.data)
     lines = [f"results/{name} is of no edition" for name in strange]
@@ -91,7 +91,7 @@ def _records_of_nothing(edition: Edition) -> list[str]:
 
 def inputs_digest(project: Project, address: str = "") -> str:
     # The last two are often the same, but for the results.
-    roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
+    roots = {LAYOUT.parent: ["."], project.report.root: INPUTS[:-1], project.root: INPUTS}
     digests = [sources(), *(files_digest(_inputs(root, folders), root) for root, folders in roots.items())]
     selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
     # A checkout may be edited, and lie elsewhere.

@@ -5,6 +5,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
+from measured_report.files.config import Report
+from measured_report.files.config import report as current_report
 from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import SCRIPT, Data, PageReader, check_numbers
@@ -14,18 +16,18 @@ OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 
 
-def check_site(site: Path) -> list[str]:
+def check_site(site: Path, report: Report | None = None) -> list[str]:
     """Say what is wrong with the site in folder ``site``, a line each; empty when nothing is."""
     try:
-        return list(_problems_of(site))
+        return list(_problems_of(site, report or current_report()))
     except (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError) as error:
         return [f"it can't be read: {type(error).__name__}: {' '.join(str(error).split()):.200}"]
 
 
-def _problems_of(site: Path) -> Iterator[str]:
+def _problems_of(site: Path, report: Report) -> Iterator[str]:
     files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])  # drawings are parts of pages
     pages = {path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in files}
-    data, scripts = Data(site / "data"), plugins().scripts()
+    data, scripts = Data(site / "data", report), plugins(report).scripts()
     for path, page in pages.items():
         problems = page.faults + [f"<{tag}> runs a script" for tag in page.scripts]
         problems += ["a script runs that is not the project's own" for text in page.inline if text not in scripts]

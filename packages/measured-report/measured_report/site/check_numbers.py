@@ -9,9 +9,8 @@ from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.config import config
+from measured_report.files.config import Report
 from measured_report.findings.sections import file_of, outline_of
-from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.evidence import Evidence, Repeated, evidence_of, repeats_of
 from measured_report.values.format import WRITES, format_code, format_short, label_of, number_pattern, read_number
@@ -97,8 +96,8 @@ RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 class Data:
     """Read the data that a page's numbers point into."""
 
-    def __init__(self, folder: Path):
-        self.folder = folder
+    def __init__(self, folder: Path, report: Report):
+        self.folder, self.report = folder, report
         self.file, self._evidence, self._repeats = cache(self._read), cache(self._evidence_of), cache(self._repeats_in)
         self._replica = cache(read_replica)  # which is of all sections
 
@@ -115,7 +114,7 @@ class Data:
             return cell, None
         row_pointer, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), row_pointer)
-        cell = number_of(column, row)
+        cell = self.report.columns.number_of(column, row)
         estimate = self._evidence(name).estimate(column, row)
         return cell, estimate.written_noise if estimate else None
 
@@ -123,14 +122,15 @@ class Data:
         return evidence_of(measurements_beside(self.folder / name, self._replica), self._repeats(Path(name).parent))
 
     def _repeats_in(self, folder: Path) -> Repeated:
-        noise = folder / f"{config().noise_section}.json"
+        noise = folder / f"{self.report.settings.noise_section}.json"
         return repeats_of(self.file(str(noise))["rows"]) if (self.folder / noise).is_file() else {}
 
     @cached_property
     def typed(self) -> re.Pattern[str]:
         """Match numbers in drawings and in their words that are names and formulas."""
-        edition = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
-        return re.compile("|".join([*config().formulas, *edition]) or "(?!)")
+        settings = self.report.settings
+        edition = [re.escape(settings.edition_name) + RELEASE] if settings.edition_name else []
+        return re.compile("|".join([*settings.formulas, *edition]) or "(?!)")
 
     @cached_property
     def names(self) -> re.Pattern[str]:
@@ -139,7 +139,7 @@ class Data:
         for path in self.folder.glob("*/*.json"):
             if path.name != VALUES_FILE:
                 rows = self.file(str(path.relative_to(self.folder)))["rows"]
-                labels = outline_of(path.stem).labels if file_of("report.sections", path.stem) else {}
+                labels = outline_of(path.stem, self.report).labels if file_of("report.sections", path.stem) else {}
                 names |= {" ".join(cell.split()) for row in rows for cell in row.values() if isinstance(cell, str)}
                 for label in (label_of(row["case"], labels) for row in rows if "case" in row):
                     names |= {label, *label.split(", ")}

@@ -13,7 +13,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.alarm import rate_values
-from measured_report.files.config import Page, config, report
+from measured_report.files.config import Page, Report
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapter
 from measured_report.findings.editions import Edition
@@ -45,9 +45,9 @@ AUTHOR = re.compile(
 )
 
 
-def citation() -> dict[str, Any]:
+def citation(report: Report) -> dict[str, Any]:
     """Read how the report is cited, ``CITATION.cff``, with names as people write them."""
-    text = (report().root / "CITATION.cff").read_text(encoding="utf-8")
+    text = (report.root / "CITATION.cff").read_text(encoding="utf-8")
     fields = dict(re.findall(r"(?m)^(title|license): *(.+)$", text))
     authors = [
         name or f"{first_name} {last_name}"
@@ -115,6 +115,7 @@ class Site:
 
     def write(self) -> None:
         """Write data and pages of all releases, and what is there once."""
+        report = self.editions[self.shown].report
         contents = {
             release: contents_of(self.editions, release, self.templates)
             for release in self.editions
@@ -122,11 +123,11 @@ class Site:
         releases = {name: edition.chapters for name, edition in self.editions.items()}
         if history := series_page(releases, self.templates):
             contents[self.shown].append(Content(SERIES, [history], []))
-        license_file = report().root / "LICENSE"
+        license_file = report.root / "LICENSE"
         if license_file.is_file():
             self._write("license.txt", license_file)
         self._write(".gitkeep", "")
-        cited = citation()
+        cited = citation(report)
         shared = {
             "address": self.address,
             "editions": self.editions,
@@ -158,7 +159,7 @@ class Site:
         for edition in self.editions.values():
             for chapter in edition.chapters.values():
                 record = chapter.results.record
-                name = config().name_of(record.origin.release)
+                name = edition.report.settings.name_of(record.origin.release)
                 origin = (name, record.machine_text, record.time_text)
                 origins[chapter.results.source] = ", ".join(origin)
         return origins
@@ -311,7 +312,7 @@ def _addresses(
         for target in reversed(contents)
         for anchor in target.ids
     }
-    front = config().front.file if edition.left_out else ""
+    front = edition.report.settings.front.file if edition.left_out else ""
     addresses = {}
     for link in content.marks:
         if link.startswith("#"):

@@ -167,9 +167,9 @@ def test_what_is_far_outside_is_kept_apart_and_named_and_moves_nothing(project, 
     for by in (1e-4, 2e-4, 3e-4):
         kept(project, replace(again(project, "gap", by), machine={**GPU, "host": str(by)}))
     tracked = {section: load_record(project.record_path(section)) for section in SECTIONS}
-    before = measurements_of(project, tracked, DerivedCache(project.root)).evidence["gap"]
+    before = measurements_of(project, tracked, DerivedCache(project.root, project.report)).evidence["gap"]
     kept(project, replace(again(project, "gap", 0.5), machine={**GPU, "host": "x"}))
     assert "kept apart, far outside what the others say: gap" in capsys.readouterr().out
     assert "kept apart" in "".join(replicas_text(project))
-    after = measurements_of(project, tracked, DerivedCache(project.root)).evidence["gap"]
+    after = measurements_of(project, tracked, DerivedCache(project.root, project.report)).evidence["gap"]
     assert (before.count, after.count) == (4, 4)
