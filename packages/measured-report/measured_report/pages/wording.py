@@ -79,19 +79,13 @@ def _say(
     }
     section = replace(chapter.section, tables=tables)
     others = {key: other.section for key, other in chapters.items()}
-    downloads = {download.name: download for download in section.downloads}
     names = {
         "release": results.record.origin.release,
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,
-        "download": _finder(name, "download", downloads),
         **_names_of(name, section, {name: section, **others}),
     }
-    # Words that only another record has are said as nothing.
-    unsaid = dict.fromkeys(section.unmeasured, Markup(""))
-    claims = {claim.name: claim.html(name) for claim in section.claims}
-    names["claim"] = _finder(name, "claim", unsaid | claims)
     prose = templates.prose(template_of(name), name, names)
     return replace(chapter, section=section, names=names, prose=prose)
 
@@ -142,11 +136,9 @@ def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
         if section.claims or section.unmeasured
     }
     sections |= {name: chapter.section for name, chapter in chapters.items()}
-    claims = {claim.name: claim.html(anchor) for claim in story.claims}
     return {
         "release": edition.project.release,
         "sections": _Names({name: each.names for name, each in chapters.items()}),
-        "claim": _finder(anchor, "claim", claims),
         **_names_of(anchor, story, sections),
         **edition.plugins.names(story),
     }
@@ -171,10 +163,17 @@ class _Names(dict[str, Names]):
         return dict.fromkeys(kinds, lambda thing: Markup(""))
 
 
-def _names_of(
-    section_name: str, section: Section, sections: Sections
-) -> dict[str, Callable[..., Any]]:
-    """Return what finds tables and figures, says passages, and tells which claims hold."""
+def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
+    """Return what finds the parts of a section, and says what rests on claims of others."""
+    # Words that only another record has are said as nothing.
+    claims = dict.fromkeys(section.unmeasured, Markup(""))
+    claims |= {claim.name: claim.html(anchor) for claim in section.claims}
+    parts = {
+        "claim": claims,
+        "table": section.tables,
+        "figure": section.figures,
+        "download": {download.name: download for download in section.downloads},
+    }
 
     def find(name: str, claim: str) -> Claim | None:
         if name not in sections:
@@ -188,15 +187,11 @@ def _names_of(
 
     def holds(query: str) -> bool:
         name, _, claim = query.rpartition(".")
-        needed = find(name or section_name, claim)
+        needed = find(name or anchor, claim)
         return needed is not None and needed.outcome == HOLDS
 
-    return {
-        "holds": holds,
-        "passage": passages(find),
-        "table": _finder(section_name, "table", section.tables),
-        "figure": _finder(section_name, "figure", section.figures),
-    }
+    finders = {kind: _finder(anchor, kind, named) for kind, named in parts.items()}
+    return {"holds": holds, "passage": passages(find), **finders}
 
 
 def _finder(section: str, kind: str, parts: Mapping[str, Any]) -> Callable[[str], Any]:
