@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from importlib import import_module
 from typing import Any
 
 from measured_report.editions.kind import Kind
@@ -288,6 +289,7 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
         for edition in editions.values()
         if edition.draws and edition.lacks(compares=releases is not None)
     ]
+    lacking.sort(key=lambda edition: -len(edition.chapters))
 
     def derive_copy(number: int) -> None:
         edition = lacking[number]
@@ -295,6 +297,8 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
         copy.derive(releases)
 
     if len(lacking) > 1:
+        for name in ("pandas", "measured_report.parts.figures"):
+            import_module(name)  # once, and not in each process
         forked(derive_copy, len(lacking))
     for edition in editions.values():
         edition.derive(releases)

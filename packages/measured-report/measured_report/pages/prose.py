@@ -1,12 +1,15 @@
 """Templates of Markdown and of layouts: parsed once, and rendered with names."""
 
+import marshal
 import re
+import sys
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from traceback import extract_tb
+from types import CodeType
 from typing import Any
 
 import jinja2
@@ -18,6 +21,7 @@ from markdown import Markdown
 from markdown.extensions.toc import slugify
 from markupsafe import Markup, escape
 
+from measured_report.files.cache import Cache
 from measured_report.files.config import Report
 from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError
@@ -33,10 +37,11 @@ from measured_report.parts.words import (
     refuse_numbers,
     with_formulas,
 )
-from measured_report.records.identity import sources
+from measured_report.records.identity import files_digest, sources
 from measured_report.values.results import ResultsError
 
-LAYOUT = Path(__file__).resolve().parent / "layout"
+GENERATOR = Path(__file__).resolve().parents[1]
+LAYOUT = GENERATOR / "pages" / "layout"
 """Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
 LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
 """In Markdown, a link that leads to an id."""
@@ -83,6 +88,10 @@ class Templates:
             "stated": stated,
         }
         self._parsed = cache(self._parse)
+        self._kept = Cache(folder.parent)
+        code = [*GENERATOR.glob("pa*/*.py")]
+        self._made_by = [sys.version, jinja2.__version__, self.references]
+        self._made_by.append(files_digest(code, GENERATOR))
 
     def words(self, name: str) -> Words:
         """Return what a template says of claims, figures and tables, by kind and name."""
@@ -129,10 +138,7 @@ class Templates:
 
     def _parse(self, name: str) -> tuple[jinja2.Template, Words]:
         with _named(name):
-            source, path, _ = self._loader.get_source(self._prose, name)
-            source = with_formulas(source)
-            refuse_numbers(source)
-            code = self._prose.compile(source, name, path)
+            code, wordings = self._compiled(name)
         template = jinja2.Template.from_code(
             self._prose, code, self._prose.make_globals(None)
         )
@@ -144,8 +150,21 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return put_back(" ".join(text.split()), printed)
 
-        wordings = vars(self._prose)["wordings"][name]
         return template, {key: make(render) for key, make in wordings.items()}
+
+    def _compiled(self, name: str) -> tuple[CodeType, Mapping[Any, Any]]:
+        """Parse a template, unless the cache has it: parsing all takes half a second."""
+        source, path, _ = self._loader.get_source(self._prose, name)
+        entry = f"template.{name.replace('/', '.')}"
+        key = [source, *self._made_by]
+        if kept := self._kept.get(entry, key):
+            return marshal.loads(kept[0]), kept[1]
+        source = with_formulas(source)
+        refuse_numbers(source)
+        code = self._prose.compile(source, name, path)
+        wordings = vars(self._prose)["wordings"][name]
+        self._kept.put(entry, key, (marshal.dumps(code), wordings))
+        return code, wordings
 
 
 def stylesheet(root: Path) -> str:

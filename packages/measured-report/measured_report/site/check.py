@@ -5,9 +5,8 @@ from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
-from measured_report.files.config import Report
+from measured_report.files.config import Report, module_named
 from measured_report.files.config import report as current_report
-from measured_report.pages.plugins import plugins
 from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import SCRIPT, Data, PageReader, check_numbers
 
@@ -37,7 +36,7 @@ def check_site(site: Path, report: Report | None = None) -> list[str]:
 
 
 def _problems_of(site: Path, report: Report) -> Iterator[str]:
-    scripts = plugins(report).scripts()
+    scripts = module_named("plugins", report.settings.plugins).scripts()
     data = Data(site / "data", report)
     # Drawings that are files are parts of pages.
     files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])
