@@ -17,8 +17,6 @@ from jinja2 import nodes
 from jinja2.ext import Extension
 from jinja2.parser import Parser
 from jinja2.runtime import Context
-from markdown import Markdown
-from markdown.extensions.toc import slugify
 from markupsafe import Markup, escape
 
 from measured_report.files.cache import Cache
@@ -104,6 +102,9 @@ class Templates:
 
         Ids of further headings begin with ``anchor``.
         """
+        from markdown import Markdown  # takes long, and not every command says anything
+        from markdown.extensions.toc import slugify
+
         printed: list[Any] = []
         template, _ = self._parsed(name)
         with _named(name):
