@@ -14,7 +14,7 @@ from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
 from measured_report.findings.cache import installed
 from measured_report.findings.editions import Edition
-from measured_report.pages.prose import LAYOUT, Templates
+from measured_report.pages.prose import GENERATOR, Templates
 from measured_report.pages.wording import worded_editions
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions, sections, sources
@@ -91,7 +91,7 @@ def _records_of_nothing(edition: Edition) -> list[str]:
 
 def inputs_digest(project: Project, address: str = "") -> str:
     # The last two are often the same, but for the results.
-    roots = {LAYOUT.parent: ["."], project.report.root: INPUTS[:-1], project.root: INPUTS}
+    roots = {GENERATOR: ["."], project.report.root: INPUTS[:-1], project.root: INPUTS}
     digests = [sources(), *(files_digest(_inputs(root, folders), root) for root, folders in roots.items())]
     selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
     # A checkout may be edited, and lie elsewhere.

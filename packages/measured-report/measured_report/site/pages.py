@@ -316,11 +316,8 @@ def _addresses(
     addresses = {}
     for link in content.marks:
         if link.startswith("#"):
-            file = files.get(link[1:], "")
-            if file == content.page.file:
-                file = ""
-            elif not file:
+            if not (file := files.get(link[1:])):
                 addresses[link] = front or link
-                continue
-            addresses[link] = file + link
+            else:
+                addresses[link] = link if file == content.page.file else file + link
     return addresses
