@@ -15,9 +15,10 @@ pytestmark = pytest.mark.words
 
 def test_what_is_stated_is_still_in_the_package():
     for name, reference in references(ROOT / "templates").items():
-        if reference.package and version(reference.package) == reference.version:
-            file = Path(find_spec(reference.package).origin).parent / reference.file
-            assert reference.excerpt in file.read_text(encoding="utf-8").splitlines()[reference.line - 1], name
+        if (package := reference["package"]) and version(package) == reference["version"]:
+            file = Path(find_spec(package).origin).parent / reference["file"]
+            line = file.read_text(encoding="utf-8").splitlines()[reference["line"] - 1]
+            assert reference["excerpt"] in line, name
 
 
 FAILING = re.compile(
