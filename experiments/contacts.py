@@ -10,11 +10,11 @@ import mujoco
 import numpy as np
 import warp as wp
 
+from contact_bias_c import velocity_product
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.facts.trace import ContactRows, Trace
 from experiments.simulation.budget import contact_timeconst_s
-from experiments.simulation.contact_bias_c import velocity_product
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, grasp_columns, summarize
 from experiments.simulation.simulation import Simulation
 from measured_report.measuring.measurement import Measurement, absent

@@ -17,9 +17,9 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, CaseError
 from experiments.simulation.host import compile_first
-from experiments.simulation.measurement import summarize
+from experiments.simulation.measurement import absent, summarize
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.stepper_c import batches, device_of
+from experiments.simulation.stepper_c import device_of
 
 SLIP_LIMIT_MM = 20.0  # half the cube's edge: with more slip the pads no longer cover the cube's centre
 OPTIONS = {  # options, and what they are, by the parameters of a case
@@ -45,7 +45,6 @@ def refuse(message: str) -> NoReturn:
 def create_parser():
     """Return Newton's example arguments and the scene's own; bad ones are a CaseError."""
     parser = newton.examples.create_parser()
-    newton.examples.add_world_count_arg(parser)
     parser.error = refuse
     parser.set_defaults(num_frames=AS_SHIPPED.frame_count)
     for name, (option, text) in OPTIONS.items():
@@ -59,29 +58,24 @@ def create_parser():
 
 def case_of(args: argparse.Namespace) -> Case:
     """Return the case that the command line describes; CaseError when a value makes no sense."""
-    if args.num_frames < 1 or args.world_count < 1:
-        raise CaseError("--num-frames and --world-count must be at least 1")
+    if args.num_frames < 1:
+        raise CaseError("--num-frames must be at least 1")
     parameters = {name: getattr(args, name) for name in (*OPTIONS, "backend")}
-    case = replace(AS_SHIPPED, name="shake", frame_count=args.num_frames, **parameters)
-    if len(batches([case] * args.world_count)) > 1:
-        raise CaseError(f"--world-count must be 1 with --backend {args.backend}, which has one world")
-    return case
+    return replace(AS_SHIPPED, name="shake", frame_count=args.num_frames, **parameters)
 
 
 class Example:
-    """What ``newton.examples.run`` drives: one frame a step, drawn after it, judged at the end."""
+    """The scene as ``newton.examples.run`` drives it: a frame a step, drawn after it, and a test at the end."""
 
-    def __init__(self, viewer, case: Case, world_count: int):
+    def __init__(self, viewer, case: Case):
         self.viewer = viewer
         self.case = case
         device = wp.get_device(device_of(case, None))
         if device.is_cuda:
             compile_first("cuda")
-        self.simulation = Simulation([case] * world_count, device)
+        self.simulation = Simulation([case], device)
         self.model = self.simulation.model
         self.state_0 = self.simulation.state
-        self.control = self.simulation.control
-        self.contacts = self.simulation.contacts
         self.frame_count = 0
         viewer.set_model(self.model)
 
@@ -94,29 +88,30 @@ class Example:
         self.viewer.log_state(self.state_0)
         self.viewer.end_frame()
 
-    def summaries(self) -> list[dict[str, Any]]:
-        """Return the row of each world so far; a cube that was not shaken is not called dropped, nothing timed."""
-        rows = []
+    def summary(self) -> dict[str, Any]:
+        """Return the row of the frames so far, without their wall time.
+
+        ``dropped`` is None unless the cube was shaken.
+        """
         frame_count = min(self.frame_count, self.case.frame_count)
-        for trace in self.simulation.recorder.traces(frame_count=frame_count):
-            row = summarize(self.case, trace)
-            del row["wall_s"]
-            if reason := row.get("slip_mm_reason"):
-                row |= {"dropped": None, "dropped_reason": reason}
-            rows.append({name: cell.item() if isinstance(cell, np.generic) else cell for name, cell in row.items()})
-        return rows
+        [trace] = self.simulation.recorder.traces(frame_count=frame_count)
+        row = summarize(self.case, trace)
+        del row["wall_s"]
+        if row["slip_mm"] is None:
+            row |= absent(["dropped"], row["slip_mm_reason"])
+        return row
 
     def test_final(self) -> None:
-        """Raise TestFailed where the cube of any world is not in the grasp any more."""
-        for world, summary in enumerate(self.summaries()):
-            if summary["slip_mm"] is None:
-                raise TestFailed(f"world {world}: {summary['slip_mm_reason']} in {self.frame_count} frames")
-            if summary["dropped"] or summary["slip_mm"] > SLIP_LIMIT_MM:
-                raise TestFailed(f"world {world}: the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
+        """Raise TestFailed if the cube is not in the grasp any more."""
+        summary = self.summary()
+        if summary["slip_mm"] is None:
+            raise TestFailed(f"{summary['slip_mm_reason']} in {self.frame_count} frames")
+        if summary["dropped"] or summary["slip_mm"] > SLIP_LIMIT_MM:
+            raise TestFailed(f"the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
 
 
 def run() -> int:
-    """Run the scene as the command line says; the exit status."""
+    """Run the scene as the command line says and return the exit status."""
     parser = create_parser()
     args = parser.parse_args()
     case = case_of(args)
@@ -126,16 +121,16 @@ def run() -> int:
         viewer, args = newton.examples.init(parser)
     except Exception as error:  # viewers raise what they like
         raise CaseError(f"--viewer {args.viewer} --device {args.device}: {' '.join(str(error).split())}") from None
-    example = Example(viewer, case, args.world_count)
+    example = Example(viewer, case)
     status = 0
     try:
         newton.examples.run(example, args)
     except TestFailed as failure:
         print(f"the test failed: {failure}", file=sys.stderr)
         status = 1
-    summary = example.summaries()[0]
+    summary = example.summary()
     if args.json:
-        args.json.write_text(json.dumps(summary, indent=1) + "\n", encoding="utf-8")
+        args.json.write_text(json.dumps(summary, indent=1, default=np.generic.item) + "\n", encoding="utf-8")
     if summary["slip_mm"] is None:
         print(f"no slip: {summary['slip_mm_reason']}", flush=True)
     else:

@@ -1,1 +1,1 @@
-"""What is derived of the records: sections, the story that they make, and names for people."""
+"""Derivations of the records: sections, and the story that they make."""

@@ -21,7 +21,7 @@ from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
-from report.shared.arithmetic import Sections
+from report.shared.arithmetic import sections_of
 from report.shared.wheel import wheel
 
 LINT = ROOT / "packages/newton-lint"
@@ -33,18 +33,24 @@ class Plugins(plugins.Plugins):
 
     @cached_property
     def clips(self) -> Clips | None:
-        return Clips(self.edition.project, self._clips_state, self.edition.root) if self._clips_state.record else None
+        state = self._clips_state
+        if not state.record:
+            return None
+        return Clips(self.edition.project, state, self.edition.root)
 
     @cached_property
     def _clips_state(self) -> State:
-        state = clips_state(self.edition.project)
+        project = self.edition.project
+        state = clips_state(project)
         try:
             if state.record:
-                shown = Clips(self.edition.project, state)
+                shown = Clips(project, state)
                 _ = shown.picture, shown.video(FIRST, Markup())  # as pages have them
         except (AttributeError, LookupError, TypeError, ResultsError) as error:
-            place = short_path(self.edition.project.record_path(CLIPS))
-            return State(CLIPS, "damaged", notes=(f"{place}: no clip can be shown ({' '.join(str(error).split())})",))
+            place = short_path(project.record_path(CLIPS))
+            why = str(error).split()
+            note = f"{place}: no clip can be shown ({' '.join(why)})"
+            return State(CLIPS, "damaged", notes=(note,))
         return state
 
     @property
@@ -53,19 +59,22 @@ class Plugins(plugins.Plugins):
 
     @cached_property
     def replay(self) -> dict[str, Any] | None:
-        """Return the runs of its replay; None where not all of them are kept and whole."""
+        """Return the runs of its replay; None unless all of them are kept and whole."""
         if "poses" not in self.edition.chapters:
             return None
-        project, results = self.edition.project, self.edition.chapters["poses"].results
+        project = self.edition.project
+        results = self.edition.chapters["poses"].results
 
         def make() -> dict[str, Any] | None:
-            from report.media.packed import packed_runs  # it takes NumPy, which takes long to import
+            # It takes NumPy, which takes long to import.
+            from report.media.packed import packed_runs
 
             with suppress(ReportError, LookupError, TypeError, ValueError):
                 return packed_runs(results)
             return None
 
-        name, code = f"{project.profile}.{project.release}.replay", Path(__file__).parent / "media/packed.py"
+        name = f"{project.profile}.{project.release}.replay"
+        code = Path(__file__).parent / "media/packed.py"
         return self.edition.cache.value(name, code, [results_digest(results)], make)
 
     @property
@@ -73,14 +82,26 @@ class Plugins(plugins.Plugins):
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
-        read = Sections({section: chapter.results for section, chapter in self.edition.chapters.items()})
-        record = next((chapter.results.record for chapter in self.edition.chapters.values()), None)
-        packages = record.identity.packages if record else {}
+        read = sections_of(self.edition.chapters)
+        records = [each.results.record for each in self.edition.chapters.values()]
+        machine = ""
+        packages = {}
+        if records:
+            machine = records[0].machine_text.partition(" (")[0]
+            packages = records[0].identity.packages
         # These decide most of what is measured; the foot of the page has all.
-        engine = [f"{name} {packages[name]}" for name in (config().edition, "mujoco-warp") if name in packages]
-        names = {"value": read.value, "cell": read.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
-        names |= {"machine": record.machine_text.partition(" (")[0] if record else "", "packages": " and ".join(engine)}
-        return {**names, "lint": wheel(LINT)[0], "root": self.edition.root}
+        engine = (config().edition, "mujoco-warp")
+        named = [f"{name} {packages[name]}" for name in engine if name in packages]
+        return {
+            "value": read.value,
+            "cell": read.cell,
+            "clips": self.clips,
+            "replay": REPLAY if self.replay else "",
+            "machine": machine,
+            "packages": " and ".join(named),
+            "lint": wheel(LINT)[0],
+            "root": self.edition.root,
+        }
 
     @property
     def data(self) -> Sequence[Path]:
@@ -90,15 +111,30 @@ class Plugins(plugins.Plugins):
         """Return the replay, where all of its runs were kept."""
         if not self.replay:
             return {}
-        project, poses = self.edition.project, self.edition.chapters["poses"]
-        return {REPLAY: replay_page(project, poses, self.replay, self.clips, templates, self.edition.root)}
+        project = self.edition.project
+        poses = self.edition.chapters["poses"]
+        return {
+            REPLAY: replay_page(
+                project, poses, self.replay, self.clips, templates, self.edition.root
+            )
+        }
 
     @property
     def files(self) -> Mapping[str, Path | bytes]:
         name, packed = wheel(LINT)
-        files = (*LAB.glob("dist/*"), LAB / "lab.css") if "lab" in self.edition.chapters else ()
-        return {f"download/{name}": packed, **{f"lab/{file.name}": file for file in files}}
+        files = (
+            (*LAB.glob("dist/*"), LAB / "lab.css")
+            if "lab" in self.edition.chapters
+            else ()
+        )
+        return {
+            f"download/{name}": packed,
+            **{f"lab/{file.name}": file for file in files},
+        }
 
 
 def scripts() -> Sequence[str]:
-    return (script(), *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")))
+    return (
+        script(),
+        *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")),
+    )

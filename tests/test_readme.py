@@ -1,5 +1,6 @@
 """The README: what it says to type exists, and the section that it shows how to add works."""
 
+import json
 import re
 import subprocess
 import sys
@@ -8,11 +9,13 @@ import textwrap
 import pytest
 
 from experiments.facts.case import differences
+from measured_report.commands.audit import noise_of_record
 from measured_report.commands.new import main
 from measured_report.files.root import ROOT
 from measured_report.findings.sections import outline_of
 from measured_report.records.identity import sections
 from measured_report.site.check import check_site
+from number_audit.command import main as number_audit
 
 pytestmark = pytest.mark.words
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -51,6 +54,19 @@ def test_numbers_that_have_a_mark_are_what_was_measured(monkeypatch, capsys):
     )
     assert main() == 0, capsys.readouterr().out
     assert capsys.readouterr().out.count("contact-bias.md") > 2
+
+
+def test_the_noise_of_a_number_is_that_of_its_record(tmp_path, monkeypatch, capsys):
+    """As the slip of a run differs from one measurement to the next, which its file does not say."""
+    path = ROOT / "results/newton-1.4.0/cure.json"
+    rows = json.loads(path.read_text(encoding="utf-8"))["rows"]
+    index = [row["case"] for row in rows].index("newton-implicitfast-50-shipped-3cm-plain-rounded")
+    slip, noise = rows[index]["slip_mm"], noise_of_record(path, index, "slip_mm")
+    text = tmp_path / "a.md"
+    text.write_text(f"{slip + noise:.5f} mm<!-- = {path}#/rows/{rows[index]['case']}/slip_mm -->")
+    arguments = [str(text), "--allow", str(ROOT)]
+    monkeypatch.setattr("sys.argv", ["", "audit", *arguments])
+    assert (main(), number_audit(arguments)) == (0, 1), capsys.readouterr().out
 
 
 def test_the_documents_are_a_site_without_a_dead_link(tmp_path):

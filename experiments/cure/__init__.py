@@ -1,13 +1,13 @@
 """The cure: causes of the slip taken out one by one and together, and where else that holds.
 
 With the robot: ``combinations`` beside their predicted ``budget``, a minute held still, the limits of the grasp and an
-envelope of harder shakes. Without it: the box on a turntable, its controls, other bodies and bodies that tumble.
+envelope of harder shakes. Without it: the box on a turntable, its controls, and other bodies.
 """
 
 from dataclasses import replace
 from itertools import chain
 
-from experiments.cure import bodies, combinations, controls, limits, tumbles, turntable
+from experiments.cure import bodies, combinations, controls, limits, turntable
 from experiments.envelope import MAP_SIZE, measure_map
 from experiments.facts.case import AS_SHIPPED, BEST, HOLD, POSITIONS
 from experiments.hold import LONG_FRAME_COUNT, creep
@@ -27,7 +27,6 @@ PARTS = {
     "controls": controls.measure,
     "jacobians": controls.measure_jacobians,
     "bodies": bodies.measure,
-    "tumbles": tumbles.measure,
 }
 
 

@@ -11,12 +11,13 @@ from functools import partial
 import numpy as np
 from tqdm import tqdm
 
+import contact_bias_c
+import contact_place
 from experiments.cure.turntable import RADIUS_M as PLACE_M
 from experiments.cure.turntable import TURN_RAD_S, growth_per_s, run
-from experiments.simulation import contact_bias_c, contact_place
+from experiments.drivers.mjcf import numbers
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.measurement import Conditions, absent
-from experiments.simulation.mjcf_engines import numbers
 
 IN_C = (("plain", "c"), ("term", "c"))
 EXACT = (("plain", "warp"), ("exact", "warp"))

@@ -16,9 +16,9 @@ import warp as wp
 
 from experiments.cure import turntable
 from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
+from experiments.drivers.mjcf import numbers
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, summarize
-from experiments.simulation.mjcf_engines import numbers
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 
 SHAKE_M, SHAKE_RAD_S = 0.03, 2.0 * np.pi  # the arm's own shake, a period of which is the time in which the cube settles

@@ -23,11 +23,14 @@ import mujoco
 import numpy as np
 from tqdm import tqdm
 
-from experiments.simulation import contact_bias, contact_bias_c
+import contact_bias
+import contact_bias_c
+from experiments.drivers.contacts import Contacts
+from experiments.drivers.mjcf import ENGINES, numbers
+from experiments.drivers.mujoco_c import STEPS
 from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.compat import warp_has_noslip
 from experiments.simulation.measurement import Conditions, absent
-from experiments.simulation.mjcf_engines import ENGINES, STEPS, Contacts, numbers
-from newton_lint.newton_models.compat import warp_has_noslip
 
 TURN_RAD_S = 2.0
 RADIUS_M = 0.2

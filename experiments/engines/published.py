@@ -8,139 +8,173 @@ seen from the gripper, where an orbit is gravity that turns.
 """
 
 from collections.abc import Callable, Sequence
-from functools import partial
 
 import mujoco
 import numpy as np
 
-from experiments.engines.engine import Engine, run_apart
+from experiments.drivers.engine import Engine, run
+from experiments.drivers.mjcf import run as run_here
+from experiments.drivers.mujoco_c import STEPS, InC
+from experiments.drivers.scene import GRAVITY_M_S2, Scene
 from experiments.scenes import capsule, pick
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
 from experiments.simulation.measurement import Conditions, absent
-from experiments.simulation.mjcf_engines import ENGINES, GRAVITY_M_S2, STEPS, InC, numbers
 from measured_report.files.root import ROOT
 
 WITH_MOTRIXSIM = ("motrixsim==0.10.0", "numpy==2.4.6")
-MOTRIXSIM = Engine("MotrixSim", "0.10.0", "experiments/engines/apart/motrix_run.py", WITH_MOTRIXSIM)
+MOTRIXSIM = Engine(
+    "MotrixSim", "0.10.0", "experiments/drivers/apart/motrix_run.py", WITH_MOTRIXSIM
+)
 STEP_S = 0.002
 START = (*pick.READY, pick.OPEN_M, pick.OPEN_M)
-TOUCH = '<contact name="finger{0}" body1="finger{0}" body2="object" data="found force" num="4"/>'
-"""A sensor of what a finger presses the object with."""
+TOUCH = """<sensor>
+  <contact name="finger1" body1="finger1" body2="object" data="found force" num="4"/>
+  <contact name="finger2" body1="finger2" body2="object" data="found force" num="4"/>
+</sensor></mujoco>"""  # what the fingers press the object with
 CUBE = 'type="box" size="0.02 0.02 0.02" solref="0.005 1" solimp="0.99 0.99 0.5"'
 CUBE_N = 0.064 * GRAVITY_M_S2
-HOLD_S, FORCE_S, FACTOR = 5.0, 0.2, 1.1
-"""How long the cube is lifted, and held again; in whose end its force is taken; friction then, of the critical one."""
+HOLD_S = 5.0  # how long the cube is lifted, and then held
+FORCE_S = 0.2  # at the end of the lift, in which the fingers' force is taken
+FACTOR = 1.1  # friction while it is held, of the critical one
 DROPPED_M = 0.03
-WALL_STEP_S, WALL_S, WALL_SETTLE_S = 0.01, 3.0, 1.0
+WALL_STEP_S = 0.01
+WALL_S = 3.0
+WALL_SETTLE_S = 1.0
 WALL = f"""
 <mujoco>
   <option timestep="{WALL_STEP_S}" gravity="-20 0 {-GRAVITY_M_S2}"/>
   <worldbody>
     <geom type="plane" size="1 1 0.1" zaxis="1 0 0" friction="1"/>
-    <body pos="0.05 0 0"><freejoint/><geom type="box" size="0.05 0.05 0.05" mass="1" friction="1"/></body>
+    <body pos="0.05 0 0">
+      <freejoint/><geom type="box" size="0.05 0.05 0.05" mass="1" friction="1"/>
+    </body>
   </worldbody>
 </mujoco>"""
-ORBIT_M, ORBIT_RAD_S = 0.01, 4.0 * np.pi
-ORBIT_S = (1.0, 2.5, 3.5)  # ends of the holding before the orbit, of the orbit, and of the holding after it
-Shown = tuple[Sequence[tuple[float, float]], Sequence[float]]
-"""The object's height [m] and the fingers' normal force [N] after each step, and the last joints."""
+ORBIT_M = 0.01
+ORBIT_RAD_S = 4.0 * np.pi
+ORBIT_S = (1.0, 2.5, 3.5)  # ends of holding, of the orbit, and of holding again
+Shown = tuple[np.ndarray, np.ndarray, Sequence[float]]
+"""Height of the object [m] and normal force of the fingers [N] after each step, and the
+joints in the end."""
 
 
-def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each scene, with the reason in the place of a number where an engine cannot run it."""
-    runs: dict[str, Callable[[], dict[str, object]]] = {
-        "friction-motrixsim": partial(hold, in_motrixsim),
-        "friction-euler": partial(hold, in_c),
-        "friction-implicitfast": partial(hold, in_c, "implicitfast"),
-        **{f"shake-{kind}": partial(shake, kind, conditions) for kind in pick.OBJECTS},
-        **{f"wall-{engine}": partial(press, engine, conditions.device) for engine in ("c", "warp")},
-        "orbit": orbit,
-    }
-    columns = {"friction": "fall_mm", "shake": "dropped_count", "wall": "creep_mm_s", "orbit": "creep_mm"}
-    found = []
-    for name, run in runs.items():
-        row: dict[str, object] = {"case": name}
-        try:
-            found.append(row | run())
-        except (RunFailed, ValueError) as error:
-            found.append(row | absent([columns[name.partition("-")[0]]], str(error)))
-    return found
-
-
-def in_c(mjcf: str, state: Sequence[float], controls: np.ndarray) -> Shown:
-    """Give MuJoCo's C engine the controls of each step, from these joints and the others as the file has them."""
+def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
+    """Run MuJoCo's C engine with a control in each step, from these joints on."""
     model = mujoco.MjModel.from_xml_string(mjcf)
-    data, readings = mujoco.MjData(model), []
-    data.qpos[: len(state)] = state
+    data = mujoco.MjData(model)
+    data.qpos[: len(qpos)] = qpos
+    height_m = []
+    force_n = []
     for control in controls:
         data.ctrl[:] = control
         mujoco.mj_step(model, data)
         refuse_warned(data)
-        felt = data.sensordata.reshape(-1, 4)  # whether there is a contact, and its force
-        readings.append((float(data.body("object").xpos[2]), float(felt[felt[:, 0] > 0.0, 1].sum())))
-    return readings, data.qpos.tolist()
+        felt = data.sensordata.reshape(
+            -1, 4
+        )  # whether there is a contact, and its force
+        height_m.append(data.body("object").xpos[2])
+        force_n.append(felt[felt[:, 0] > 0.0, 1].sum())
+    return np.array(height_m), np.array(force_n), data.qpos.tolist()
 
 
-def in_motrixsim(mjcf: str, state: Sequence[float], controls: np.ndarray) -> Shown:
+def in_motrixsim(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
     """Do the same in MotrixSim; ValueError where that cannot be."""
-    scene = {"mjcf": mjcf, "state": state, "controls": controls.tolist()}
-    [shown] = run_apart(MOTRIXSIM, [{"scene": scene, "step_s": STEP_S, "options": {}}])
-    if isinstance(shown, dict):
-        raise ValueError(shown["reason"])
-    return shown
+    scene = Scene(STEP_S, STEP_S, controls.tolist(), mjcf, qpos)
+    [trace] = run([scene], MOTRIXSIM)
+    if isinstance(trace, str):
+        raise ValueError(trace)
+    return trace.path_m[1:, 2], trace.forces[:, 0], trace.joints.tolist()
 
 
-def sensed(mjcf: str) -> str:
-    return mjcf.replace("</mujoco>", f"<sensor>{TOUCH.format(1)}{TOUCH.format(2)}</sensor></mujoco>")
+def grasp_mjcf(friction: float, integrator: str) -> str:
+    """Write the Panda and a cube, both with this friction, and what the fingers feel."""
+    robot = (ROOT / pick.SCENE).read_text(encoding="utf-8")
+    robot = robot.replace('friction="1 ', f'friction="{friction} ')
+    return robot.format(
+        object_geom=f'{CUBE} friction="{friction}"',
+        option=f'timestep="{STEP_S}" integrator="{integrator}"',
+        pad_solref=f"{pick.PAD_TIMECONST_S} 1",
+    ).replace("</mujoco>", TOUCH)
 
 
-def hold(run: Callable[[str, Sequence[float], np.ndarray], Shown], integrator: str = "Euler") -> dict[str, object]:
-    """Lift the cube, find the friction at which its weight is all that is carried, and hold it with a little more."""
+def hold(
+    conditions: Conditions, show: Callable[..., Shown], integrator: str = "Euler"
+) -> dict[str, object]:
+    """Lift the cube, find the friction that just carries it, and hold it with a bit more."""
+    controls = pick.pick_controls(np.arange(0.0, HOLD_S, STEP_S))
+    lifted_m, force_n, qpos = show(grasp_mjcf(1.0, integrator), START, controls)
+    count = round(FORCE_S / STEP_S)
+    critical = CUBE_N / float(sum(force_n[-count:]) / count)
+    still = np.repeat(controls[-1:], len(controls), axis=0)
+    held_m, _, _ = show(grasp_mjcf(FACTOR * critical, integrator), qpos, still)
+    fall_mm = 1e3 * float(lifted_m[-1] - held_m.min())
+    return {"fall_mm": fall_mm, "critical_friction": critical}
 
-    def grasp(friction: float) -> str:
-        robot = (ROOT / pick.SCENE).read_text(encoding="utf-8").replace('friction="1 ', f'friction="{friction} ')
-        cube, option = f'{CUBE} friction="{friction}"', f'timestep="{STEP_S}" integrator="{integrator}"'
-        return sensed(robot.format(object_geom=cube, option=option, pad_solref=numbers(pick.PAD_SOLREF)))
 
-    controls = np.array([pick.command(time_s) for time_s in np.arange(0.0, HOLD_S, STEP_S)])
-    lifted, state = run(grasp(1.0), START, controls)
-    critical = CUBE_N / float(np.mean(lifted[-round(FORCE_S / STEP_S) :], axis=0)[1])
-    holding, _ = run(grasp(FACTOR * critical), state, np.repeat(controls[-1:], len(controls), axis=0))
-    return {"fall_mm": 1e3 * (lifted[-1][0] - min(holding)[0]), "critical_friction": critical}
-
-
-def shake(kind: str, conditions: Conditions) -> dict[str, object]:
-    """Shake an object in MotrixSim, its targets at random in every second step, and count the drops."""
-    count, end_s = pick.SEED_COUNT[conditions.profile], pick.END_S[conditions.profile]
-    lifting = np.array([pick.command(time_s) for time_s in np.arange(STEP_S, end_s, STEP_S)])
-    begin, dropped = round(pick.PHASES_S[-1] / STEP_S) - 1, 0
-    for seed in range(count):
-        jerks = np.random.default_rng(seed).normal(0.0, pick.SPREAD_RAD, (len(lifting), 7))
+def shake(conditions: Conditions, kind: str) -> dict[str, object]:
+    """Shake an object in MotrixSim, targets at random in each second step; count drops."""
+    profile = conditions.profile
+    lifting = pick.pick_controls(np.arange(STEP_S, pick.END_S[profile], STEP_S))
+    mjcf = pick.Pick(kind, object=kind).mjcf().replace("</mujoco>", TOUCH)
+    begin = round(pick.PHASES_S[-1] / STEP_S) - 1
+    dropped_count = 0
+    for seed in range(pick.SEED_COUNT[profile]):
+        random = np.random.default_rng(seed)
+        jerks = random.normal(0.0, pick.SPREAD_RAD, (len(lifting), 7))
         controls = lifting.copy()
         controls[begin:, :7] += np.repeat(jerks, 2, axis=0)[: len(lifting) - begin]
-        shown, _ = in_motrixsim(sensed(pick.Pick(kind, object=kind).mjcf()), START, controls)
-        dropped += min(shown[begin:])[0] < DROPPED_M
-    return {"seed_count": count, "dropped_count": dropped}
+        height_m, _, _ = in_motrixsim(mjcf, START, controls)
+        dropped_count += int(height_m[begin:].min() < DROPPED_M)
+    return {"seed_count": pick.SEED_COUNT[profile], "dropped_count": dropped_count}
 
 
-def press(name: str, device: str) -> dict[str, object]:
+def press(conditions: Conditions, engine: str) -> dict[str, object]:
     """Press the cube at the wall: how fast it creeps down."""
-    engine, height = ENGINES[name](WALL, 1, device), []
-    for _ in range(round(WALL_S / WALL_STEP_S / STEPS)):
-        engine.advance()
-        height.append(float(engine.body()[0][0, 2]))
-    settled = round(WALL_SETTLE_S / WALL_STEP_S / STEPS)
-    return {"creep_mm_s": 1e3 * (height[settled - 1] - height[-1]) / (WALL_S - WALL_SETTLE_S)}
+    sample_s = STEPS * WALL_STEP_S
+    targets = [()] * round(WALL_S / sample_s)
+    trace = run_here(
+        Scene(WALL_STEP_S, sample_s, targets, WALL), engine, conditions.device
+    )
+    height_m = trace.path_m[:, 2]
+    crept_m = height_m[round(WALL_SETTLE_S / sample_s)] - height_m[-1]
+    return {"creep_mm_s": 1e3 * float(crept_m) / (WALL_S - WALL_SETTLE_S)}
 
 
-def orbit() -> dict[str, object]:
+def orbit(_: Conditions) -> dict[str, object]:
     """Hold the capsule, carry it around, and hold it: how far it creeps down in all."""
-    engine, travel = InC(capsule.Pinch("orbit", impratio=1.0).mjcf()), capsule.GAP_M + capsule.SQUEEZE_M
-    engine.command(np.array([[travel, -travel]]))
-    height = []
-    for time_s in np.arange(-capsule.SETTLE_S, ORBIT_S[-1], STEPS * STEP_S):
-        turn, is_moving = ORBIT_RAD_S * time_s, ORBIT_S[0] <= time_s < ORBIT_S[1]
-        engine.model.opt.gravity[:2] = is_moving * ORBIT_M * ORBIT_RAD_S**2 * np.array([np.cos(turn), np.sin(turn)])
-        engine.advance()
-        height.append(float(engine.body()[0][0, 2]))
-    return {"creep_mm": 1e3 * (height[round(capsule.SETTLE_S / STEP_S / STEPS) - 1] - height[-1])}
+    world = InC(capsule.Pinch("orbit", impratio=1.0).mjcf())
+    world.command([capsule.TARGET])
+    height_m = []
+    times_s = np.arange(-capsule.SETTLE_S, ORBIT_S[-1], STEPS * STEP_S)
+    for time_s in times_s:
+        turn = ORBIT_RAD_S * time_s
+        is_moving = ORBIT_S[0] <= time_s < ORBIT_S[1]
+        pull = is_moving * ORBIT_M * ORBIT_RAD_S**2
+        world.model.opt.gravity[:2] = pull * np.array([np.cos(turn), np.sin(turn)])
+        world.advance()
+        height_m.append(world.body()[0][0, 2])
+    settled = round(capsule.SETTLE_S / STEP_S / STEPS) - 1
+    return {"creep_mm": 1e3 * float(height_m[settled] - height_m[-1])}
+
+
+RUNS = (  # cases, the column of each, and what measures it
+    ("friction-motrixsim", "fall_mm", hold, in_motrixsim),
+    ("friction-euler", "fall_mm", hold, in_c),
+    ("friction-implicitfast", "fall_mm", hold, in_c, "implicitfast"),
+    ("shake-cube", "dropped_count", shake, "cube"),
+    ("shake-ball", "dropped_count", shake, "ball"),
+    ("wall-c", "creep_mm_s", press, "c"),
+    ("wall-warp", "creep_mm_s", press, "warp"),
+    ("orbit", "creep_mm", orbit),
+)
+
+
+def rows(conditions: Conditions) -> list[dict[str, object]]:
+    """Make a row for each scene, with the reason where an engine cannot run it."""
+    found = []
+    for case, column, measure, *arguments in RUNS:
+        try:
+            found.append({"case": case} | measure(conditions, *arguments))
+        except (RunFailed, ValueError) as error:
+            found.append({"case": case} | absent([column], str(error)))
+    return found

@@ -1,15 +1,5 @@
-"""List what a scene has and does not use, from a short run.
+"""List the parts of a scene, and how much of each a short run uses."""
 
-    python -m experiments.leave_out.audit                      the shake scene, as shipped
-    python -m experiments.leave_out.audit module:function      another one
-
-The function returns an object in the conventions of Newton's examples: ``model``, ``solver`` (a SolverMuJoCo),
-``contacts`` (None when MuJoCo generates them), ``state`` after the last frame and ``step()``, which runs one frame.
-"""
-
-import argparse
-import importlib
-import sys
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -20,8 +10,7 @@ from newton import ShapeFlags
 from newton.solvers import SolverMuJoCo
 from tqdm import tqdm
 
-from experiments.facts.case import UNTRIMMED, Case
-from experiments.simulation.simulation import Simulation
+from experiments.facts.case import Case
 from experiments.simulation.task import Task
 from experiments.simulation.timing import buffer_bytes_per_world
 
@@ -195,37 +184,3 @@ def audit_rows(items: list[Item]) -> list[dict[str, object]]:
         | {"note": item.note}
         for index, item in enumerate(items)
     ]
-
-
-def table(items: list[Item]) -> str:
-    """Write the items as text, a line each."""
-    width = max(len(item.name) for item in items)
-    lines = [f"{'':{width}}  {'there':>10}  {'used':>10}"]
-    lines += [f"{item.name:{width}}  {item.present:10.5g}  {item.used:10.5g}  {item.note}".rstrip() for item in items]
-    return "\n".join(lines)
-
-
-def shake_scene() -> AuditedScene:
-    """Build one world of the shake scene exactly as shipped."""
-    return Simulation([UNTRIMMED], wp.get_device())
-
-
-def main() -> int:
-    program = "experiments.leave_out.audit"
-    parser = argparse.ArgumentParser(prog=f"python -m {program}", description=__doc__.split("\n")[0])
-    parser.add_argument("scene", nargs="?", default=f"{program}:shake_scene", metavar="MODULE:FUNCTION")
-    parser.add_argument("--num-frames", type=int, default=FRAME_COUNT, help="length of the run")
-    arguments = parser.parse_args()
-    wp.config.log_level = wp.LOG_WARNING
-    module, _, function = arguments.scene.partition(":")
-    try:
-        build = getattr(importlib.import_module(module), function)
-    except (ImportError, AttributeError, ValueError) as error:
-        print(f"{arguments.scene} is no scene: {error}", file=sys.stderr)
-        return 2
-    print(table(audit(build(), arguments.num_frames)))
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

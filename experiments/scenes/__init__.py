@@ -10,5 +10,13 @@ SCENES = {"slope": slope, "capsule": capsule, "pick": pick}
 
 def measure(conditions: Conditions) -> Plan:
     """Measure each scene; a row says of which it is."""
-    found = yield [Batch(name, scene.rows, (conditions,)) for name, scene in SCENES.items()]
-    return Measurement([row | {"scene": name} for name, rows in zip(SCENES, found, strict=True) for row in rows])
+    found = yield [
+        Batch(name, scene.rows, (conditions,)) for name, scene in SCENES.items()
+    ]
+    return Measurement(
+        [
+            row | {"scene": name}
+            for name, rows in zip(SCENES, found, strict=True)
+            for row in rows
+        ]
+    )

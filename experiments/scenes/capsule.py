@@ -5,16 +5,19 @@ chosen by what it says of the loads: with a gain of 20 kN/m the pads press with 
 timeconst of 4 ms with its 60 N. The capsule is longer than the pads are wide.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
+from functools import partial
 
 import numpy as np
 from tqdm import tqdm
 
-from experiments.simulation.c_warnings import RunFailed
-from experiments.simulation.mjcf_engines import ENGINES, GRAVITY_M_S2, SOLIMP, STEPS, numbers
+from experiments.drivers.contacts import load_columns
+from experiments.drivers.mjcf import ENGINES, SOLIMP, columns_of, numbers, run
+from experiments.drivers.mujoco_c import STEPS
+from experiments.drivers.scene import GRAVITY_M_S2, Scene
+from experiments.simulation.compat import warp_has_noslip
 from measured_report.measuring.measurement import Conditions, absent
-from newton_lint.law import Contact, Option, impedance_at, response_of
-from newton_lint.newton_models.compat import warp_has_noslip
+from newton_lint.law import Contact, Option
 
 MASS_KG = 0.045
 RADIUS_M = 0.004
@@ -22,20 +25,27 @@ PAD_HALF_SIZE_M = (0.008, 0.03, 0.02)
 PAD_MASS_KG = 0.2
 GAP_M = 0.0005  # gap between capsule and pad at the start
 SQUEEZE_M = 0.002  # how far past touching the actuators pull each pad
+TARGET = (GAP_M + SQUEEZE_M, -GAP_M - SQUEEZE_M)
 GAIN_N_M = 20e3
 DAMPING_N_S_M = 100.0
 FRICTION = (0.7, 0.005, 0.0001)
+STEP_S = 0.002
 SETTLE_S = 0.5
 SECONDS = {"full": 2.0, "quick": 0.5}
-CREEPS = ("creep_mm_s", "steady_creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s")
+CREEPS = (
+    "creep_mm_s",
+    "steady_creep_mm_s",
+    "predicted_creep_mm_s",
+    "forecast_creep_mm_s",
+)
 
 
 @dataclass(frozen=True)
 class Pinch:
-    """One run; options as in MJCF."""
+    """One run, whose row has these columns; options as in MJCF."""
 
-    name: str
-    engine: str = "c"
+    case: str
+    backend: str = "c"
     cone: str = "elliptic"
     impratio: float = 10.0
     noslip_iterations: int = 0
@@ -57,7 +67,7 @@ class Pinch:
         )
         return f"""
         <mujoco>
-          <option timestep="0.002" gravity="0 0 {-GRAVITY_M_S2}" cone="{self.cone}" impratio="{self.impratio}"
+          <option timestep="{STEP_S}" gravity="0 0 {-GRAVITY_M_S2}" cone="{self.cone}" impratio="{self.impratio}"
             noslip_iterations="{self.noslip_iterations}"/>
           <worldbody>{pads}
             <body name="capsule">
@@ -83,54 +93,47 @@ VARIANTS = (
     Pinch("condim-6", condim=6),
     Pinch("within-pads", half_length_m=0.02),
 )
-CASES = [replace(case, name=f"{case.name}-{engine}", engine=engine) for engine in ENGINES for case in VARIANTS]
+CASES = [
+    replace(variant, case=f"{variant.case}-{engine}", backend=engine)
+    for engine in ENGINES
+    for variant in VARIANTS
+]
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
     """Make a row for each run: how fast the capsule sinks, measured and predicted."""
-    found = []
+    seconds = SECONDS[conditions.profile]
+    rows = []
     for case in tqdm(CASES, desc="capsule", unit="run", delay=3.0):
-        row: dict[str, object] = {"case": case.name, "backend": case.engine, "cone": case.cone}
-        row |= {"impratio": case.impratio, "noslip_iterations": case.noslip_iterations, "condim": case.condim}
-        row |= {"timeconst_s": case.timeconst_s, "half_length_m": case.half_length_m}
-        if case.engine != "c" and case.noslip_iterations and not warp_has_noslip():
-            found.append(row | absent(CREEPS, "MuJoCo Warp here has no noslip"))
-            continue
-        try:
-            found.append(row | sink(case, SECONDS[conditions.profile], conditions.device))
-        except RunFailed as failed:
-            found.append(row | absent(CREEPS, str(failed)))
-    return found
+        if case.backend != "c" and case.noslip_iterations and not warp_has_noslip():
+            columns = absent(CREEPS, "MuJoCo Warp here has no noslip")
+        else:
+            measure = partial(sink, case, seconds, conditions.device)
+            columns = columns_of(measure, CREEPS)
+        rows.append(asdict(case) | columns)
+    return rows
 
 
 def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
     """Squeeze the capsule and watch it sink: how fast it does, and how fast by R f = b v.
 
-    Once with R of the contacts that the run ends with, and once from what is authored and how deep they are.
+    Once with R of the contacts that the run ends with, and once from the parameters and
+    how deep the contacts are.
     """
-    engine = ENGINES[case.engine](case.mjcf(), 1, device)
-    travel = GAP_M + SQUEEZE_M
-    engine.command(np.array([[travel, -travel]]))
-    pair_s = STEPS * engine.model.opt.timestep
-    for _ in range(round(SETTLE_S / pair_s)):
-        engine.advance()
-    height, speed = [engine.body()[0][0, 2]], []
-    for _ in range(round(seconds / pair_s)):
-        engine.advance()
-        position, velocity = engine.body()
-        height.append(position[0, 2])
-        speed.append(-velocity[0, 2])
-    contacts, weight_n = engine.contacts(), MASS_KG * GRAVITY_M_S2
-    pad, capsule = engine.model.body_invweight0[[1, -1], 0].tolist()
-    noslip = bool(engine.model.opt.noslip_iterations)  # which what the way there made of the MJCF need not have
+    sample_s = STEPS * STEP_S
+    settled, count = (round(time_s / sample_s) for time_s in (SETTLE_S, seconds))
+    scene = Scene(STEP_S, sample_s, [TARGET] * (settled + count), case.mjcf())
+    trace = run(scene, case.backend, device)
+    height_m = trace.path_m[settled:, 2]
+    speed_m_s = -trace.velocity_m_s[settled + 1 :, 0, 2]
+    pad, capsule = trace.model.body_invweight0[[1, -1], 0].tolist()
+    noslip = bool(
+        trace.model.opt.noslip_iterations
+    )  # an engine may drop it from the MJCF
     option = Option(0.0, cone=case.cone, impratio=case.impratio, noslip=noslip)
     contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION[0], pad + capsule)
-    response = response_of(contact, option, impedance_at(SOLIMP, contacts.depth_m))
     return {
-        "creep_mm_s": 1e3 * float((height[0] - height[-1]) / (pair_s * len(speed))),
-        "steady_creep_mm_s": 1e3 * float(np.median(speed)),
-        "predicted_creep_mm_s": 0.0 if noslip else 1e3 * contacts.creep_m_s(weight_n),
-        "forecast_creep_mm_s": 1e3 * response.load_m_s_n * weight_n / contacts.count,
-        "normal_force_n": contacts.normal_n,
-        "loaded_contact_count": contacts.count,
+        "creep_mm_s": 1e3 * float((height_m[0] - height_m[-1]) / (sample_s * count)),
+        "steady_creep_mm_s": 1e3 * float(np.median(speed_m_s)),
+        **load_columns(trace.contacts, MASS_KG * GRAVITY_M_S2, contact, option),
     }

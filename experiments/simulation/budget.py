@@ -19,9 +19,9 @@ import mujoco
 import numpy as np
 import warp as wp
 
+from contact_bias_c import watch_steps
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
-from experiments.simulation.contact_bias_c import watch_steps
 from experiments.simulation.limits import reference_stiffness, solref, step_s
 from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation

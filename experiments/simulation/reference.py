@@ -8,10 +8,10 @@ import mujoco
 import numpy as np
 import warp as wp
 
+import contact_bias_c
 from experiments.facts import metrics
 from experiments.facts.case import Case
 from experiments.facts.trace import FRAME_COLUMNS, Trace
-from experiments.simulation import contact_bias_c
 from experiments.simulation.c_warnings import failure_of
 from experiments.simulation.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation.simulation import Simulation

@@ -10,13 +10,15 @@ import numpy as np
 from newton import CollisionPipeline, Contacts
 from newton.solvers import SolverMuJoCo
 
+import contact_bias
+import contact_bias_c
 from experiments.facts.case import Case, CaseError, batch_key
 from experiments.facts.trace import ContactRows
-from experiments.simulation import compensated_positions, contact_bias, contact_bias_c
+from experiments.simulation import compensated_positions
 from experiments.simulation.c_warnings import failure_of
+from experiments.simulation.compat import make_solver, warp_has_noslip
 from experiments.simulation.stepper import CONTACT_MAX
 from experiments.simulation.stepper_warp import WarpRecorder, WarpStepper, is_elliptic
-from newton_lint.newton_models.compat import make_solver, warp_has_noslip
 
 CONSTRAINT_MAX = 96  # rows per world when a case asks for none: see ``stepper.CONTACT_MAX``
 

@@ -13,7 +13,7 @@ OPTIONS = shared("edition", "device", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
-    """Run the renderer, apart from the page, which knows no simulator; return its exit status."""
+    """Run the renderer in a process of its own; return its exit status."""
     add_group("clips", project.root)
     options = [f"--newton={project.release}", f"--profile={project.profile}"]
     options += [f"--device={arguments.device}"] if arguments.device else []

@@ -19,7 +19,7 @@ MACROS = ROOT / "templates/clips.html.j2"
 
 @dataclass(frozen=True)
 class Clips:
-    """The clips of a release as a page shows them; their files lie below ``data/``, beside those of its record."""
+    """The clips of a release as a page shows them; their files lie beside its record."""
 
     project: Project
     state: State  # ``fresh`` or ``stale``: others are not shown
@@ -32,22 +32,41 @@ class Clips:
     @property
     def files(self) -> list[Path]:
         """Return what the site has to carry, the record first."""
-        return [self.results.path, *(self.project.results / name for name, _ in files_of(self.state.record))]
+        names = [name for name, _ in files_of(self.state.record)]
+        return [self.results.path, *map(self.project.results.joinpath, names)]
 
     def video(self, case: str, caption: Markup) -> Markup:
-        """Return a clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
+        """Return a clip that plays when asked to; only its poster is fetched before."""
         row = self.results.row[case]
         poster = self.picture if case == FIRST else self._address(row.poster)
-        files = self.root + poster, self.root + self._address(row.file)
-        label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
-        return macros(MACROS).video(row, *files, label, self._sources(row), self._marked(caption))
+        label = (
+            "Two further runs side by side, with a plot of both displacements."
+            f" At the end: {self._said(row)}."
+        )
+        return macros(MACROS).video(
+            row,
+            self.root + poster,
+            self.root + self._address(row.file),
+            label,
+            self._sources(row),
+            self._marked(caption),
+        )
 
     def still(self, link: str, caption: Markup) -> Markup:
-        """Return the long exposure, which leads to ``link``, where there is one."""
+        """Return the long exposure, which leads to ``link``, if any."""
         first = self.results.row[FIRST]
-        alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
-        row, file, sources = self.results.row[STILL], self.root + self.picture, self._sources(first)
-        return macros(MACROS).still(row, file, alt, sources, link, self._marked(caption))
+        alt = (
+            "The hand and the cube in it, every second cycle drawn into one picture:"
+            f" {self._said(first)}."
+        )
+        return macros(MACROS).still(
+            self.results.row[STILL],
+            self.root + self.picture,
+            alt,
+            self._sources(first),
+            link,
+            self._marked(caption),
+        )
 
     @property
     def picture(self) -> str:
@@ -63,14 +82,16 @@ class Clips:
         return macros(MACROS).stale(caption, self.state.words)
 
     def _moved(self, row: Row) -> dict[str, Quantity]:
-        return {CASES[name]: row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+        columns = {name: f"{name.replace('-', '_')}_mm" for name in RUNS[FIRST]}
+        return {CASES[name]: row[column] for name, column in columns.items()}
 
     def _sources(self, row: Row) -> str:
-        return " ".join(slip.source for slip in self._moved(row).values() if slip.value is not None)
+        slips = self._moved(row).values()
+        return " ".join(slip.source for slip in slips if slip.value is not None)
 
     def _said(self, row: Row) -> str:
-        moved = self._moved(row)
-        return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
+        slips = self._moved(row).items()
+        return ", ".join(f"{name} {slip.reason or slip}" for name, slip in slips)
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"

@@ -26,41 +26,58 @@ COLUMNS = (  # what is packed of each sample; the cube's pose is in the TCP fram
 def packed_runs(results: Results) -> dict[str, Any]:
     """Return all runs of the page, as assets/replay/src/runs.js reads them."""
     rows = {row["case"]: row for row in results.record.rows}
-    first = rows[next(iter(SHAKES["3 cm"]))]
-    shakes = [
-        {"name": name, "runs": [packed_run(label, rows[case], results.path) for case, label in runs.items()]}
-        for name, runs in SHAKES.items()
-    ]
-    base = [first[f"base_{axis}_m"] for axis in "xyz"]
-    return {"base_m": base, "edge_m": first["cube_edge_m"], "columns": COLUMNS, "shakes": shakes}
+    first = rows["as-shipped"]
+    shakes = []
+    for name, runs in SHAKES.items():
+        packed = [packed_run(runs[case], rows[case], results.path) for case in runs]
+        shakes.append({"name": name, "runs": packed})
+    return {
+        "base_m": [first[f"base_{axis}_m"] for axis in "xyz"],
+        "edge_m": first["cube_edge_m"],
+        "columns": COLUMNS,
+        "shakes": shakes,
+    }
 
 
 def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any]:
-    """Return a run, sampled up to its last frame, each column in 16 bits between its least and its largest value."""
+    """Return a run, sampled up to its last frame.
+
+    Each column has 16 bits between its least and its largest value.
+    """
     run = kept_run(row, load_trace(trace_path(record, row["case"])))
-    step = max(1, round(row["frame_rate_hz"] / row["kept_frame_step"] / SAMPLE_RATE_HZ))
+    kept_rate_hz = row["frame_rate_hz"] / row["kept_frame_step"]
+    step = max(1, round(kept_rate_hz / SAMPLE_RATE_HZ))
     chosen = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
     turn = quaternions(run.cube_in_hand)
     contact = np.stack([run.contact[name] for name in COLUMNS[16:]], axis=1)
-    values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
-    # a billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
-    low, high = (np.round(side, 9) for side in (values[chosen].min(axis=0), values[chosen].max(axis=0)))
-    turned = np.round(turn[run.shake_start], 9).tolist()
-    whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * 65535).astype("<u2")
+    parts = [run.joints, run.cube_in_hand[:, :3, 3], turn, contact]
+    values = np.concatenate(parts, axis=1)[chosen]
+    # A billionth of a metre or a radian is less than any sample tells, and digits
+    # behind it differ with another NumPy.
+    low = np.round(values.min(axis=0), 9)
+    high = np.round(values.max(axis=0), 9)
+    shares = (values - low) / np.where(high > low, high - low, 1.0)
+    whole = np.round(shares * 65535).astype("<u2")
     return {
         "name": name,
         "start_s": float(run.time_s[chosen[0]]),
         "step_s": step * row["kept_frame_step"] / row["frame_rate_hz"],
         "count": len(chosen),
         "left_grasp_s": row["left_grasp_s"],
-        "begin": {"position": run.begin_in_hand[:3, 3].tolist(), "quaternion": turned},
-        **{"low": low.tolist(), "high": high.tolist()},
+        "begin": {
+            "position": run.begin_in_hand[:3, 3].tolist(),
+            "quaternion": np.round(turn[run.shake_start], 9).tolist(),
+        },
+        "low": low.tolist(),
+        "high": high.tolist(),
         "samples": base64.b64encode(whole.T.tobytes()).decode(),
     }
 
 
 def quaternions(poses: np.ndarray) -> np.ndarray:
-    """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4], each on the side of the last.
+    """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4].
+
+    Each is on the side of the one before.
 
     Each is the largest eigenvector of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
     from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).
@@ -69,7 +86,10 @@ def quaternions(poses: np.ndarray) -> np.ndarray:
     trace = np.trace(r, axis1=1, axis2=2)
     k = np.zeros((len(r), 4, 4))
     k[:, :3, :3] = r + r.transpose(0, 2, 1) - trace[:, None, None] * np.eye(3)
-    k[:, 3, :3] = np.stack([r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]], axis=1)
+    k[:, 3, :3] = np.stack(
+        [r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]],
+        axis=1,
+    )
     k[:, :3, 3] = k[:, 3, :3]
     k[:, 3, 3] = trace
     axes = np.linalg.eigh(k)[1][:, :, -1]

@@ -1,4 +1,4 @@
-"""replay.html: kept runs in 3D, on a page that needs no other file and runs one script, known by its digest."""
+"""replay.html: kept runs in 3D, on a page that needs no other file."""
 
 import base64
 import hashlib
@@ -26,7 +26,12 @@ SCRIPT = "assets/replay/replay.js"
 
 
 def replay_page(
-    project: Project, chapter: Chapter, runs: Mapping[str, Any], clips: Clips | None, templates: Templates, root: str
+    project: Project,
+    chapter: Chapter,
+    runs: Mapping[str, Any],
+    clips: Clips | None,
+    templates: Templates,
+    root: str,
 ) -> str:
     """Write the page of one release: of its section poses, of its ``packed_runs``, and of the still among its clips."""
     text = script(project.root)
@@ -34,13 +39,20 @@ def replay_page(
         "root": root,
         "results": chapter.results,
         "section": chapter.section,
-        "still": clips and clips.still("#runs-in-numbers", Markup("The cube in the hand, every second cycle.")),
+        "still": clips
+        and clips.still(
+            "#runs-in-numbers", Markup("The cube in the hand, every second cycle.")
+        ),
         "shakes": list(SHAKES),
-        "speeds": {speed: format_number(speed, noise=0.0) for speed in (0.25, 1.0, 4.0)},  # of the simulated time
+        "speeds": {
+            speed: format_number(speed, noise=0.0) for speed in (0.25, 1.0, 4.0)
+        },  # of the simulated time
         "speed": 1.0,
         "magnifications": (1, 5, 20),
         "runs": json.dumps(runs, separators=(",", ":")),
-        "style": Markup((project.root / "assets/replay/replay.css").read_text(encoding="utf-8")),
+        "style": Markup(
+            (project.root / "assets/replay/replay.css").read_text(encoding="utf-8")
+        ),
         "script": Markup(text),
         "digest": base64.b64encode(hashlib.sha256(text.encode()).digest()).decode(),
     }

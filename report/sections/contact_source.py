@@ -2,10 +2,7 @@
 
 from dataclasses import replace
 
-from measured_report.parts.section import Section
-from measured_report.values.results import Results
-from report.shared.tables import by_case
-from report.shared.variants import variant_section, variants_of
+from report.shared import Results, Section, by_case, variant_section, variants_of
 
 order = 30
 reads = ("noise", "reproduction")
@@ -20,4 +17,9 @@ labels = {
 
 def derive(results: Results) -> Section:
     section = variant_section(results, variants_of(results, "contacts-60hz"))
-    return replace(section, tables={"cases": by_case(results.rows, {"slip": "slip_mm", "drift": "drift_mm_s"})})
+    return replace(
+        section,
+        tables={
+            "cases": by_case(results.rows, {"slip": "slip_mm", "drift": "drift_mm_s"})
+        },
+    )

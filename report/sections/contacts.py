@@ -1,13 +1,21 @@
-"""The solver's live contact rows: their residuals, what their velocities add up to, and what makes them slide."""
+"""The solver's contact rows: their residuals, and what makes them slide."""
 
-from collections.abc import Iterator
-
-from measured_report.parts.claim import Claim, Outcome, all_of, at_most, decided, greater
-from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT, Quantity, combined
-from measured_report.values.results import Results, Row
-from report.shared.arithmetic import CASES, departure, noise_floor, other_value
-from report.shared.tables import table_of
+from report.shared import (
+    CASES,
+    PERCENT,
+    Claim,
+    Results,
+    Section,
+    all_of,
+    at_most,
+    combined,
+    decided,
+    departure,
+    greater,
+    noise_floor,
+    other_value,
+    table_of,
+)
 
 order = 70
 page = "cause"
@@ -16,73 +24,131 @@ label = "contact rows"
 
 
 def derive(results: Results) -> Section:
-    frames, more_runs = ([row for row in results.rows if row.kind == kind] for kind in ("frame", "run"))
-    first = {row.case: row for row in reversed(frames)}
-    # Through MuJoCo C, and the same with the left-out acceleration in the contact rows.
-    left_out, restored = ([results.row[f"{case}-{way}"] for case in CASES] for way in ("missing-term", "term-restored"))
-    run = next((row for row in more_runs if row.case == "as-shipped"), results.row["as-shipped"])
-    ends = _term_restored(results, left_out, restored)
-    claims = [_far_inside_cone(results, run, [row for row in frames if row["case"] == "as-shipped"])]
-    claims += [*_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s)]
-    claims += [_slide_accounts(results, run), _missing_term(results, left_out, ends.outcome), ends]
-    rows = [row for row in results.rows if row.kind == "row" and row["case"] == "as-shipped"]
-    columns = {"residual": "residual_mm", "velocity": "velocity_mm_s", "force": "force_n"}
-    return Section(tables={"rows": table_of("row", [row.row for row in rows], columns, rows)}, claims=claims)
+    floor = noise_floor(results, "slip_floor")
+    frames = [row for row in results.rows if row.kind == "frame"]
+    shipped = [row for row in frames if row.case == "as-shipped"]
+    runs = [row for row in results.rows if row.kind == "run"]
+    whole = (row for row in runs if row.case == "as-shipped")
+    run = next(whole, results.row["as-shipped"])
+    # Through MuJoCo C, without the left-out acceleration in the contact rows and with it.
+    left_out = [results.row[f"{case}-missing-term"] for case in CASES]
+    restored = [results.row[f"{case}-term-restored"] for case in CASES]
 
-
-def _far_inside_cone(results: Results, run: Row, frames: list[Row]) -> Claim:
-    formula = "most of its friction cone that a contact uses through the shake, with shipped pads"
-    used = results.value("grip_used_shipped", formula, PERCENT * run.cone_use_max)
-    outcome = at_most(run.cone_use_max, 0.1, why="far from the limit, which is 1").having_read(used)
-    along = combined(max, *(row.tangential_force_n for row in frames))
-    load = results.value("load_along", "most that all contacts carry along the pads, over all looks", along)
+    used = results.value(
+        "grip_used_shipped",
+        "most of its friction cone that a contact uses through the shake, with shipped pads",
+        PERCENT * run.cone_use_max,
+    )
+    inside = at_most(run.cone_use_max, 0.1, "far from the limit, which is 1")
+    load = results.value(
+        "load_along",
+        "most that all contacts carry along the pads, over all looks",
+        combined(max, *(row.tangential_force_n for row in shipped)),
+    )
     weight = other_value(results, "reproduction", "cube_weight")
-    results.value("load_by_weight", "this load, by the weight of the cube", load / weight)
-    return Claim("far_inside_cone", outcome, {"used": used})
+    results.value(
+        "load_by_weight", "this load, by the weight of the cube", load / weight
+    )
 
+    largest = results.value(
+        "friction_residual",
+        "largest position residual of a loaded contact's friction rows, over all looks",
+        combined(max, *(row.friction_residual_mm for row in frames)),
+    )
+    normal = results.value(
+        "normal_residual",
+        "largest position residual of a loaded contact's normal row as shipped,"
+        " over all looks",
+        combined(max, *(row.normal_residual_mm for row in shipped)),
+    )
+    none = results.chosen("friction_residual_bound", "none at all", 0.0, "mm")
+    no_residual = all_of(at_most(largest, none), greater(normal, largest, noise=floor))
+    first = shipped[0] if shipped else results.row["as-shipped"]
+    timeconst = first.friction_timeconst_s
 
-def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> Iterator[Claim]:
-    formula = "largest position residual of a loaded contact's friction rows, over all looks"
-    largest = results.value("friction_residual", formula, combined(max, *(row.friction_residual_mm for row in frames)))
-    formula = "largest position residual of a loaded contact's normal row as shipped, over all looks"
-    cells = [row.normal_residual_mm for row in frames if row.case == "as-shipped"]
-    normal = results.value("normal_residual", formula, combined(max, *cells))
-    bound = results.chosen("friction_residual_bound", "none at all", 0.0, "mm")
-    carries = greater(normal, largest, noise=noise_floor(results, "slip_floor"))
-    yield Claim("no_friction_residual", all_of(at_most(largest, bound), carries), {"normal": normal})
-    yield Claim("own_friction_timeconst", decided(bool(timeconst.value), timeconst))
+    slide = run.slide_mm
+    along = run.along_mm
+    same = results.chosen("slide_departure_bound", "the same motion", 15.0, "%")
+    gap = results.value(
+        "slide_gap_as-shipped",
+        "what the velocities of the loaded friction rows add up to,"
+        " less the motion measured along the same axis",
+        slide - along,
+    )
+    off = results.value(
+        "slide_departure_as-shipped",
+        "size of that difference, of the motion measured",
+        PERCENT * abs(gap / along),
+    )
+    is_more = greater(slide, along, noise=floor).answer
 
+    departures = [
+        results.value(
+            f"missing_term_departure_{row.case}",
+            "slide that the left-out acceleration gives, less the slide of the"
+            " friction rows, in size, of the latter",
+            departure(row.predicted_slide_mm, row.slide_mm),
+        )
+        for row in left_out
+    ]
+    missing = results.value(
+        "missing_term_departure",
+        "larger of both departures",
+        combined(max, *departures),
+    )
+    close = results.chosen("missing_term_bound", "the same slide", 5.0, "%")
 
-def _slide_accounts(results: Results, run: Row) -> Claim:
-    bound = results.chosen("slide_departure_bound", "the same motion", 15.0, "%")
-    formula = "what the velocities of the loaded friction rows add up to, less the motion measured along the same axis"
-    gap = results.value("slide_gap_as-shipped", formula, run.slide_mm - run.along_mm)
-    formula = "size of that difference, of the motion measured"
-    off = results.value("slide_departure_as-shipped", formula, PERCENT * abs(gap / run.along_mm))
-    is_more = greater(run.slide_mm, run.along_mm, noise=noise_floor(results, "slip_floor")).answer
-    numbers = {"slide": run.slide_mm, "along": run.along_mm, "bound": bound, "is_more": is_more}
-    return Claim("slide_accounts", at_most(off, bound), numbers)
-
-
-def _missing_term(results: Results, rows: list[Row], ends: Outcome) -> Claim:
-    formula = "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter"
-    name, pairs = "missing_term_departure", [(row.case, row.predicted_slide_mm, row.slide_mm) for row in rows]
-    departures = [results.value(f"{name}_{case}", formula, departure(*pair)) for case, *pair in pairs]
-    largest = results.value(name, "larger of both departures", combined(max, *departures))
-    bound = results.chosen("missing_term_bound", "the same slide", 5.0, "%")
-    numbers = {"predicted": rows[0].predicted_slide_mm, "slide": rows[0].slide_mm, "departure": largest}
-    return Claim("missing_term", at_most(largest, bound), numbers, effect=ends)
-
-
-def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, "%")
-    formula = "size of the slide of the friction rows with the term put back, of that without it"
-    shares, falls = [], []
+    little = results.chosen("restored_share_bound", "no slide to speak of", 5.0, "%")
+    shares = []
+    falls = []
     for case, plain, back in zip(CASES, left_out, restored, strict=True):
-        shares.append(results.value(f"restored_share_{case}", formula, PERCENT * abs(back.slide_mm / plain.slide_mm)))
-        less = results.value(f"restored_{case}_small_size", "its size", abs(back.slide_mm))
-        more = results.value(f"restored_{case}_large_size", "its size", abs(plain.slide_mm))
-        falls.append(greater(more, less, noise=noise_floor(results, "slip_floor")))
-    largest = results.value("restored_share", "larger of both shares", combined(max, *shares))
-    numbers = {"slide": left_out[0].slide_mm, "restored": restored[0].slide_mm}
-    return Claim("term_restored", all_of(at_most(largest, bound), *falls), numbers)
+        share = results.value(
+            f"restored_share_{case}",
+            "size of the slide of the friction rows with the term put back,"
+            " of that without it",
+            PERCENT * abs(back.slide_mm / plain.slide_mm),
+        )
+        shares.append(share)
+        size = abs(back.slide_mm)
+        less = results.value(f"restored_{case}_small_size", "its size", size)
+        size = abs(plain.slide_mm)
+        more = results.value(f"restored_{case}_large_size", "its size", size)
+        falls.append(greater(more, less, noise=floor))
+    rest = results.value(
+        "restored_share", "larger of both shares", combined(max, *shares)
+    )
+    ends = all_of(at_most(rest, little), *falls)
+
+    predicted = left_out[0].predicted_slide_mm
+    without = left_out[0].slide_mm
+    rows = [row for row in results.rows if row.kind == "row"]
+    rows = [row for row in rows if row.case == "as-shipped"]
+    columns = {
+        "residual": "residual_mm",
+        "velocity": "velocity_mm_s",
+        "force": "force_n",
+    }
+    return Section(
+        tables={"rows": table_of("row", [row.row for row in rows], columns, rows)},
+        claims=[
+            Claim("far_inside_cone", inside.having_read(used), {"used": used}),
+            Claim("no_friction_residual", no_residual, {"normal": normal}),
+            Claim("own_friction_timeconst", decided(bool(timeconst.value), timeconst)),
+            Claim(
+                "slide_accounts",
+                at_most(off, same),
+                {"slide": slide, "along": along, "bound": same, "is_more": is_more},
+            ),
+            Claim(
+                "missing_term",
+                at_most(missing, close),
+                {"predicted": predicted, "slide": without, "departure": missing},
+                effect=ends,
+            ),
+            Claim(
+                "term_restored",
+                ends,
+                {"slide": without, "restored": restored[0].slide_mm},
+            ),
+        ],
+    )

@@ -1,25 +1,35 @@
-"""What a release sets where nobody does, and the slip with that: the scene writes what 1.4.0 had."""
+"""The defaults of a release, and the slip with them: the scene writes those of 1.4.0."""
 
 from measured_report.files.config import config
-from measured_report.parts.claim import Claim, all_of, decided
-from measured_report.parts.section import Section
 from measured_report.records.columns import changed_parameters
-from measured_report.values.results import Results
-from report.shared.arithmetic import cell_or_absent
+from report.shared import Claim, Results, Section, all_of, cell_or_absent, decided
 
 order = 205
 page = "releases"
 label = "own defaults"
 
-CASE, RUN = "own-defaults", ("frame_count", "device")  # the case, and what it has for being a run of its own
-MUJOCO = {"run_collision_detection": 1.0, "cone": 0.0}  # the engine finds the contacts; a pyramid
+RUN = ("frame_count", "device")  # parameters of a run of its own
+MUJOCO = {  # the engine finds the contacts; a pyramid
+    "run_collision_detection": 1.0,
+    "cone": 0.0,
+}
 
 
 def derive(results: Results) -> Section:
-    row = results.row[CASE]
+    row = results.row["own-defaults"]
     changed = [name for name in changed_parameters(row.plain) if name not in RUN]
-    numbers = {"release": config().name_of(results.edition), "changed": ", ".join(changed)}
-    cells = {name: cell_or_absent(results.row[f"solver-{name}"], "value") for name in MUJOCO}
-    by_mujoco = all_of(*(decided(cell.value == MUJOCO[name], cell) for name, cell in cells.items()))
-    as_scene = Claim("as_the_scene", decided(not changed, row.slip_mm), numbers)
-    return Section(claims=[as_scene, Claim("leaves_it_to_mujoco", by_mujoco)])
+    by_mujoco = []
+    for name, value in MUJOCO.items():
+        cell = cell_or_absent(results.row[f"solver-{name}"], "value")
+        by_mujoco.append(decided(cell.value == value, cell))
+    release = config().name_of(results.edition)
+    return Section(
+        claims=[
+            Claim(
+                "as_the_scene",
+                decided(not changed, row.slip_mm),
+                {"release": release, "changed": ", ".join(changed)},
+            ),
+            Claim("leaves_it_to_mujoco", all_of(*by_mujoco)),
+        ]
+    )

@@ -1,16 +1,26 @@
-"""How hard can one shake? Amplitude and frequency, as shipped and with stiff pads, as points and as a map."""
+"""How hard can one shake? Amplitude and frequency, as points and as a map."""
 
 from statistics import median
 
 import numpy as np
 import pandas as pd
 
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
-from measured_report.parts.section import Figure, Section, Table
-from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import noise_floor, resolved
+from report.shared import (
+    HOLDS,
+    Claim,
+    Figure,
+    Results,
+    Row,
+    Section,
+    all_of,
+    at_least,
+    at_most,
+    decided,
+    noise_floor,
+    resolved,
+    table_of,
+)
 from report.shared.maps import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
-from report.shared.tables import Column, table_of
 
 order = 120
 page = "fix"
@@ -22,51 +32,100 @@ SIDES = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 
 def derive(results: Results) -> Section:
     trace = results.trace("map")
-    held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, "m")
+    held = results.chosen(
+        "held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, "m"
+    )
     shipped, stiff = (lost_count(results, trace, side, held) for side in SIDES)
-    cells = results.value("cells", "cells of the map on each side", lambda frame: len(frame) // len(SIDES), trace)
-    drops, never = decided(bool(shipped.value), shipped), at_most(stiff, 0, why="no cell is dropped")
-    claims = [Claim("as_shipped_drops", drops, {"lost": shipped, "cells": cells})]
-    claims += [Claim("stiff_pads_never_drop", never, {"lost": stiff, "cells": cells, "held": held})]
-    about = {"shipped": shipped, "stiff": stiff, "seconds": results.row["as-shipped-3cm-1hz"].shake_duration_s}
-    about |= {"keeps": never == HOLDS, "drops": drops == HOLDS}
-    figures = {"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)}
-    return Section(tables={"shakes": _shakes(results)}, figures=figures, claims=[*claims, _map_gain(results, trace)])
+    drops = decided(bool(shipped.value), shipped)
+    never = at_most(stiff, 0, "no cell is dropped")
+    cells = results.value(
+        "cells",
+        "cells of the map on each side",
+        lambda frame: len(frame) // len(SIDES),
+        trace,
+    )
+    middle = results.value(
+        "map_gain_median",
+        "median over the map of the ratio of the slips, where the cube is held before"
+        " and after",
+        lambda map: median(np.divide(*_slips(map))),
+        trace,
+    )
+    least = results.value(
+        "map_gain_least",
+        "least ratio on the map",
+        lambda map: np.divide(*_slips(map)).min(),
+        trace,
+    )
+    gap = results.value(
+        "map_gap_least",
+        "least of the differences of the slips, as shipped less stiff, in size",
+        lambda map: abs(np.subtract(*_slips(map))).min(),
+        trace,
+        unit="mm",
+    )
+    gains = all_of(
+        at_least(least, 1.0, "less slip"),
+        resolved(noise_floor(results, "slip_floor"), gap),
+    )
 
-
-def _shakes(results: Results) -> Table:
-    """Tell how shakes at round numbers end, and how many times less stiff pads slip."""
-    shakes = [row["case"].removeprefix("stiff-") for row in results.rows if row["case"].startswith("stiff-")]
-    pairs = [[results.row[f"{side}-{shake}"] for side in SIDES] for shake in shakes]
-    columns: dict[str, Column] = {}
-    for label, rows in zip(SIDES.values(), zip(*pairs, strict=True), strict=True):
-        columns[f"slip, {label}"] = [row.slip_mm if _is_held(row) else "lost" for row in rows]
-        columns[f"cube ends at, {label}"] = [row.cube_height_m for row in rows]
-    columns["times less"] = [
-        results.value(f"round_gain_{shake}", "slip as shipped over that in stiff pads", shipped.slip_mm / stiff.slip_mm)
-        if _is_held(shipped) and _is_held(stiff)
-        else ""
-        for shake, (shipped, stiff) in zip(shakes, pairs, strict=True)
+    # Shakes at round numbers.
+    stiff_cases = (
+        row["case"] for row in results.rows if row["case"].startswith("stiff-")
+    )
+    shakes = [case.removeprefix("stiff-") for case in stiff_cases]
+    columns: dict[str, list] = {}
+    for side, name in SIDES.items():
+        rows = [results.row[f"{side}-{shake}"] for shake in shakes]
+        slips = [row.slip_mm if _is_held(row) else "lost" for row in rows]
+        columns[f"slip, {name}"] = slips
+        columns[f"cube ends at, {name}"] = [row.cube_height_m for row in rows]
+    columns["times less"] = [_times_less(results, shake) for shake in shakes]
+    names = [
+        shake.replace("cm-", "\u00a0cm, ").replace("hz", "\u00a0Hz") for shake in shakes
     ]
-    names = [shake.replace("cm-", "\u00a0cm, ").replace("hz", "\u00a0Hz") for shake in shakes]
-    return table_of("shake", names, columns, seconds=results.row["as-shipped-3cm-1hz"].shake_duration_s)
+    seconds = results.row["as-shipped-3cm-1hz"].shake_duration_s
+    numbers = {
+        "shipped": shipped,
+        "stiff": stiff,
+        "seconds": seconds,
+        "keeps": never == HOLDS,
+        "drops": drops == HOLDS,
+    }
+    maps = Figure(lambda: draw_maps(trace.value, SIDES), [trace], numbers)
+    return Section(
+        tables={"shakes": table_of("shake", names, columns, seconds=seconds)},
+        figures={"maps": maps},
+        claims=[
+            Claim("as_shipped_drops", drops, {"lost": shipped, "cells": cells}),
+            Claim(
+                "stiff_pads_never_drop",
+                never,
+                {"lost": stiff, "cells": cells, "held": held},
+            ),
+            Claim("map_gain", gains, {"median": middle, "least": least}),
+        ],
+    )
+
+
+def _times_less(results: Results, shake: str):
+    shipped, stiff = (results.row[f"{side}-{shake}"] for side in SIDES)
+    if not (_is_held(shipped) and _is_held(stiff)):
+        return ""
+    return results.value(
+        f"round_gain_{shake}",
+        "slip as shipped over that in stiff pads",
+        shipped.slip_mm / stiff.slip_mm,
+    )
 
 
 def _is_held(row: Row) -> bool:
-    return row.slip_mm.value is not None and row.plain["cube_height_m"] >= HELD_HEIGHT_M
-
-
-def _map_gain(results: Results, trace: Series) -> Claim:
-    formula = "median over the map of the ratio of the slips, where the cube is held before and after"
-    middle = results.value("map_gain_median", formula, lambda map: median(np.divide(*_slips(map))), trace)
-    least = results.value("map_gain_least", "least ratio on the map", lambda map: np.divide(*_slips(map)).min(), trace)
-    formula = "least of the differences of the slips, as shipped less stiff, in size"
-    gap = results.value("map_gap_least", formula, lambda map: abs(np.subtract(*_slips(map))).min(), trace, unit="mm")
-    outcome = all_of(at_least(least, 1.0, why="less slip"), resolved(noise_floor(results, "slip_floor"), gap))
-    return Claim("map_gain", outcome, {"median": middle, "least": least})
+    is_high = row.slip_mm.value is not None
+    return is_high and row.plain["cube_height_m"] >= HELD_HEIGHT_M
 
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
+    """Return the slips of both sides where the cube is held on both."""
     shipped, stiff = (held_slip(frame, side).to_numpy(dtype=float) for side in SIDES)
     is_there = np.isfinite(shipped) & np.isfinite(stiff) & (stiff != 0.0)
     return shipped[is_there], stiff[is_there]

@@ -2,11 +2,21 @@
 
 from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
-from measured_report.parts.claim import Claim, all_of, at_least, at_most, decided
-from measured_report.parts.section import Download, Section
-from measured_report.values.quantities import constant
-from measured_report.values.results import Results
-from report.shared.arithmetic import MS_PER_S, SETTLES, departure, other_value
+from report.shared import (
+    MS_PER_S,
+    SETTLES,
+    Claim,
+    Download,
+    Results,
+    Section,
+    all_of,
+    at_least,
+    at_most,
+    constant,
+    decided,
+    departure,
+    other_value,
+)
 
 order = 140
 page = "fix"
@@ -16,30 +26,55 @@ label = "the fix as files"
 
 
 def derive(results: Results) -> Section:
-    shipped, fixed = results.row["as-shipped"], results.row["fixed"]
-    bound, formula = results.chosen("gain_bound", *SETTLES), "slip of as-shipped over slip of fixed"
-    gain = results.value("gain", formula, shipped.slip_mm / fixed.slip_mm)
-    holds = all_of(at_least(gain, bound), decided(fixed.exit_status.value == 0, fixed.slip_mm))
-    claims = [Claim("recommended", holds, {"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain})]
-    before, after = ("passes" if row.exit_status.value == 0 else "fails" for row in (shipped, fixed))
-    # a script that breaks down has no slip, and fails the test for another reason.
-    tells = decided((before, after) == ("fails", "passes"), shipped.slip_mm, fixed.slip_mm)
-    claims += [_patch_rounds_up(results), Claim("test_tells", tells, {"before": before, "after": after})]
-    return Section(claims=claims, downloads=[Download(name, text) for name, text in fix_files().items()])
+    shipped = results.row["as-shipped"]
+    fixed = results.row["fixed"]
+    bound = results.chosen("gain_bound", *SETTLES)
+    gain = results.value(
+        "gain", "slip of as-shipped over slip of fixed", shipped.slip_mm / fixed.slip_mm
+    )
+    passes = [row.exit_status.value == 0 for row in (shipped, fixed)]
+    holds = all_of(at_least(gain, bound), decided(passes[1], fixed.slip_mm))
+    # A script that breaks down has no slip, and fails the test for another reason.
+    tells = decided(passes == [False, True], shipped.slip_mm, fixed.slip_mm)
+    before, after = ("passes" if is_passed else "fails" for is_passed in passes)
 
-
-def _patch_rounds_up(results: Results) -> Claim:
-    """Compare the patch's ke and kd with those of the shortest timeconst, two steps: no contact is harder."""
+    # Two steps are the shortest timeconst: no contact is harder.
     step = other_value(results, "stiffness", "substep")
     dt = results.value("step_ms", "the same in ms", MS_PER_S * step)
-    least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", constant(1, "s") / step)
-    least_ke = results.value("step_ke", "ke with which the damping ratio, kd / (2 √ke), is 1", least_kd * least_kd / 4)
-    bound = results.chosen("rounding_bound", "rounded", 10.0, "%")
-    numbers, outcomes = {"dt": dt, "least_kd": least_kd, "least_ke": least_ke}, []
-    for name, given, least in (("kd", STIFF_PADS.pad_kd, least_kd), ("ke", STIFF_PADS.pad_ke, least_ke)):
-        formula = f"given: {name} of the stiff pads, which the patch sets"
-        numbers[name] = results.value(f"patch_{name}", formula, constant(given))
-        formula = f"how far the patch's {name} is from that"
-        off = results.value(f"patch_{name}_off", formula, departure(numbers[name], least))
-        outcomes += [at_least(numbers[name], least), at_most(off, bound)]
-    return Claim("patch_rounds_up", all_of(*outcomes), numbers)
+    least_kd = results.value(
+        "step_kd",
+        "kd of which two steps are the timeconst, 2 / kd",
+        constant(1, "s") / step,
+    )
+    least_ke = results.value(
+        "step_ke",
+        "ke with which the damping ratio, kd / (2 √ke), is 1",
+        least_kd * least_kd / 4,
+    )
+    rounded = results.chosen("rounding_bound", "rounded", 10.0, "%")
+    numbers = {"dt": dt, "least_kd": least_kd, "least_ke": least_ke}
+    tests = []
+    for name, given, least in (
+        ("kd", STIFF_PADS.pad_kd, least_kd),
+        ("ke", STIFF_PADS.pad_ke, least_ke),
+    ):
+        numbers[name] = results.value(
+            f"patch_{name}",
+            f"given: {name} of the stiff pads, which the patch sets",
+            constant(given),
+        )
+        off = results.value(
+            f"patch_{name}_off",
+            f"how far the patch's {name} is from that",
+            departure(numbers[name], least),
+        )
+        tests += [at_least(numbers[name], least), at_most(off, rounded)]
+    slips = {"before": shipped.slip_mm, "after": fixed.slip_mm}
+    return Section(
+        claims=[
+            Claim("recommended", holds, {**slips, "gain": gain}),
+            Claim("patch_rounds_up", all_of(*tests), numbers),
+            Claim("test_tells", tells, {"before": before, "after": after}),
+        ],
+        downloads=[Download(name, text) for name, text in fix_files().items()],
+    )

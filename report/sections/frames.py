@@ -1,10 +1,17 @@
-"""What moves against what: the displacement as shipped, taken apart into relative poses."""
+"""What moves against what: the displacement as shipped, taken apart into poses."""
 
-from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
-from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT, combined
-from measured_report.values.results import Results
-from report.shared.arithmetic import noise_floor
+from report.shared import (
+    PERCENT,
+    Claim,
+    Results,
+    Section,
+    all_of,
+    at_least,
+    at_most,
+    combined,
+    greater,
+    noise_floor,
+)
 
 order = 60
 reads = ("noise",)
@@ -13,21 +20,50 @@ label = "what moves"
 
 def derive(results: Results) -> Section:
     whole = results.row["cube-in-TCP"].displacement_mm
-    left, right = (results.row[f"cube-in-{side}-finger"].displacement_mm for side in ("left", "right"))
-    formula = "{} of the cube's displacements against the two fingers, of that against the TCP"
-    least = results.value("finger_share", formula.format("smaller"), PERCENT * combined(min, left, right) / whole)
-    most = results.value("finger_share_most", formula.format("larger"), PERCENT * combined(max, left, right) / whole)
-    no_more = at_most(most, 105.0, why="no more than all of it")
-    moves = greater(whole, 0.0, noise=noise_floor(results, "slip_floor"), why="no motion at all")
-    in_fingers = all_of(at_least(least, 95.0, why="as good as all of it"), no_more, moves)
-    claims = [Claim("cube_moves_in_fingers", in_fingers, {"whole": whole, "left": left, "right": right})]
-    # Of pairs of the robot's bodies the larger of drift and displacement: what creeps, and what only rests elsewhere.
-    rows = [results.row[case] for case in ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")]
-    formula = "largest drift or displacement between two bodies of the robot"
+    left = results.row["cube-in-left-finger"].displacement_mm
+    right = results.row["cube-in-right-finger"].displacement_mm
+    shares = (
+        "of the cube's displacements against the two fingers, of that against the TCP"
+    )
+    least = results.value(
+        "finger_share",
+        f"smaller {shares}",
+        PERCENT * combined(min, left, right) / whole,
+    )
+    most = results.value(
+        "finger_share_most",
+        f"larger {shares}",
+        PERCENT * combined(max, left, right) / whole,
+    )
+    floor = noise_floor(results, "slip_floor")
+    in_fingers = all_of(
+        at_least(least, 95.0, "as good as all of it"),
+        at_most(most, 105.0, "no more than all of it"),
+        greater(whole, 0.0, noise=floor, why="no motion at all"),
+    )
+    # Drift and displacement: what creeps, and what only rests elsewhere.
+    pairs = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
+    rows = [results.row[case] for case in pairs]
     cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))
+    formula = "largest drift or displacement between two bodies of the robot"
     largest = results.value("robot_drift", formula, combined(max, *cells))
-    formula += ", of the cube's displacement against the TCP"
-    of_cube = results.value("robot_share", formula, PERCENT * largest / whole)
+    share = results.value(
+        "robot_share",
+        f"{formula}, of the cube's displacement against the TCP",
+        PERCENT * largest / whole,
+    )
     bound = results.chosen("robot_share_bound", "too little to matter", 5.0, "%")
-    still = Claim("robot_is_still", at_most(of_cube, bound), {"largest": largest, "share": of_cube})
-    return Section(claims=[*claims, still])
+    return Section(
+        claims=[
+            Claim(
+                "cube_moves_in_fingers",
+                in_fingers,
+                {"whole": whole, "left": left, "right": right},
+            ),
+            Claim(
+                "robot_is_still",
+                at_most(share, bound),
+                {"largest": largest, "share": share},
+            ),
+        ]
+    )

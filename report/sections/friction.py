@@ -1,8 +1,6 @@
-"""Is it friction? The coefficient of the pads and that of the cube, from far below to far above."""
+"""Is it friction? Coefficients of pads and cube, from far below to far above."""
 
-from measured_report.parts.section import Section
-from measured_report.values.results import Results
-from report.shared.variants import variant_section, variants_of
+from report.shared import Results, Section, variant_section, variants_of
 
 order = 40
 reads = ("noise", "reproduction")

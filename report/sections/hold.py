@@ -1,15 +1,25 @@
 """The same grasp with the arm held still: how much of the drift needs the load cycle?"""
 
 import numpy as np
-from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
-from measured_report.parts.figures import new_figure
-from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import PERCENT, Quantity, constant
-from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import departure, noise_floor, resolved
-from report.shared.drawing import SHIPPED, STIFF
+from report.shared import (
+    HOLDS,
+    PERCENT,
+    Claim,
+    Figure,
+    Results,
+    Section,
+    Series,
+    all_of,
+    at_least,
+    at_most,
+    constant,
+    departure,
+    greater,
+    noise_floor,
+    resolved,
+)
+from report.shared.drawing import SHIPPED, STIFF, Drawing, new_figure
 
 order = 80
 page = "cause"
@@ -22,63 +32,120 @@ LINES = {
     "hold-60s": ("held still, shipped pads", SHIPPED, "--"),
     "hold-60s-stiff": ("held still, stiff pads", STIFF, "--"),
 }
-"""Traces that are drawn: what they are called, colour and style. The second is of section reproduction."""
-PRECISION = ("c-double", "c-single", "warp")  # in C, with positions in double and in single precision; from one state
+"""Traces that are drawn, the second of section reproduction: name, colour and style."""
 
 
 def derive(results: Results) -> Section:
-    shaken, long, stiff = (results.row[case] for case in ("as-shipped", "hold-60s", "hold-60s-stiff"))
-    sources = {"stiff-pads": results.others["reproduction"]} if "reproduction" in results.others else {}
-    traces = {case: sources.get(case, results).trace(case) for case in LINES}
-    keeps = _stiff_pads_keep_creep(results, long, stiff, goes_on := _creep_goes_on(results, long))
-    numbers = {"shaken": shaken.slip_mm, "held": long.slip_mm, "stiff": stiff.slip_mm, "is_so": keeps.outcome == HOLDS}
-    numbers |= {"shake_duration": shaken.shake_duration_s, "hold_duration": long.shake_duration_s}
-    figures = {"motion": Figure(lambda: _draw_motion(traces), list(traces.values()), numbers)}
-    claims = [_drift_needs_cycle(results, results.row["hold"].drift_mm_s, shaken.drift_mm_s), goes_on, keeps]
-    claims += [_creep_is_rounding(results, *(results.row[f"precision-{name}"] for name in PRECISION))]
-    return Section(figures=figures, claims=claims)
-
-
-def _drift_needs_cycle(results: Results, held: Quantity, shaken: Quantity) -> Claim:
-    """Tell whether a held cube hardly drifts; if the other way, that is no part of the drift but takes no shake."""
-    formula = "drift with the arm held still, of the drift as shipped, in size"
-    part = results.value("hold_share", formula, PERCENT * abs(held / shaken))
-    is_seen = None not in (held.value, shaken.value) and abs(held.value) > (held.noise or 0.0)
-    is_opposed = is_seen and held.value * shaken.value < 0
-    numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
-    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, "%")
-    return Claim("drift_needs_cycle", at_most(part, bound), numbers)
-
-
-def _creep_goes_on(results: Results, long: Row) -> Claim:
-    slip, duration, last = long.slip_mm, long.shake_duration_s, long.increment_final_mm
-    formula = "motion in the last second of the long hold, of its mean per second"
-    final = results.value("creep_final_share", formula, PERCENT * last * duration / slip / constant(1, "s"))
+    shaken = results.row["as-shipped"]
+    long = results.row["hold-60s"]
+    stiff = results.row["hold-60s-stiff"]
+    slip = long.slip_mm
+    duration = long.shake_duration_s
     floor = noise_floor(results, "slip_floor")
-    moves = (greater(way, 0.0, noise=floor, why="no motion at all") for way in (last, slip))
-    outcome = all_of(at_least(final, 50.0, why="not dying out"), *moves)
-    return Claim("creep_goes_on", outcome, {"slip": slip, "duration": duration, "last": last})
 
+    # A drift the other way is no part of the drift as shipped, but takes no shake.
+    held = results.row["hold"].drift_mm_s
+    drift = shaken.drift_mm_s
+    share = results.value(
+        "hold_share",
+        "drift with the arm held still, of the drift as shipped, in size",
+        PERCENT * abs(held / drift),
+    )
+    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, "%")
+    is_seen = None not in (held.value, drift.value)
+    is_seen = is_seen and abs(held.value) > (held.noise or 0.0)
+    is_opposed = is_seen and held.value * drift.value < 0
 
-def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row, goes_on: Claim) -> Claim:
-    formula = "slip of the long hold with stiff pads, of the slip of the long hold as shipped"
-    remaining = results.value("stiff_creep_share", formula, PERCENT * stiff.slip_mm / long.slip_mm)
-    numbers = {"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s}
-    remains = at_least(remaining, 50.0, why="most of it remains")
-    return Claim("stiff_pads_keep_creep", all_of(goes_on.outcome, remains), numbers)
+    last = long.increment_final_mm
+    final = results.value(
+        "creep_final_share",
+        "motion in the last second of the long hold, of its mean per second",
+        PERCENT * last * duration / slip / constant(1, "s"),
+    )
+    goes_on = all_of(
+        at_least(final, 50.0, "not dying out"),
+        greater(last, 0.0, noise=floor, why="no motion at all"),
+        greater(slip, 0.0, noise=floor, why="no motion at all"),
+    )
+    remaining = results.value(
+        "stiff_creep_share",
+        "slip of the long hold with stiff pads, of the slip of the long hold"
+        " as shipped",
+        PERCENT * stiff.slip_mm / slip,
+    )
+    keeps = all_of(goes_on, at_least(remaining, 50.0, "most of it remains"))
 
+    # In C, with positions in double and in single precision; all from one state.
+    double = results.row["precision-c-double"].creep_mm_s
+    single = results.row["precision-c-single"].creep_mm_s
+    warp = results.row["precision-warp"].creep_mm_s
+    left = results.value(
+        "double_share",
+        "creep with positions in double precision, of that with positions rounded"
+        " to single precision",
+        PERCENT * double / single,
+    )
+    rounded = results.value(
+        "rounded_departure",
+        "difference between the creep with rounded positions and MuJoCo Warp's,"
+        " of the latter",
+        departure(single, warp),
+    )
+    drift_floor = noise_floor(results, "drift_floor")
+    noise = results.value(
+        "creep_noise",
+        "noise of the drift, of MuJoCo Warp's creep",
+        PERCENT * abs(drift_floor / warp),
+    )
+    is_rounding = all_of(
+        greater(warp, 0.0, noise=drift_floor, why="a creep to explain"),
+        at_most(left, 50.0, "most of it is gone"),
+        at_most(rounded, 10.0, "the same creep"),
+        resolved(noise, 10.0, why="the same creep"),
+    )
 
-def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Claim:
-    numbers = {"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s}
-    formula = "creep with positions in double precision, of that with positions rounded to single precision"
-    remaining = results.value("double_share", formula, PERCENT * numbers["double"] / numbers["single"])
-    formula = "difference between the creep with rounded positions and MuJoCo Warp's, of the latter"
-    rounded = results.value("rounded_departure", formula, departure(numbers["single"], numbers["warp"]))
-    creeps = greater(numbers["warp"], 0.0, noise=noise_floor(results, "drift_floor"), why="a creep to explain")
-    gone, same = at_most(remaining, 50.0, why="most of it is gone"), at_most(rounded, 10.0, why="the same creep")
-    formula = "noise of the drift, of MuJoCo Warp's creep"
-    noise = results.value("creep_noise", formula, PERCENT * abs(noise_floor(results, "drift_floor") / numbers["warp"]))
-    return Claim("creep_is_rounding", all_of(creeps, gone, same, resolved(noise, 10.0, why="the same creep")), numbers)
+    others = results.others
+    sources = {"stiff-pads": others["reproduction"]} if "reproduction" in others else {}
+    traces = {case: sources.get(case, results).trace(case) for case in LINES}
+    numbers = {
+        "shaken": shaken.slip_mm,
+        "held": slip,
+        "stiff": stiff.slip_mm,
+        "is_so": keeps == HOLDS,
+        "shake_duration": shaken.shake_duration_s,
+        "hold_duration": duration,
+    }
+    motion = Figure(lambda: _draw_motion(traces), list(traces.values()), numbers)
+    return Section(
+        figures={"motion": motion},
+        claims=[
+            Claim(
+                "drift_needs_cycle",
+                at_most(share, bound),
+                {
+                    "held": held,
+                    "shaken": drift,
+                    "share": share,
+                    "is_opposed": is_opposed,
+                },
+            ),
+            Claim(
+                "creep_goes_on",
+                goes_on,
+                {"slip": slip, "duration": duration, "last": last},
+            ),
+            Claim(
+                "stiff_pads_keep_creep",
+                keeps,
+                {"stiff": stiff.slip_mm, "shipped": slip, "duration": duration},
+            ),
+            Claim(
+                "creep_is_rounding",
+                is_rounding,
+                {"double": double, "single": single, "warp": warp},
+            ),
+        ],
+    )
 
 
 def _draw_motion(traces: dict[str, Series]) -> Drawing:
@@ -87,7 +154,16 @@ def _draw_motion(traces: dict[str, Series]) -> Drawing:
         if trace.value is not None:
             name, colour, style = LINES[case]
             way = np.linalg.norm(trace.value[["x_mm", "y_mm", "z_mm"]], axis=1)
-            axes.plot(trace.value["time_s"], way, color=colour, linestyle=style, marker="", label=name)
-    axes.set(xlabel="time since the shake begins, or would [s]", ylabel="displacement [mm]")
+            axes.plot(
+                trace.value["time_s"],
+                way,
+                color=colour,
+                linestyle=style,
+                marker="",
+                label=name,
+            )
+    axes.set(
+        xlabel="time since the shake begins, or would [s]", ylabel="displacement [mm]"
+    )
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing

@@ -1,9 +1,6 @@
 """Measure it yourself: what the engine in the page is held against."""
 
-from measured_report.parts.claim import Claim, at_least
-from measured_report.parts.section import Section
-from measured_report.values.results import Results
-from report.shared.tables import by_case
+from report.shared import Claim, Results, Section, at_least, by_case
 
 order = 26
 page = "lab"
@@ -18,14 +15,32 @@ labels = {
     "hold": "arm held still",
 }
 
-COLUMNS = {"slip": "slip_mm", "drift": "drift_mm_s", "friction used": "cone_use", "class": "class"}
-CHECKS = ("impratio-1-midphase", "as-shipped-nearby")  # cases that the page in the browser is not held against
+COLUMNS = {
+    "slip": "slip_mm",
+    "drift": "drift_mm_s",
+    "friction used": "cone_use",
+    "class": "class",
+}
+CHECKS = (
+    "impratio-1-midphase",
+    "as-shipped-nearby",
+)  # cases that the page in the browser is not held against
 
 
 def derive(results: Results) -> Section:
     shown = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
-    with_it, without = (results.row[case] for case in ("impratio-1-midphase", "impratio-1"))
-    farther = results.value("midphase_farther", "way with it, of that without", with_it.wander_mm / without.wander_mm)
-    outcome = at_least(farther, 10.0, why="out of the grasp in place of along it")
-    claim = Claim("midphase_loses", outcome, {"way": with_it.wander_mm, "without": without.wander_mm})
+    with_it, without = (
+        results.row[case] for case in ("impratio-1-midphase", "impratio-1")
+    )
+    farther = results.value(
+        "midphase_farther",
+        "way with it, of that without",
+        with_it.wander_mm / without.wander_mm,
+    )
+    outcome = at_least(farther, 10.0, "out of the grasp in place of along it")
+    claim = Claim(
+        "midphase_loses",
+        outcome,
+        {"way": with_it.wander_mm, "without": without.wander_mm},
+    )
     return Section(tables={"runs": by_case(shown, COLUMNS)}, claims=[claim])

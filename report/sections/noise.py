@@ -1,22 +1,26 @@
-"""An A/A test: how far apart runs of one and the same case come out, and what is called a difference for that."""
+"""An A/A test: how far apart runs of one case come out."""
 
-from collections.abc import Mapping, Sequence
 from statistics import fmean
 
-from measured_report.parts.claim import NEAR_NOISE, Claim, all_of, at_most
-from measured_report.parts.section import Section
 from measured_report.records.columns import column_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
-from measured_report.values.quantities import PERCENT, Value, combined
-from measured_report.values.results import Results, Row
-from report.shared.arithmetic import gathered
+from report.shared import (
+    NEAR_NOISE,
+    PERCENT,
+    Claim,
+    Results,
+    Row,
+    Section,
+    all_of,
+    at_most,
+    combined,
+    gathered,
+)
 
 order = 20
 page = "releases"
 label = "the same again"
 labels = {"as-shipped": "shipped pads"}
-
-METRICS = {"slip": "slip_mm", "drift": "drift_mm_s"}
 
 
 def derive(results: Results) -> Section:
@@ -24,29 +28,51 @@ def derive(results: Results) -> Section:
     for row in results.rows:
         if row.plain.get("of"):
             repeats.setdefault(row.of, []).append(row)
-    floors = {metric: _floor(results, repeats, metric) for metric in METRICS}
-    results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, "%")
+    first = next(iter(repeats.values()))
+    results.chosen(
+        "pairs", "hundreds of differences are compared with it", 100 * PAIRS, "%"
+    )
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, "%")
-    results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
-    first, shares = next(iter(repeats.values())), {}
-    for metric, floor in floors.items():
-        formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
-        mean = gathered(fmean, (row[METRICS[metric]] for row in first))
-        share = PERCENT * floor / abs(mean)
-        shares[metric] = results.value(f"{metric}_floor_share", formula, share, is_noise=True)
+    results.chosen(
+        "near_noise",
+        "measured again, some other pair of runs may differ by that",
+        NEAR_NOISE,
+    )
+    floors = {}
+    shares = {}
+    for metric, name in (("slip", "slip_mm"), ("drift", "drift_mm_s")):
+        tolerances = [
+            results.value(
+                f"{case.replace('-', '_')}_{metric}_tolerance",
+                f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more,"
+                " by the spread of those measured",
+                gathered(tolerance, [row[name] for row in rows]),
+                is_noise=True,
+            )
+            for case, rows in repeats.items()
+        ]
+        # Where all runs are alike to the last bit, rounding moves them.
+        column = column_of(name)
+        least = results.chosen(
+            f"{metric}_resolution",
+            "what rounding may do",
+            column.resolution,
+            column.unit,
+        )
+        floors[metric] = results.value(
+            f"{metric}_floor",
+            "largest of the cases, and at least the resolution",
+            combined(max, *tolerances, least),
+            is_noise=True,
+        )
+        mean = gathered(fmean, (row[name] for row in first))
+        shares[metric] = results.value(
+            f"{metric}_floor_share",
+            f"noise floor of the {metric}, of the mean {metric} of the first case",
+            PERCENT * floors[metric] / abs(mean),
+            is_noise=True,
+        )
+    why = "far less than what is looked for"
+    outcome = all_of(*(at_most(share, 1.0, why) for share in shares.values()))
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
-    outcome = all_of(*(at_most(share, 1.0, why="far less than what is looked for") for share in shares.values()))
     return Section(claims=[Claim("noise_is_small", outcome, numbers)])
-
-
-def _floor(results: Results, repeats: Mapping[str, Sequence[Row]], metric: str) -> Value:
-    """Say how far apart two runs may come out, or, where all are alike to the last bit, how far rounding moves them."""
-    formula = f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured"
-    bounds = []
-    for case, rows in repeats.items():
-        name, cells = f"{case.replace('-', '_')}_{metric}_tolerance", [row[METRICS[metric]] for row in rows]
-        bounds.append(results.value(name, formula, gathered(tolerance, cells), is_noise=True))
-    column = column_of(METRICS[metric])
-    least = results.chosen(f"{metric}_resolution", "what rounding may do", column.resolution, column.unit)
-    formula = "largest of the cases, and at least the resolution"
-    return results.value(f"{metric}_floor", formula, combined(max, *bounds, least), is_noise=True)

@@ -1,4 +1,4 @@
-"""The runs that are shown moving: what they come to, and how the hand moves by the record of its joints."""
+"""The runs that are shown moving, and how the hand moves by the record of its joints."""
 
 import numpy as np
 import pandas as pd
@@ -6,9 +6,7 @@ import pandas as pd
 from experiments.facts.kept import DESCRIPTION, JOINTS, TCP
 from experiments.facts.kinematics import link_poses, read_joints
 from experiments.facts.metrics import SHAKE
-from measured_report.parts.section import Section
-from measured_report.values.results import Results
-from report.shared.tables import by_case
+from report.shared import Results, Section, by_case
 
 order = 125
 page = "fix"
@@ -20,34 +18,69 @@ labels = {
     "hold-#s": "arm held still, {} s",
 }
 
-COLUMNS = {"amplitude": "shake_amplitude_m", "time": "shake_duration_s", "slip at the end": "slip_mm"}
-COLUMNS |= {"out of the grasp after": "left_grasp_s", "cube ends at": "cube_height_m"}
-AXES = ("along", "across", "up")  # of the shake, which are those of the world
-# Units by name: √2 of the hand's deviation, its strongest rate, mean squared speed, its arc at held joint speeds.
-MOTION = {f"{name}_{axis}": unit for name, unit in (("amplitude", "mm"), ("rate", "Hz")) for axis in AXES}
-MOTION |= {"speed_squared": "m²/s²", "arc": "m"}
-AHEAD_S = 1e-2  # how far ahead, and back, joints are taken to go on at the speeds that they have
+COLUMNS = {
+    "amplitude": "shake_amplitude_m",
+    "time": "shake_duration_s",
+    "slip at the end": "slip_mm",
+    "out of the grasp after": "left_grasp_s",
+    "cube ends at": "cube_height_m",
+}
+MOTION = {  # units by name; the axes of the shake are those of the world
+    "amplitude_along": "mm",  # √2 of the hand's deviation
+    "amplitude_across": "mm",
+    "amplitude_up": "mm",
+    "rate_along": "Hz",  # the strongest one
+    "rate_across": "Hz",
+    "rate_up": "Hz",
+    "speed_squared": "m²/s²",  # its mean
+    "arc": "m",  # while joints keep their speeds
+}
+AHEAD_S = 1e-2  # how far ahead, and back, joints keep their speeds for the arc
 
 
 def derive(results: Results) -> Section:
-    row, trace = results.row["as-shipped"], results.trace("as-shipped")
-    read = trace, row.frame_rate_hz, row.shake_frequency_hz
+    row = results.row["as-shipped"]
     for name, unit in MOTION.items():
-        formula = f"{name} of the hand, by the positions of its joints in pairs of whole cycles after the first"
-        results.value(name, formula, lambda *read, name=name: _motion(*read)[name], *read, unit=unit)
+        results.value(
+            name,
+            f"{name} of the hand, by the positions of its joints in pairs of whole"
+            " cycles after the first",
+            lambda *run, name=name: _motion(*run)[name],
+            results.trace("as-shipped"),
+            row.frame_rate_hz,
+            row.shake_frequency_hz,
+            unit=unit,
+        )
     return Section(tables={"runs": by_case(results.rows, COLUMNS)})
 
 
-def _motion(run: pd.DataFrame, frames_per_s: float, cycles_per_s: float) -> dict[str, float]:
-    """Return how the hand moves in pairs of whole cycles, after the first, by the positions of its joints alone."""
+def _motion(run: pd.DataFrame, frames_hz: float, cycles_hz: float) -> dict[str, float]:
+    """Return how the hand moves, by the positions of its joints alone.
+
+    It is of pairs of whole cycles after the first.
+    """
     joints = run.loc[run["phase"] == SHAKE, list(JOINTS)].to_numpy()
-    speeds = frames_per_s * (8.0 * (joints[3:-1] - joints[1:-3]) - joints[4:] + joints[:-4]) / 12.0
-    cycle = round(frames_per_s / cycles_per_s)
-    pairs = slice(cycle, cycle + (len(speeds) - cycle) // (2 * cycle) * 2 * cycle)
-    steps = [joints[2:-2][pairs] + ahead * speeds[pairs] for ahead in (-AHEAD_S, 0.0, AHEAD_S)]
-    back, here, ahead = (link_poses(read_joints(DESCRIPTION), step, np.zeros(3))[TCP][:, :3, 3] for step in steps)
+    differences = 8.0 * (joints[3:-1] - joints[1:-3]) - joints[4:] + joints[:-4]
+    speeds = frames_hz * differences / 12.0
+    cycle = round(frames_hz / cycles_hz)
+    pair_count = (len(speeds) - cycle) // (2 * cycle)
+    pairs = slice(cycle, cycle + pair_count * 2 * cycle)
+
+    def place(time_s: float) -> np.ndarray:
+        positions = joints[2:-2][pairs] + time_s * speeds[pairs]
+        links = link_poses(read_joints(DESCRIPTION), positions, np.zeros(3))
+        return links[TCP][:, :3, 3]
+
+    back = place(-AHEAD_S)
+    here = place(0.0)
+    ahead = place(AHEAD_S)
     speed = np.linalg.norm(ahead - back, axis=1) / (2.0 * AHEAD_S)
     bend = -(ahead - 2.0 * here + back)[:, 0] / AHEAD_S**2
-    waves = np.abs(np.fft.rfft(here - here.mean(axis=0), axis=0)).argmax(axis=0) * frames_per_s / len(here)
-    ends = (*1e3 * np.sqrt(2.0) * here.std(axis=0), *waves, (speed**2).mean(), speed.sum() / (bend / speed).sum())
-    return dict(zip(MOTION, map(float, ends), strict=True))
+    waves = np.abs(np.fft.rfft(here - here.mean(axis=0), axis=0)).argmax(axis=0)
+    found = [
+        *(1e3 * np.sqrt(2.0) * here.std(axis=0)),
+        *(waves * frames_hz / len(here)),
+        (speed**2).mean(),
+        speed.sum() / (bend / speed).sum(),
+    ]
+    return dict(zip(MOTION, map(float, found), strict=True))

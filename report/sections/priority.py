@@ -1,14 +1,23 @@
-"""Whose material counts: the same swing of stiffness on the cube and on the pads, and the pads without priority."""
+"""Whose material counts: the cube's, the pads', or both without priority?"""
 
 import math
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, greater, within
-from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT
-from measured_report.values.results import Results, Row
-from report.shared.arithmetic import noise_floor, spread
-from report.shared.tables import Column, by_case
+from report.shared import (
+    HOLDS,
+    PERCENT,
+    Claim,
+    Results,
+    Row,
+    Section,
+    all_of,
+    at_most,
+    by_case,
+    greater,
+    noise_floor,
+    spread,
+    within,
+)
 
 order = 100
 page = "fix"
@@ -22,49 +31,90 @@ labels = {
 }
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
-COLUMNS: dict[str, Column] = {"timeconst": "timeconst_s", "dampratio": "dampratio", "friction": "friction"}
-COLUMNS |= {"slip": "slip_mm", "material": lambda row: "the pads' alone" if _has_pads_timeconst(row) else "of both"}
-EXACT = "what a material gives is exact"
 
 
 def derive(results: Results) -> Section:
-    claims = [_cube_does_not_count(results), _cube_does_not_move_slip(results), _equal_priorities_mix(results)]
-    return Section(tables={"materials": by_case(results.rows, COLUMNS)}, claims=claims)
-
-
-def _has_pads_timeconst(row: Row) -> bool:
-    """Tell whether the contact's timeconst is 2 / kd of the pads."""
-    kd = row.pad_kd.value if "pad_kd" in row else AS_SHIPPED.pad_kd
-    return row.timeconst_s.value is not None and math.isclose(row.timeconst_s.value, 2 / kd, rel_tol=1e-3)
-
-
-def _cube_does_not_count(results: Results) -> Claim:
-    rows, spreads = [results.row[case] for case in CUBE], []
-    for column in ("timeconst_s", "dampratio", "friction", "dmin", "dmax"):
-        cells = [row[column] for row in rows]
-        formula = f"largest less smallest {column} of the contact, over the three stiffnesses of the cube"
-        spreads.append(results.value(f"cube_{column}_spread", formula, spread(cells)))
-    largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
-    numbers = {"low": rows[0].cube_ke, "high": rows[-1].cube_ke, "dampratio": rows[1].dampratio}
-    return Claim("cube_does_not_count", at_most(largest, 0.0, why="no difference at all"), numbers)
-
-
-def _cube_does_not_move_slip(results: Results) -> Claim:
-    low, shipped, high = (results.row[case] for case in CUBE)
-    formula = "largest less smallest slip over the three stiffnesses of the cube"
-    change = results.value("cube_slip_spread", formula, spread([row.slip_mm for row in (low, shipped, high)]))
-    share = results.value("cube_slip_share", "that spread, of the slip as shipped", PERCENT * change / shipped.slip_mm)
+    low, shipped, high = rows = [results.row[case] for case in CUBE]
+    mixed = results.row["priority-0"]
     floor = noise_floor(results, "slip_floor")
-    small = at_most(share, 2.0, why="no change to speak of")
-    outcome = small.having_read(floor) if small == HOLDS else within(change, floor).having_read(share)
-    return Claim("cube_does_not_move_slip", outcome, {"change": change})
+
+    spreads = [
+        results.value(
+            f"cube_{column}_spread",
+            f"largest less smallest {column} of the contact,"
+            " over the three stiffnesses of the cube",
+            spread([row[column] for row in rows]),
+        )
+        for column in ("timeconst_s", "dampratio", "friction", "dmin", "dmax")
+    ]
+    largest = results.value(
+        "cube_resolved_spread", "largest of these spreads", max, *spreads
+    )
+    change = results.value(
+        "cube_slip_spread",
+        "largest less smallest slip over the three stiffnesses of the cube",
+        spread([row.slip_mm for row in rows]),
+    )
+    share = results.value(
+        "cube_slip_share",
+        "that spread, of the slip as shipped",
+        PERCENT * change / shipped.slip_mm,
+    )
+    small = at_most(share, 2.0, "no change to speak of")
+    stays = within(change, floor).having_read(share)
+    if small == HOLDS:
+        stays = small.having_read(floor)
+
+    drop = results.value(
+        "mixed_drop",
+        "how much the slip falls when both geoms have the same priority,"
+        " of the slip as shipped",
+        PERCENT * (1 - mixed.slip_mm / shipped.slip_mm),
+    )
+    before = shipped.timeconst_s
+    after = mixed.timeconst_s
+    mixes = all_of(
+        greater(before, after, noise=0.0, why="what a material gives is exact"),
+        greater(shipped.slip_mm, mixed.slip_mm, noise=floor),
+    )
+    columns = {
+        "timeconst": "timeconst_s",
+        "dampratio": "dampratio",
+        "friction": "friction",
+        "slip": "slip_mm",
+        "material": map(_material, results.rows),
+    }
+    return Section(
+        tables={"materials": by_case(results.rows, columns)},
+        claims=[
+            Claim(
+                "cube_does_not_count",
+                at_most(largest, 0.0, "no difference at all"),
+                {
+                    "low": low.cube_ke,
+                    "high": high.cube_ke,
+                    "dampratio": shipped.dampratio,
+                },
+            ),
+            Claim("cube_does_not_move_slip", stays, {"change": change}),
+            Claim(
+                "equal_priorities_mix",
+                mixes,
+                {
+                    "before": before,
+                    "after": after,
+                    "drop": drop,
+                    "slip": mixed.slip_mm,
+                    "shipped": shipped.slip_mm,
+                },
+            ),
+        ],
+    )
 
 
-def _equal_priorities_mix(results: Results) -> Claim:
-    shipped, mixed = results.row["cube-ke-8e4"], results.row["priority-0"]
-    before, after = shipped.timeconst_s, mixed.timeconst_s
-    formula = "how much the slip falls when both geoms have the same priority, of the slip as shipped"
-    drop = results.value("mixed_drop", formula, PERCENT * (1 - mixed.slip_mm / shipped.slip_mm))
-    falls = greater(shipped.slip_mm, mixed.slip_mm, noise=noise_floor(results, "slip_floor"))
-    numbers = {"before": before, "after": after, "drop": drop, "slip": mixed.slip_mm, "shipped": shipped.slip_mm}
-    return Claim("equal_priorities_mix", all_of(greater(before, after, noise=0.0, why=EXACT), falls), numbers)
+def _material(row: Row) -> str:
+    """Say whose the contact's timeconst is; that of the pads alone is 2 / kd."""
+    kd = row.pad_kd.value if "pad_kd" in row else AS_SHIPPED.pad_kd
+    timeconst = row.timeconst_s.value
+    is_of_pads = timeconst is not None and math.isclose(timeconst, 2 / kd, rel_tol=1e-3)
+    return "the pads' alone" if is_of_pads else "of both"

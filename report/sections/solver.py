@@ -1,14 +1,19 @@
-"""Is it the solver? Its convergence, its treatment of friction, the time step, and MuJoCo's own remedy for slip."""
+"""Is it the solver? Convergence, friction, the time step, and noslip against slip."""
 
-from collections.abc import Mapping
-from itertools import product
-
-from measured_report.parts.claim import Claim, all_of, at_most, within
-from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT, Value
-from measured_report.values.results import Results
-from report.shared.arithmetic import largest_size, noise_floor
-from report.shared.variants import Variants, change_of, variant_section, variants_of
+from report.shared import (
+    PERCENT,
+    Claim,
+    Results,
+    Section,
+    all_of,
+    at_most,
+    change_of,
+    largest_size,
+    noise_floor,
+    variant_section,
+    variants_of,
+    within,
+)
 
 order = 50
 reads = ("noise", "reproduction")
@@ -23,49 +28,78 @@ labels = {
 }
 
 ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
-PADS = ("as-shipped", "stiff-pads")
-CONVERGED = ("iterations-200", "tolerance-1e-10")
 
 
 def derive(results: Results) -> Section:
-    changes = {}
-    for case in (f"{pads}-{engine}" for engine in ENGINES for pads in PADS):
-        formula = f"drift of {case} with noslip less that without, of that without"
-        treated, plain = results.row[f"{case}-noslip"].drift_mm_s, results.row[case].drift_mm_s
-        changes[case] = results.value(f"{case}_change", formula, PERCENT * (treated / plain - 1))
-    remedies = (*changes, *(f"{case}-noslip" for case in changes))
-    variants = variants_of(results, "iterations-15", apart=remedies)
-    claims = [_converged(results, variants)]
-    claims += [_does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio")]
-    claims += [_does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps")]
-    claims += [*(_noslip_does_not_help(results, engine, changes) for engine in ENGINES)]
-    return variant_section(results, variants, *claims)
+    noslip = [_noslip_does_not_help(results, engine) for engine in ENGINES]
+    pads = [
+        f"{pads}-{engine}"
+        for engine in ENGINES
+        for pads in ("as-shipped", "stiff-pads")
+    ]
+    apart = [*pads, *(f"{case}-noslip" for case in pads)]
+    variants = variants_of(results, "iterations-15", apart=apart)
+    floor = noise_floor(results, "slip_floor")
+
+    converged = ("iterations-200", "tolerance-1e-10")
+    largest = results.value(
+        "convergence_difference",
+        "larger difference in slip from the baseline, of more iterations and of a"
+        " tighter tolerance",
+        largest_size(change_of(results, case) for case in converged),
+    )
+    more, tighter = (results.row[case] for case in converged)
+    claims = [
+        Claim(
+            "solver_has_converged",
+            all_of(within(largest, floor), variants.seen),
+            {
+                **variants.numbers,
+                "iterations": more.iterations,
+                "tolerance": tighter.tolerance,
+                "change": largest,
+            },
+            effect=variants.slips,
+        )
+    ]
+    for name, case, column in (
+        ("impratio_does_not_help", "impratio-1000", "impratio"),
+        ("smaller_steps_do_not_help", "substeps-64", "substeps"),
+    ):
+        row = results.row[case]
+        reduction = results.value(
+            f"{case}_reduction",
+            f"slip of the baseline less that of {case}",
+            -change_of(results, case),
+        )
+        outcome = all_of(within(reduction, floor), variants.seen)
+        numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
+        numbers = variants.numbers | numbers
+        claims.append(Claim(name, outcome, numbers, effect=variants.slips))
+    return variant_section(results, variants, *claims, *noslip)
 
 
-def _converged(results: Results, variants: Variants) -> Claim:
-    more, tighter = map(results.row.__getitem__, CONVERGED)
-    formula = "larger difference in slip from the baseline, of more iterations and of a tighter tolerance"
-    differences = [change_of(results, case) for case in CONVERGED]
-    largest = results.value("convergence_difference", formula, largest_size(differences))
-    numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
-    outcome = all_of(within(largest, noise_floor(results, "slip_floor")), variants.seen)
-    return Claim("solver_has_converged", outcome, variants.numbers | numbers, effect=variants.slips)
-
-
-def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
-    row, formula = results.row[case], f"slip of the baseline less that of {case}"
-    reduction = results.value(f"{case}_reduction", formula, -change_of(results, case))
-    numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
-    outcome = all_of(within(reduction, noise_floor(results, "slip_floor")), variants.seen)
-    return Claim(claim, outcome, variants.numbers | numbers, effect=variants.slips)
-
-
-def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:
-    formula = f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}"
-    of_engine = (changes[f"{pads}-{engine}"] for pads in PADS)
-    largest = results.value(f"{engine}_change", formula, largest_size(of_engine))
-    named = product(zip(PADS, ("", "_stiff"), strict=True), (("without", ""), ("treated", "-noslip")))
-    drifts = {name + end: results.row[f"{pads}-{engine}{way}"].drift_mm_s for (pads, end), (name, way) in named}
-    iterations = results.row[f"{PADS[0]}-{engine}-noslip"].noslip_iterations
-    name, same = f"noslip_does_not_help_in_{engine.replace('-', '_')}", at_most(largest, 10.0, why="the same drift")
-    return Claim(name, same, {"iterations": iterations, **drifts})
+def _noslip_does_not_help(results: Results, engine: str) -> Claim:
+    drifts = {}
+    changes = []
+    for pads, end in (("as-shipped", ""), ("stiff-pads", "_stiff")):
+        case = f"{pads}-{engine}"
+        plain = drifts[f"without{end}"] = results.row[case].drift_mm_s
+        treated = drifts[f"treated{end}"] = results.row[f"{case}-noslip"].drift_mm_s
+        change = results.value(
+            f"{case}_change",
+            f"drift of {case} with noslip less that without, of that without",
+            PERCENT * (treated / plain - 1),
+        )
+        changes.append(change)
+    largest = results.value(
+        f"{engine}_change",
+        f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}",
+        largest_size(changes),
+    )
+    iterations = results.row[f"as-shipped-{engine}-noslip"].noslip_iterations
+    return Claim(
+        f"noslip_does_not_help_in_{engine.replace('-', '_')}",
+        at_most(largest, 10.0, "the same drift"),
+        {"iterations": iterations, **drifts},
+    )

@@ -1,11 +1,16 @@
 """Speed of one world: as shipped, as fixed, and with either change alone."""
 
-from measured_report.parts.claim import Claim, at_most, greater
-from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT
-from measured_report.values.results import Results
-from report.shared.tables import by_case
-from report.shared.timing import TIMED_WORLDS, resolution
+from report.shared import (
+    PERCENT,
+    TIMED_WORLDS,
+    Claim,
+    Results,
+    Section,
+    at_most,
+    by_case,
+    greater,
+    resolution,
+)
 
 order = 160
 page = "error"
@@ -20,18 +25,34 @@ labels = {
 
 
 def derive(results: Results) -> Section:
-    columns = {"a frame": "frame_ms", "of shipped pads": "frame_ratio", "of real time": "realtime_factor"}
     rows = [row for row in results.rows if "worlds" not in row]
     worst = resolution(results, "resolution", rows)
-    one, many = results.row["stiff-pads-only"], results.row[f"stiff-pads-{TIMED_WORLDS[-1]}"]
-    formula = "time of a frame of stiff-pads-only over that of as-shipped, less one, either way, with its resolution"
-    departure = PERCENT * (abs(one.frame_ratio - 1) + one.ratio_resolution)
-    change = results.value("stiff_pads_only_change", formula, departure, is_noise=True)
-    same = at_most(change, 3.0, why="a slowdown that would matter").having_read(worst)
+    one = results.row["stiff-pads-only"]
+    change = results.value(
+        "stiff_pads_only_change",
+        "time of a frame of stiff-pads-only over that of as-shipped, less one,"
+        " either way, with its resolution",
+        PERCENT * (abs(one.frame_ratio - 1) + one.ratio_resolution),
+        is_noise=True,
+    )
+    same = at_most(change, 3.0, "a slowdown that would matter").having_read(worst)
+    numbers = {"change": change, "ratio": one.frame_ratio}
+    claims = [Claim("stiff_pads_only_same_time", same, numbers)]
+    columns = {
+        "a frame": "frame_ms",
+        "of shipped pads": "frame_ratio",
+        "of real time": "realtime_factor",
+    }
     tables = {"frames": by_case(rows, columns, resolution=worst)}
-    claims = [Claim("stiff_pads_only_same_time", same, {"change": change, "ratio": one.frame_ratio})]
     if len(rows) == len(results.rows):  # on a CPU
         return Section(tables=tables, claims=claims, unmeasured=("many_worlds",))
-    longer = greater(many.frame_ratio, 1.0, noise=many.ratio_resolution, why="the time with shipped pads")
-    claims += [Claim("many_worlds", longer, {"worlds": many.worlds, "ratio": many.frame_ratio})]
+    many = results.row[f"stiff-pads-{TIMED_WORLDS[-1]}"]
+    longer = greater(
+        many.frame_ratio,
+        1.0,
+        noise=many.ratio_resolution,
+        why="the time with shipped pads",
+    )
+    numbers = {"worlds": many.worlds, "ratio": many.frame_ratio}
+    claims.append(Claim("many_worlds", longer, numbers))
     return Section(tables=tables, claims=claims)

@@ -1,1 +1,81 @@
-"""What several sections share when they derive values, tables and figures from their results."""
+"""All that a derivation is written with: rows, values, tests, tables, and arithmetic.
+
+Figures are apart, in ``drawing`` and ``maps``: Matplotlib takes long to import.
+"""
+
+# ruff: noqa: F401
+from measured_report.parts.claim import (
+    FAILS,
+    HOLDS,
+    NEAR_NOISE,
+    OPPOSITE,
+    Claim,
+    Outcome,
+    all_of,
+    at_least,
+    at_most,
+    beyond,
+    contiguous,
+    decided,
+    decreases,
+    equal_within,
+    greater,
+    within,
+)
+from measured_report.parts.section import Download, Figure, Section, Table
+from measured_report.values.quantities import (
+    PERCENT,
+    Quantity,
+    Value,
+    absent,
+    combined,
+    constant,
+)
+from measured_report.values.results import Results, Row, Series
+from report.shared.arithmetic import (
+    AS_PUBLISHED,
+    CASES,
+    DEVICES,
+    MM_PER_M,
+    MS_PER_S,
+    SETTLES,
+    Sections,
+    cell_count,
+    cell_or_absent,
+    departure,
+    extreme,
+    gathered,
+    is_held,
+    joined,
+    largest_size,
+    noise_floor,
+    other_value,
+    quantile,
+    resolved,
+    rows_with,
+    sections_of,
+    spread,
+)
+from report.shared.tables import (
+    by_case,
+    case_html,
+    cell_or_lost,
+    creep_or_unseen,
+    some_html,
+    table_of,
+)
+from report.shared.timing import (
+    TIMED_WORLDS,
+    RowsBy,
+    fine_enough,
+    resolution,
+    worlds_name,
+)
+from report.shared.variants import (
+    Variants,
+    change_of,
+    is_small,
+    unseen_in,
+    variant_section,
+    variants_of,
+)

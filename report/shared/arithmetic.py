@@ -1,21 +1,32 @@
-"""What several sections share."""
+"""Arithmetic on quantities, and what other sections found."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section
 from measured_report.records.columns import PLAIN, column_of
-from measured_report.values.quantities import PERCENT, Quantity, Term, absent, combined, constant
+from measured_report.values.quantities import (
+    PERCENT,
+    Quantity,
+    Term,
+    absent,
+    combined,
+    constant,
+)
 from measured_report.values.results import Results, Row
 
-CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}  # cases that many sections measure, by label
-PUBLISHED = "published, and not measured here"  # formula of a constant
+# Cases that many sections measure, by label.
+CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
+AS_PUBLISHED = "published, and not measured here"  # formula of a constant
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
-MS_PER_S, MM_PER_M = constant(1e3, "ms/s"), constant(1e3, "mm/m")
-SETTLES = ("a change that settles the matter", 10.0)  # a bound that sections choose: why, and how many times less
+MS_PER_S = constant(1e3, "ms/s")
+MM_PER_M = constant(1e3, "mm/m")
+# A bound that sections choose: why, and how many times less.
+SETTLES = ("a change that settles the matter", 10.0)
 
 
 def departure(a: Quantity, b: Quantity) -> Term:
@@ -31,8 +42,12 @@ def spread(cells: Sequence[Quantity]) -> Term:
     return combined(max, *cells) - combined(min, *cells)
 
 
-def gathered(function: Callable[[Sequence[float]], float], cells: Iterable[Quantity], unit: str = "") -> Term:
-    """Return what a function makes of a sequence, as ``sum`` or ``fmean`` do."""
+def gathered(
+    function: Callable[[Sequence[float]], float],
+    cells: Iterable[Quantity],
+    unit: str = "",
+) -> Term:
+    """Return a function of a sequence, as ``sum`` or ``fmean`` are."""
     return combined(lambda *numbers: function(numbers), *cells, unit=unit)
 
 
@@ -42,30 +57,30 @@ def cell_count(cells: Iterable[Quantity]) -> Term:
 
 
 def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:
-    """Return ``choose``, max or min, of the cells that there are; without a number when there is none."""
+    """Return max or min of the cells that have a number; there may be none."""
     return combined(choose, *(cell for cell in cells if cell.value is not None))
 
 
 def quantile(share: float, *numbers: float) -> float:
-    """Return the number that so large a share of these do not exceed; which run is the farthest of many is chance."""
+    """Return the number that so large a share of these do not exceed.
+
+    It says more than the largest: which run is the farthest of many is chance.
+    """
     return sorted(numbers)[math.ceil(share * len(numbers)) - 1]
 
 
-def noise_floor(results: Results, name: str) -> Quantity:
-    """Return ``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
-    return other_value(results, "noise", name)
-
-
 def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:
-    """Tell whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
-    outcome = at_most(noise, bound, why=why)
+    """Hold if the noise is below a bound; otherwise nothing can be told."""
+    outcome = at_most(noise, bound, why)
+    if outcome != FAILS:
+        return outcome
     reason = "the noise is larger than what is looked for"
-    return replace(outcome, name="unknown", reason=reason) if outcome == FAILS else outcome
+    return replace(outcome, name="unknown", reason=reason)
 
 
 @dataclass(frozen=True)
 class Sections:
-    """What sections of one release found; without a number, and with a reason, where a release lacks it."""
+    """What sections of one release found; a number that is missing has a reason."""
 
     results: Mapping[str, Results]
 
@@ -77,8 +92,17 @@ class Sections:
         row = self.results[section].row.get(case) if section in self.results else None
         return cell_or_absent(row, column, self._reason(section))
 
+    def rows(self, section: str) -> list[Row]:
+        return self.results[section].rows if section in self.results else []
+
     def _reason(self, section: str) -> str:
-        return f"section {section} {'does not say' if section in self.results else 'has no results here'}"
+        lack = "does not say" if section in self.results else "has no results here"
+        return f"section {section} {lack}"
+
+
+def sections_of(chapters: Mapping[str, Any]) -> Sections:
+    """Return what the chapters of an edition found."""
+    return Sections({name: chapter.results for name, chapter in chapters.items()})
 
 
 def other_value(results: Results, section: str, name: str) -> Quantity:
@@ -86,25 +110,45 @@ def other_value(results: Results, section: str, name: str) -> Quantity:
     return Sections(results.others).value(section, name)
 
 
+def noise_floor(results: Results, name: str) -> Quantity:
+    """Return how far identical runs may differ.
+
+    It is ``slip_floor`` [mm] or ``drift_floor`` [mm/s].
+    """
+    return other_value(results, "noise", name)
+
+
 def rows_with(results: Results, *columns: str) -> list[Row]:
-    """Return the rows with something in each of these columns, by which the parts of a section tell their rows."""
-    return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
+    """Return the rows that have something in each of these columns."""
+    return [
+        row
+        for row in results.rows
+        if all(row.plain.get(column) not in (None, "") for column in columns)
+    ]
 
 
-def cell_or_absent(row: Row | None, column: str, reason: str = "it was not measured") -> Quantity:
-    """Return a cell that not every record has; without a number, and with the reason, when it isn't there."""
-    return row[column] if row and column in row else absent(column_of(column).unit, reason)
+def cell_or_absent(
+    row: Row | None, column: str, reason: str = "it was not measured"
+) -> Quantity:
+    """Return a cell that not every record has, or a missing number with the reason."""
+    if row and column in row:
+        return row[column]
+    return absent(column_of(column).unit, reason)
 
 
 def is_held(row: Row) -> bool:
-    """Tell whether a run keeps the cube through a cycle at least: a hand that trembles may shake too late."""
+    """Tell whether a run keeps the cube through a cycle at least.
+
+    A hand that trembles may shake too late.
+    """
     return None not in (row.slip_mm.value, row.cycle_count.value)
 
 
 def joined(parts: Sequence[Section]) -> Section:
     """Make one section of its parts, in their order."""
-    return Section(
-        tables={name: table for part in parts for name, table in part.tables.items()},
-        figures={name: figure for part in parts for name, figure in part.figures.items()},
-        claims=[claim for part in parts for claim in part.claims],
-    )
+    tables: dict[str, Any] = {}
+    figures: dict[str, Any] = {}
+    for part in parts:
+        tables |= part.tables
+        figures |= part.figures
+    return Section(tables, figures, [claim for part in parts for claim in part.claims])

@@ -17,7 +17,7 @@ def worlds_name(count: int) -> str:
 
 
 class RowsBy(dict):
-    """Rows by the cells that tell them apart, but for those that lost one; an empty row of what was not measured."""
+    """Rows by the cells that tell them apart; a row of a missing key has no numbers."""
 
     def __init__(self, results: Results, rows: Iterable[Row], *columns: str):
         self.results = results
@@ -31,12 +31,19 @@ class RowsBy(dict):
 
 
 def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
-    """Derive to within what share all ratios of these rows are known [%], but of the reference and of lost times."""
-    formula = "half the 95 % interval of the ratio of two times measured in turn, the largest"
-    cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row and row.ratio_resolution.value]
-    return results.value(name, formula, PERCENT * combined(max, *cells), is_noise=True)
+    """Derive to within what share all ratios of these rows are known [%].
+
+    The reference and lost times have none.
+    """
+    cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row]
+    return results.value(
+        name,
+        "half the 95 % interval of the ratio of two times measured in turn, the largest",
+        PERCENT * combined(max, *(cell for cell in cells if cell.value)),
+        is_noise=True,
+    )
 
 
 def fine_enough(unseen: Quantity) -> Outcome:
-    """Tell whether times are known well enough to say that nothing is slower, from what share would be seen [%]."""
+    """Tell whether a slowdown that would matter would be seen, from this share on [%]."""
     return resolved(unseen, 3.0, why="a slowdown that would matter")

@@ -1,39 +1,63 @@
 """What the investigation that this follows had found, statement by statement, and what was measured of each here."""
 
 from measured_report.findings.chapters import Chapters
-from measured_report.parts.claim import Claim, Outcome, all_of
-from measured_report.parts.section import Section
-from report.shared.arithmetic import Sections
+from report.shared import Claim, Outcome, Section, all_of, sections_of
 
-SHIPPED, STIFF, HELD = "reproduction/as-shipped/", "reproduction/stiff-pads/", "hold/hold-60s/"
-SOURCE, DRIFT = "contact_source/", "cure/{}_drift"
+SHIPPED = "reproduction/as-shipped/"
+STIFF = "reproduction/stiff-pads/"
+HELD = "hold/hold-60s/"
+SOURCE = "contact_source/"
+DRIFT = "cure/{}_drift"
 STATEMENTS = {  # by name: the claims that decide a statement, and the cells and values that its words name
-    "drifts": ("reproduction.slips reproduction.drift_is_steady", f"{SHIPPED}slip_mm", f"{SHIPPED}drift_mm_s"),
+    "drifts": (
+        "reproduction.slips reproduction.drift_is_steady",
+        f"{SHIPPED}slip_mm",
+        f"{SHIPPED}drift_mm_s",
+    ),
     "not_friction": ("friction.not_the_cause", "friction/largest_share"),
-    "not_solver": ("solver.not_the_cause solver.solver_has_converged", "solver/largest_share"),
+    "not_solver": (
+        "solver.not_the_cause solver.solver_has_converged",
+        "solver/largest_share",
+    ),
     "not_contacts": ("contact_source.not_the_cause", f"{SOURCE}largest_share"),
     "pads_and_engine": (
         "contact_source.not_the_cause",
-        *(f"{SOURCE}{case}/slip_mm" for case in ("pads-convex-mesh", "engine-mujoco-c")),
+        *(
+            f"{SOURCE}{case}/slip_mm"
+            for case in ("pads-convex-mesh", "engine-mujoco-c")
+        ),
     ),
-    "stiff_pads": ("reproduction.stiff_pads_hold", f"{STIFF}slip_mm", f"{SHIPPED}slip_mm"),
+    "stiff_pads": (
+        "reproduction.stiff_pads_hold",
+        f"{STIFF}slip_mm",
+        f"{SHIPPED}slip_mm",
+    ),
     "not_rectified": (
         "cure.only_turning_creeps cure.joints_turn stiffness.not_creep_under_load",
         *map(DRIFT.format, ("straight", "turning")),
     ),
     "static_creep": ("hold.creep_goes_on", f"{HELD}slip_mm", f"{HELD}shake_duration_s"),
 }
-NAMES = ("first", "second")  # of the numbers
 
 
 def derive(chapters: Chapters) -> Section:
-    sections = Sections({name: chapter.results for name, chapter in chapters.items()})
-    tests = {f"{name}.{claim.name}": claim for name, each in chapters.items() for claim in each.section.claims}
-    unmeasured, claims = Claim("unmeasured", Outcome("unknown", "it was not measured")), []
+    sections = sections_of(chapters)
+    tests = {
+        f"{name}.{claim.name}": claim
+        for name, chapter in chapters.items()
+        for claim in chapter.section.claims
+    }
+    unmeasured = Claim("unmeasured", Outcome("unknown", "it was not measured"))
+    claims = []
     for name, (needs, *places) in STATEMENTS.items():
-        cells = [(sections.cell if place.count("/") > 1 else sections.value)(*place.split("/")) for place in places]
-        first, *more = (tests.get(need, unmeasured) for need in needs.split())
-        outcome = all_of(first.outcome, *(claim.outcome for claim in more)).having_read(*cells)
-        numbers = {"unseen": first.numbers.get("unseen", ""), **dict(zip(NAMES, cells, strict=False))}
+        found = [tests.get(need, unmeasured) for need in needs.split()]
+        cells = []
+        for place in places:
+            parts = place.split("/")
+            read = sections.cell if len(parts) > 2 else sections.value
+            cells.append(read(*parts))
+        outcome = all_of(*(claim.outcome for claim in found)).having_read(*cells)
+        numbers = {"unseen": found[0].numbers.get("unseen", "")}
+        numbers |= dict(zip(("first", "second"), cells, strict=False))
         claims.append(Claim(name, outcome, numbers))
     return Section(claims=claims)

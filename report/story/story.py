@@ -1,21 +1,32 @@
 """The story of one release: the mechanism, what was suspected, and which releases need the fix."""
 
-from collections.abc import Mapping, Sequence
-
 from markupsafe import Markup
 
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided
-from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Quantity
 from report.sections.upgrade.ends import released
-from report.shared.arithmetic import CASES, Sections
-from report.shared.tables import table_of
+from report.shared import (
+    CASES,
+    HOLDS,
+    Claim,
+    Figure,
+    Outcome,
+    Quantity,
+    Section,
+    Sections,
+    all_of,
+    at_least,
+    at_most,
+    decided,
+    sections_of,
+    table_of,
+)
 from report.story import frontier
 from report.story.figures import draw_mechanism
 
-NEWTON, PYRAMID, MUJOCO = "Newton's contacts", "pyramidal cone", "MuJoCo's contacts"
+NEWTON = "Newton's contacts"
+PYRAMID = "pyramidal cone"
+MUJOCO = "MuJoCo's contacts"
 WAYS = {  # slips with shipped pads and with stiff ones, or how far these move in a cycle, by who finds the contacts
     NEWTON: [("reproduction", case, "slip_mm") for case in CASES],
     PYRAMID: [
@@ -25,76 +36,111 @@ WAYS = {  # slips with shipped pads and with stiff ones, or how far these move i
     MUJOCO: [("upgrade", f"{case}-mujoco-contacts", "slip_mm") for case in CASES],
     "both, in MuJoCo C": [
         ("lab", "cone-pyramidal", "slip_mm"),
-        ("error_runtime", "stiff/c/cone-pyramidal", "grasp_error_mm_per_cycle"),  # by cycle, and not told apart by mm
+        (
+            "error_runtime",
+            "stiff/c/cone-pyramidal",
+            "grasp_error_mm_per_cycle",
+        ),  # by cycle, and not told apart by mm
     ],
 }
 
 
 def derive(releases: Releases, shown: str) -> Section:
     """Derive figures, table and claims of the story of the release ``shown``."""
-    every = {
-        release: Sections({section: chapter.results for section, chapter in chapters.items()})
-        for release, chapters in released(releases, shown).items()
-    }
+    releases = released(releases, shown)
+    every = {name: sections_of(chapters) for name, chapters in releases.items()}
     sections = every[shown]
     if "reproduction" not in sections.results:
         return Section()
     bound = sections.value("reproduction", "slip_bound")
-    needed = {way: [_advice(_slips(sections, way), bound) for sections in every.values()] for way in WAYS}
-    tables = {"needed": table_of("release", map(config().short_name, every), needed)}
-    slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
-    figures = {"mechanism": Figure(draw_mechanism, [slide]), "frontier": frontier.figure(sections)}
-    claims = [*frontier.advice(sections, every), _fine_since(every, bound), _still_needed(every, bound)]
+    slips = {  # with shipped pads and with stiff ones, by release
+        way: [[each.cell(*place) for place in places] for each in every.values()]
+        for way, places in WAYS.items()
+    }
+    needed = {
+        way: [_advice(before, after, bound) for before, after in pairs]
+        for way, pairs in slips.items()
+    }
+    shipped = {
+        way: {name: pair[0] for name, pair in zip(every, pairs, strict=True)}
+        for way, pairs in slips.items()
+    }
+    measured = {
+        way: {name: slip for name, slip in cells.items() if slip.source}
+        for way, cells in shipped.items()
+    }
+
+    # Each release is looked at by itself: none is compared with another.
+    newton = measured[NEWTON]
+    slipping = [name for name, slip in newton.items() if at_least(slip, bound) == HOLDS]
+    fine = [name for name in newton if name not in slipping]
+    is_so = bool(slipping and fine) and list(newton) == [*slipping, *fine]
+    fine_since = all_of(*(decided(is_so, slip, bound) for slip in newton.values()))
+
+    others = (measured[MUJOCO], measured[PYRAMID])
+    still = Outcome("unknown", "not both were measured")
+    if all(others):
+        still = all_of(
+            *(at_least(slip, bound) for each in others for slip in each.values())
+        )
+    *names, last = map(config().name_of, measured[PYRAMID] or [""])
+    pyramids = " and ".join(filter(None, (", ".join(names), last)))
+
+    claims = [
+        *frontier.advice(sections, every),
+        Claim(
+            "fine_since",
+            fine_since,
+            {
+                "until": slipping[-1] if slipping else "",
+                "since": fine[0] if fine else "",
+            },
+        ),
+        Claim("still_needed", still, {"pyramids": pyramids}),
+    ]
     for name, way in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID)):
-        before, after = _slips(sections, way)
-        is_halved = None not in (before.value, after.value) and 2.0 * after.number <= before.number
-        outcome = all_of(at_least(before, bound), at_most(after, bound), decided(is_halved, before, after))
+        before, after = slips[way][list(every).index(shown)]
+        is_halved = None not in (before.value, after.value)
+        is_halved = is_halved and 2.0 * after.number <= before.number
+        outcome = all_of(
+            at_least(before, bound),
+            at_most(after, bound),
+            decided(is_halved, before, after),
+        )
         claims.append(Claim(name, outcome, {"before": before, "after": after}))
-    return Section(tables=tables, figures=figures, claims=[*claims, _coarser_moves(sections)])
+    slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
+    return Section(
+        tables={"needed": table_of("release", map(config().short_name, every), needed)},
+        figures={
+            "mechanism": Figure(draw_mechanism, [slide]),
+            "frontier": frontier.figure(sections),
+        },
+        claims=[*claims, _coarser_moves(sections)],
+    )
 
 
-def _slips(sections: Sections, way: str) -> list[Quantity]:
-    return [sections.cell(*place) for place in WAYS[way]]
-
-
-def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
-    """Mark whether shipped pads keep the cube, and where they don't, whether stiff ones do."""
-    before, after = slips
+def _advice(before: Quantity, after: Quantity, bound: Quantity) -> Markup:
+    """Mark whether shipped pads keep the cube, or else whether stiff ones do."""
     if None in (before.value, bound.value):
         return Markup("lost or failed" if before.source else "not measured")
     if before.value < bound.value:
         return Markup("✓ {}").format(before)
     if after.value is None or after.unit != bound.unit:
         return Markup("✗ {}").format(before)
-    return Markup("✗ {}, stiff {}").format(before, "✗" if after.value >= bound.value else "✓")
-
-
-def _fine_since(every: Mapping[str, Sections], bound: Quantity) -> Claim:
-    slips = {release: _slips(sections, NEWTON)[0] for release, sections in every.items()}
-    measured = {release: slip for release, slip in slips.items() if slip.source}
-    slipping = [release for release, slip in measured.items() if at_least(slip, bound) == HOLDS]
-    fine = [release for release in measured if release not in slipping]
-    is_so = bool(slipping and fine) and list(measured) == [*slipping, *fine]
-    numbers = {"until": slipping[-1] if slipping else "", "since": fine[0] if fine else ""}
-    # Each release is looked at by itself: none is compared with another.
-    return Claim("fine_since", all_of(*(decided(is_so, slip, bound) for slip in measured.values())), numbers)
-
-
-def _still_needed(every: Mapping[str, Sections], bound: Quantity) -> Claim:
-    slips = {way: [_slips(sections, way)[0] for sections in every.values()] for way in (MUJOCO, PYRAMID)}
-    measured = {way: [slip for slip in cells if slip.source] for way, cells in slips.items()}
-    seen = [at_least(slip, bound) for cells in measured.values() for slip in cells]
-    outcome = all_of(*seen) if all(measured.values()) else Outcome("unknown", "not both were measured")
-    pyramids = [release for release, slip in zip(every, slips[PYRAMID], strict=True) if slip.source]
-    *names, last = map(config().name_of, pyramids or [""])
-    return Claim("still_needed", outcome, {"pyramids": " and ".join(filter(None, (", ".join(names), last)))})
+    mark = "✗" if after.value >= bound.value else "✓"
+    return Markup("✗ {}, stiff {}").format(before, mark)
 
 
 def _coarser_moves(sections: Sections) -> Claim:
-    shipped, *coarse = (sections.cell("lab", case, "slip_mm") for case in ("as-shipped", "impratio-1", "substeps-4"))
+    """Tell whether a coarser solver moves the cube by more than a cause would."""
+    cases = {"shipped": "as-shipped", "impratio": "impratio-1", "steps": "substeps-4"}
+    slips = {
+        name: sections.cell("lab", case, "slip_mm") for name, case in cases.items()
+    }
     bound = sections.value("friction", "cause_bound")
-    is_measured = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
-    least = max(0.01 * bound.value * shipped.value, shipped.noise or 0.0) if is_measured else 0.0
-    moved = is_measured and all(abs(slip.value - shipped.value) >= least for slip in coarse)
-    numbers = dict(zip(("shipped", "impratio", "steps"), (shipped, *coarse), strict=True))
-    return Claim("coarser_moves", decided(moved, shipped, *coarse, bound), numbers)
+    moved = None not in (bound.value, *(slip.value for slip in slips.values()))
+    if moved:
+        shipped, *coarse = slips.values()
+        least = max(0.01 * bound.value * shipped.value, shipped.noise or 0.0)
+        moved = all(abs(slip.value - shipped.value) >= least for slip in coarse)
+    return Claim("coarser_moves", decided(moved, *slips.values(), bound), slips)

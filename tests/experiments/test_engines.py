@@ -1,8 +1,6 @@
 """Other engines: rows of what an engine answers, an engine that is not there, and Newton's solvers."""
 
-import json
 import math
-import subprocess
 import sys
 from dataclasses import replace
 from xml.etree import ElementTree
@@ -11,57 +9,79 @@ import numpy as np
 import pytest
 
 from experiments import engines
-from experiments.engines import engine, published, robot
+from experiments.drivers import engine
+from experiments.drivers.scene import Scene, Trace
+from experiments.engines import published, robot
+from experiments.facts.trace import Trace as FrameTrace
+from experiments.scenes.turntable import turntable
+from experiments.simulation.measurement import Conditions
 from measured_report.files.errors import UsageError
-from measured_report.files.root import ROOT
+
+
+def shown(path) -> Trace:
+    return Trace(np.asarray(path)[:, None])
 
 
 def test_rows_of_what_an_engine_answers():
     """A box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and what is lost, not finite or not run."""
     time_s = np.arange(41) * engines.SAMPLE_S
     walking = np.stack([0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert engines.growth_per_s({"path": walking.tolist()}) == pytest.approx(0.01)
+    assert engines.columns("turntable", shown(walking)) == {"growth_per_s": pytest.approx(0.01)}
     sinking = np.stack([0.0 * time_s, 0.0 * time_s, -0.002 * time_s], axis=1)
-    assert engines.creep_mm_s({"path": sinking.tolist()}) == pytest.approx(2.0)
+    assert engines.columns("pinch", shown(sinking)) == {"creep_mm_s": pytest.approx(2.0)}
     falling = walking - np.outer(time_s, [0.0, 0.0, 0.01])
     for path, reason in ((falling, "not on the table"), (np.full((41, 3), np.nan), "not finite")):
-        with pytest.raises(ValueError, match=reason):
-            engines.growth_per_s({"path": path.tolist()})
+        row = engines.columns("turntable", shown(path))
+        assert row["growth_per_s"] is None and reason in row["growth_per_s_reason"]
     late = sinking * (time_s[:, None] > 3.95)  # the last place, 8 mm down, says it alone: 20 mm may be
-    assert engines.creep_mm_s({"path": (2.4 * late).tolist()}) > 0.0
-    with pytest.raises(ValueError, match="capsule is lost"):
-        engines.creep_mm_s({"path": (2.6 * late).tolist()})
-    with pytest.raises(ValueError, match="no such contact"):
-        engines.creep_mm_s({"reason": "no such contact"})
+    assert engines.columns("pinch", shown(2.4 * late))["creep_mm_s"] > 0.0
+    assert engines.columns("pinch", shown(2.6 * late))["creep_mm_s_reason"] == "the capsule is lost"
+    assert engines.columns("pinch", "no such contact")["creep_mm_s_reason"] == "no such contact"
 
 
-def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(tmp_path, monkeypatch):
+def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(monkeypatch):
     def offline(name, requirements):
         raise UsageError(f"{name} cannot be installed: offline")
 
+    scene = turntable(0.002, 0.1)
     monkeypatch.setattr(engine, "python_with", offline)
-    assert engine.run_apart(engines.DART, [{}, {}]) == [{"reason": "engine-dart cannot be installed: offline"}] * 2
+    assert engine.run([scene] * 2, engines.DART) == ["engine-dart cannot be installed: offline"] * 2
     monkeypatch.setattr(engine, "python_with", lambda *_: sys.executable)  # which has no dartpy
-    [result] = engine.run_apart(engines.DART, [{}])
-    assert "dartpy" in result["reason"]
+    [reason] = engine.run([scene], engines.DART)
+    assert "dartpy" in reason
 
 
-def test_what_goes_wrong_in_one_run_leaves_the_others(tmp_path):
-    asked = [{"scene": scene, "step_s": 0, "options": {}} for scene in (0, 2)]
-    (tmp_path / "asked").write_text(json.dumps(asked))
-    (tmp_path / "run.py").write_text("from apart import sampled\nrun = lambda scene, step_s: 1 / scene")
-    places = [tmp_path / name for name in ("run.py", "asked", "answer")]
-    subprocess.run([sys.executable, ROOT / engine.APART, *places], check=True)
-    assert json.loads((tmp_path / "answer").read_text()) == [{"reason": "division by zero"}, 0.5]
+QUICK = Conditions("cpu", quick=True)
+SCRIPT = """
+from apart import World
+
+def load(scene):
+    place = [0.0, 0.0, 0.0]
+
+    def step(target):
+        place[2] += 1 / target[0]
+
+    return World(step, lambda: [place], lambda: [(3.0, 1.0, 1e-3), (4.0, -0.5, 2e-3)])
+"""
+
+
+def test_a_scene_is_sampled_after_its_steps_and_what_goes_wrong_in_it_leaves_the_others(tmp_path, monkeypatch):
+    (tmp_path / "world.py").write_text(SCRIPT)
+    monkeypatch.setattr(engine, "python_with", lambda *_: sys.executable)
+    own = engine.Engine("own", "", str(tmp_path / "world.py"), ())
+    reason, trace = engine.run([Scene(0.02, 0.1, [[number], [2.0]]) for number in (0, 1.0)], own)
+    assert "division by zero" in reason
+    assert trace.path_m[:, 2] == pytest.approx([0.0, 5.0, 7.5])
+    assert trace.forces == pytest.approx(np.array([[7.0, 0.5, 2e-3]] * 2))
 
 
 def test_the_critical_friction_is_the_weight_over_what_the_fingers_press_with(monkeypatch):
     """By hand: 350 N/m times half an edge are 7 N; an engine that cannot run it is a reason."""
-    shown = published.hold(published.in_c)
-    assert shown["critical_friction"] == pytest.approx(0.064 * 9.81 / 7.0, rel=0.01)
-    monkeypatch.setattr(published, "run_apart", lambda *_: [{"reason": "offline"}])
+    row = published.hold(QUICK, published.in_c)
+    assert row["critical_friction"] == pytest.approx(0.064 * 9.81 / 7.0, rel=0.01)
+    monkeypatch.setattr(published, "run", lambda *_: ["offline"])
     with pytest.raises(ValueError, match="offline"):
-        published.hold(published.in_motrixsim)
+        published.hold(QUICK, published.in_motrixsim)
 
 
 def test_a_robot_whose_engine_has_no_armature_gets_it_with_its_links(tmp_path):
@@ -82,16 +102,20 @@ def test_a_robot_whose_engine_has_no_armature_gets_it_with_its_links(tmp_path):
 
 def test_rows_of_a_shake_that_an_engine_shows():
     """A cube that moves by 1 mm/s in the tool, one that is lost, and an engine that fails."""
-    case = replace(robot.WEIGHTLESS, name="shown")
-    own = robot.Trace(1 / 60, np.full(301, 4), np.tile([0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (301, 2, 1)), np.empty(0))
-    poses = own.poses.copy()
-    poses[:, 0, 0] += 1e-3 * np.arange(301) / 60
-    shown = {"poses": poses.tolist(), "forces": [[20.0, 5.0, math.nan]] * 301}
-    row = robot.row_of(case, robot.traced(shown, own), own)
+    poses = np.tile([0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (301, 2, 1))
+    frames = FrameTrace(1 / 60, np.full(301, 4), poses, np.empty(0))
+    own = robot.Reference(replace(robot.WEIGHTLESS, name="3cm"), frames, np.empty(0))
+    moved = poses.copy()
+    moved[:, 0, 0] += 1e-3 * np.arange(301) / 60
+    forces = np.array([[20.0, 5.0, math.nan]] * 301)
+    found = Trace(np.concatenate([poses[:1], moved]), forces)  # the first one is before the first frame
+    row = robot.row_of("dart", "links", own, robot.traced(found, frames))
+    names = ("case", "backend", "model", "shake", "armature")
+    assert [row[name] for name in names] == ["dart-shake-3cm", "dart", "dart", "3cm", "links"]
     numbers = [row[name] for name in ("slip_mm", "drift_mm_s", "creep_mm_per_cycle", "friction_share", "path_off_mm")]
     assert numbers == pytest.approx((5.0, 1.0, 1.0, 0.25, 0.0))
     assert row["penetration_mm"] is None and row["penetration_mm_reason"]
-    poses[-1, 0, 2] = 0.02
-    lost = robot.row_of(case, robot.traced(shown | {"poses": poses.tolist()}, own), own)
+    found.poses[-1, 0, 2] = 0.02
+    lost = robot.row_of("dart", "links", own, robot.traced(found, frames))
     assert (lost["slip_mm"], lost["dropped"], lost["slip_mm_reason"]) == (None, True, "the cube is lost")
-    assert robot.row_of(case, "no such engine", own)["slip_mm_reason"] == "no such engine"
+    assert robot.row_of("dart", "links", own, "no such engine")["slip_mm_reason"] == "no such engine"

@@ -1,7 +1,5 @@
 """What sections work out of traces, paths and contacts: by hand, on runs that are made up."""
 
-import json
-import runpy
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -12,7 +10,11 @@ import warp as wp
 
 from experiments import contacts, error_runtime, hold, leave_out, newton_solvers, poses, stability, stiffness
 from experiments.cure import bodies, combinations, controls, turntable
-from experiments.engines import published, robot, scenes
+from experiments.drivers import newton_solver
+from experiments.drivers.apart import apart
+from experiments.drivers.contacts import Contacts
+from experiments.drivers.scene import Trace as Shown
+from experiments.engines import published, robot
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED
 from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Trace
@@ -20,9 +22,11 @@ from experiments.leave_out.audit import Seen, _contact_items
 from experiments.newton_solvers import box
 from experiments.newton_solvers.stepper import weight_of_the_arm
 from experiments.scenes import pick, slope
-from experiments.simulation.mjcf_engines import Contacts
+from experiments.scenes.pinch import pinch
+from experiments.scenes.turntable import slope as slope_of_table
+from experiments.scenes.turntable import still
+from experiments.scenes.turntable import turntable as turning_box
 from experiments.simulation.task import SHAKE
-from measured_report.files.root import ROOT
 
 FRAME_RATE = 60
 G = 9.81
@@ -288,53 +292,54 @@ def test_the_arm_goes_from_pose_to_pose_and_drops_are_counted():
     poses_at |= {3.0: pick.AT_OBJECT, 4.0: pick.LIFTED, 9.0: pick.LIFTED}
     fingers = {0.0: 0.04, 2.0: 0.04, 2.5: 0.02, 3.0: 0.0, 9.0: 0.0}
     for time_s, arm in poses_at.items():
-        assert pick.command(time_s)[:7] == pytest.approx(arm)
-    assert [pick.command(time_s)[7] for time_s in fingers] == pytest.approx(list(fingers.values()))
-    row = pick.shake_columns(np.array([True, True, False, True]), np.array([5.0, np.nan, 4.0, 9.0]))
-    assert list(row.values()) == [3, 1, 4.0, 5.0, 9.0]
+        assert pick.pick_controls(time_s)[:7] == pytest.approx(arm)
+    assert pick.pick_controls(np.array(list(fingers)))[:, 7] == pytest.approx(list(fingers.values()))
+
+
+def test_drops_are_counted_from_when_the_object_should_be_up(monkeypatch):
+    """Four objects: one never up, one that is dropped, one that is dropped and comes up again, and one that is held."""
+    heights = np.full((8, 4, 3), 0.2)
+    heights[:, 0] = heights[4:, 1] = heights[6, 2] = 0.02
+    shown = iter([*heights])
+    world = SimpleNamespace(command=lambda _: None, advance=lambda: None, body=lambda: (next(shown), None))
+    monkeypatch.setitem(pick.ENGINES, "c", lambda *_: world)
+    case = pick.Pick("", timestep=1.0)  # up after the second sample of 2 s
+    row = pick.shake(case, np.zeros((9, 4, 8)), "cpu")
+    assert list(row.values()) == [3, 1, 4.0, 12.0, 16.0]
 
 
 # Other engines, and Newton's own solvers.
 
 
 def test_bodies_have_the_inertia_that_mujoco_gives_their_shapes():
-    made = scenes.turntable(1.0)["body"]
+    made = turning_box(0.002, 1.0).body
     model = mujoco.MjModel.from_xml_string(turntable.MJCF)
-    assert made["inertia_kg_m2"] == pytest.approx(model.body_inertia[-1]) and made["mass_kg"] == model.body_mass[-1]
-    made = scenes.pinch(1.0)["body"]
-    rod = f'<geom type="cylinder" size="0.004 0.02" zaxis="0 1 0" mass="{made["mass_kg"]}"/>'
+    assert made.inertia_kg_m2 == pytest.approx(model.body_inertia[-1]) and made.mass_kg == model.body_mass[-1]
+    made = pinch(0.002, 1.0).body
+    rod = f'<geom type="cylinder" size="0.004 0.02" zaxis="0 1 0" mass="{made.mass_kg}"/>'
     shape = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody><body>{rod}</body></worldbody></mujoco>")
-    assert made["inertia_kg_m2"] == pytest.approx(np.array(shape.body_inertia[1])[[0, 2, 1]])
-    cube = robot.described(replace(AS_SHIPPED, cube_edge_m=0.06), "", np.zeros((2, 9)))["scene"]["body"]
+    assert made.inertia_kg_m2 == pytest.approx(np.array(shape.body_inertia[1])[[0, 2, 1]])
+    cube = robot.scene_of(robot.Reference(replace(AS_SHIPPED, cube_edge_m=0.06), None, np.zeros((2, 9))), "").body
     box_ = f'<geom type="box" size="0.03 0.03 0.03" mass="{500.0 * 0.06**3}"/>'
     shape = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody><body>{box_}</body></worldbody></mujoco>")
-    assert cube["inertia_kg_m2"] == pytest.approx(shape.body_inertia[1]) and cube["half_size"] == [0.03] * 3
+    assert cube.inertia_kg_m2 == pytest.approx(shape.body_inertia[1]) and cube.half_size_m == [0.03] * 3
 
 
-def test_drives_and_samples_of_engines_apart():
-    apart = runpy.run_path(ROOT / "experiments/engines/apart/apart.py")
-    drive = {"ke": 400.0, "kd": 40.0, "effort": [5.0, 100.0, 3.0]}
-    forces = apart["drive"](drive, [0.02, 0.1, 0.0], [0.01, 0.2, 0.1], [0.05, -0.5, 0.0])
+def test_drives_of_engines_apart():
+    arm = SimpleNamespace(ke=400.0, kd=40.0, effort=[5.0, 100.0, 3.0])
+    forces = apart.drive(arm, [0.02, 0.1, 0.0], [0.01, 0.2, 0.1], [0.05, -0.5, 0.0])
     assert forces == pytest.approx([4.0 - 2.0, -40.0 + 20.0, -3.0])
-    scene = {"sample_s": 0.1, "seconds": 0.3, "targets": [[1.0], [2.0]]}
-    assert list(apart["samples"](scene)) == pytest.approx([0.1, 0.2, 0.3])
-    steps = []
-    assert len(apart["sampled"](scene, 0.02, lambda: [len(steps)], lambda: steps.append(0))) == 4 and len(steps) == 15
-    touched = [(3.0, 1.0, 1e-3), (4.0, -0.5, 2e-3)]
-    shown = apart["shaken"](scene, 0.05, steps.append, lambda: [[0.0]], lambda: touched)
-    assert shown["forces"] == [pytest.approx([7.0, 0.5, 2e-3])] * 2 and steps[15:] == [[1.0], [1.0], [2.0], [2.0]]
-    json.dumps(shown)
 
 
 def test_a_box_walks_by_its_radius_or_creeps_by_its_way_along_a_table_that_stands():
     time_s = 0.1 * np.arange(21)
     path = np.stack([0.2 * np.exp(0.03 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert box.columns("turntable", path) == {"stays": True, "growth_per_s": pytest.approx(0.03)}
+    assert box.columns("growth_per_s", path) == {"stays": True, "growth_per_s": pytest.approx(0.03)}
     path[:, :2] = 0.2 + np.outer(time_s, (0.003, 0.004)) + (time_s < 0.95)[:, None]
-    assert box.columns("still", path) == {"stays": True, "creep_mm_s": pytest.approx(5.0)}
+    assert box.columns("creep_mm_s", path) == {"stays": True, "creep_mm_s": pytest.approx(5.0)}
     for drop_m, stays in ((0.0099, True), (0.0101, False)):
         path[-1, 2] = 0.1 - drop_m
-        assert box.columns("slope", path)["stays"] is stays
+        assert box.columns("creep_mm_s", path)["stays"] is stays
 
 
 def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
@@ -346,16 +351,17 @@ def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
         places[1, 0] += 1e-3
         there.body_q.assign(places)
 
-    monkeypatch.setattr(box.solvers, "SolverMuJoCo", lambda *_, **options: SimpleNamespace(step=step))
+    monkeypatch.setattr(newton_solver.solvers, "SolverMuJoCo", lambda *_, **options: SimpleNamespace(step=step))
     pipeline = SimpleNamespace(contacts=lambda: None, collide=lambda *_: found.append(0))
-    monkeypatch.setattr(box.newton, "CollisionPipeline", lambda *_, **options: pipeline)
-    path = box.run(box.Variant("", "SolverMuJoCo", steps_between_contacts=4), "still", 0.01, 0.3, "cpu")
+    monkeypatch.setattr(newton_solver.newton, "CollisionPipeline", lambda *_, **options: pipeline)
+    variant = newton_solver.Variant("", "SolverMuJoCo", steps_between_contacts=4)
+    path = newton_solver.run(still(0.01, 0.3), variant, "cpu").path_m
     assert path == pytest.approx(np.outer([0.0, 0.01, 0.02, 0.03], [1.0, 0.0, 0.0]) + [0.2, 0.0, 0.1])
     assert len(found) == 3 * 3
 
 
 def test_gravity_leans_on_the_slope_by_a_tangent_of_035_and_arms_carry_their_weight():
-    gravity = box.build("slope", "cpu").gravity.numpy().reshape(-1, 3)[0]
+    gravity = newton_solver.build(slope_of_table(0.01, 0.3), "cpu").gravity.numpy().reshape(-1, 3)[0]
     assert np.linalg.norm(gravity) == pytest.approx(G) and -gravity[0] / gravity[2] == pytest.approx(0.35)
     labels = ["base", "arm/fr3_link1", "cube"] * 2
     model = SimpleNamespace(body_label=labels, body_count=6, device="cpu", body_mass=wp.array([1.0, 2.0, 3.0] * 2))
@@ -376,18 +382,9 @@ def test_a_row_of_a_solver_has_the_means_of_the_shake():
 
 
 def test_what_others_published_is_measured_over_its_own_times(monkeypatch):
-    class Falling:
-        """Down at 5 mm/s, and ten times as fast before a second is over."""
-
-        def __init__(self, *_):
-            self.time_s, self.height = 0.0, 1.0
-
-        def advance(self):
-            self.height -= 0.02 * (0.005 if self.time_s > 0.99 else 0.05)
-            self.time_s += 0.02
-
-        def body(self):
-            return np.array([[0.0, 0.0, self.height]]), None
-
-    monkeypatch.setitem(published.ENGINES, "c", Falling)
-    assert published.press("c", "cpu")["creep_mm_s"] == pytest.approx(5.0)
+    """Down at 5 mm/s, and ten times as fast before a second is over."""
+    speed_m_s = np.repeat([0.05, 0.005], [50, 100])
+    height_m = np.cumsum([0.0, *(-0.02 * speed_m_s)])
+    falling = Shown(np.outer(height_m, [0.0, 0.0, 1.0])[:, None])
+    monkeypatch.setattr(published, "run_here", lambda scene, *_: falling)
+    assert published.press(SimpleNamespace(device="cpu"), "c")["creep_mm_s"] == pytest.approx(5.0)

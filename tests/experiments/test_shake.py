@@ -30,7 +30,6 @@ def test_every_option_of_the_contract_is_there():
         (["--shake-frequency", "nan"], "shake_frequency_hz"),
         (["--substeps", "0"], "substeps"),
         (["--num-frames", "0"], "--num-frames"),
-        (["--world-count", "2"], "--world-count"),
         (["--viewer", "usd"], "--viewer usd"),
         (["--viewer", "file"], "argument --viewer"),
         (["--device", "cuda:99"], "cuda:99"),

@@ -26,7 +26,11 @@ def broken(row: dict, frame: int) -> dict:
     """The row of a run whose poses are not finite from a frame on, as the recorder leaves it."""
     reason = f"a body's pose is not finite in frame {frame}"
     lost = [name for name in SHAKEN if name in row]
-    return row | {"failure": reason, **dict.fromkeys(lost), **{f"{name}_reason": reason for name in lost}}
+    return row | {
+        "failure": reason,
+        **dict.fromkeys(lost),
+        **{f"{name}_reason": reason for name in lost},
+    }
 
 
 def say(section: str, claim: Claim) -> str:
@@ -39,12 +43,16 @@ def measured(tmp_path) -> Callable[..., Project]:
     """Makes an edition out of the tracked records of 1.8.0, each changed by a function."""
     link(tmp_path, *SOURCES)
 
-    def make(release: str, change: Callable[[Record], Record] = lambda record: record) -> Project:
+    def make(
+        release: str, change: Callable[[Record], Record] = lambda record: record
+    ) -> Project:
         project = Project(release, root=tmp_path, own_release=own_release())
         for section in SECTIONS:
             record = load_record(ROOT / "results/newton-1.8.0" / f"{section}.json")
             packages = {**record.identity.packages, "newton": release}
-            record = replace(record, identity=replace(record.identity, packages=packages), traces={})
+            record = replace(
+                record, identity=replace(record.identity, packages=packages), traces={}
+            )
             write_record(project.record_path(section), change(record))
         return project
 
@@ -56,7 +64,9 @@ def changed(project: Project, before: str = "1.8.0") -> Comparison:
     return compared(project.of(before), project)
 
 
-def change_of(section: str, *rows_of: Callable[[dict], dict]) -> Callable[[Record], Record]:
+def change_of(
+    section: str, *rows_of: Callable[[dict], dict]
+) -> Callable[[Record], Record]:
     """Changes each row of a section, or of all, by these functions in turn."""
 
     def change(record: Record) -> Record:
@@ -68,13 +78,23 @@ def change_of(section: str, *rows_of: Callable[[dict], dict]) -> Callable[[Recor
     return change
 
 
-def rows_changed(section: str, cases: Iterable[str], frame: int) -> Callable[[Record], Record]:
-    return change_of(section, lambda row: broken(row, frame) if not cases or row["case"] in cases else row)
+def rows_changed(
+    section: str, cases: Iterable[str], frame: int
+) -> Callable[[Record], Record]:
+    return change_of(
+        section,
+        lambda row: broken(row, frame) if not cases or row["case"] in cases else row,
+    )
 
 
 @pytest.mark.parametrize(
     ("section", "cases", "frame"),
-    [("all", (), 1), ("reproduction", ("as-shipped",), 500), ("reproduction", (), 1), ("noise", (), 1)],
+    [
+        ("all", (), 1),
+        ("reproduction", ("as-shipped",), 500),
+        ("reproduction", (), 1),
+        ("noise", (), 1),
+    ],
 )
 def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
@@ -96,13 +116,19 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     ],
 )
 def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost, said):
-    change = change_of("upgrade", lambda row: row | (lost if row["case"] == "as-shipped" else {}))
+    change = change_of(
+        "upgrade", lambda row: row | (lost if row["case"] == "as-shipped" else {})
+    )
     project = measured("1.9.0", change)
     found = changed(project)
     assert found.is_alarm and not found.faults
-    assert diff_text(found, "", "text", say).splitlines()[3].startswith(f"alarm: {said}")
+    assert (
+        diff_text(found, "", "text", say).splitlines()[3].startswith(f"alarm: {said}")
+    )
     advice = verdict(found, say, derived(project.of("1.8.0")), derived(project))[-1]
-    assert ("make bisect" in advice) == ("dropped" in lost), "a search between a number and none would be refused"
+    assert ("make bisect" in advice) == ("dropped" in lost), (
+        "a search between a number and none would be refused"
+    )
 
 
 def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):

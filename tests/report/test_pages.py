@@ -21,7 +21,23 @@ from report.story import cause, investigation
 from tests.perturbed import of_editions
 
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
-BLOCKS = {"p", "td", "th", "div", "figcaption", "h1", "h2", "h3", "li", "dt", "dd", "summary", "tr", "pre", "section"}
+BLOCKS = {
+    "p",
+    "td",
+    "th",
+    "div",
+    "figcaption",
+    "h1",
+    "h2",
+    "h3",
+    "li",
+    "dt",
+    "dd",
+    "summary",
+    "tr",
+    "pre",
+    "section",
+}
 VOID = {"meta", "link", "br", "img", "input", "source", "hr", "wbr"}
 
 
@@ -48,7 +64,9 @@ class Words(HTMLParser):
     def handle_data(self, data):
         tags = [tag for tag, _ in self.open]
         folded = "details" in tags and "summary" not in tags[tags.index("details") :]
-        hidden = self.but & {*tags} or any("hidden" in attributes for _, attributes in self.open)
+        hidden = self.but & {*tags} or any(
+            "hidden" in attributes for _, attributes in self.open
+        )
         if "main" in tags and not folded and not hidden:
             self.text += data
             if "figcaption" in tags and "details" not in tags:
@@ -56,7 +74,11 @@ class Words(HTMLParser):
 
 
 def counts(site: Path) -> dict[str, int]:
-    pages = [page for page in site.glob("*.html") if page.stem not in ("lab", "replay", "404")]
+    pages = [
+        page
+        for page in site.glob("*.html")
+        if page.stem not in ("lab", "replay", "404")
+    ]
     return {page.stem: len(Words(page).text.split()) for page in pages}
 
 
@@ -69,30 +91,44 @@ def test_an_edition_is_read_in_less_than_an_hour(site):
 def test_the_front_is_words_and_a_caption_is_short(site):
     front = Words(site / "index.html", but=("td", "th", "pre")).text.split()
     assert 25 * sum(any(map(str.isdigit, word)) for word in front) <= len(front)
-    captions = [caption for page in site.glob("*.html") for caption in Words(page).captions]
+    captions = [
+        caption for page in site.glob("*.html") for caption in Words(page).captions
+    ]
     assert [caption for caption in captions if len(caption.split()) > 35] == []
 
 
-def test_each_release_has_its_title_and_a_description_that_is_a_sentence_of_its_values(site):
-    heads = [page.read_text(encoding="utf-8").partition("</head>")[0] for page in site.glob("**/index.html")]
+def test_each_release_has_its_title_and_a_description_that_is_a_sentence_of_its_values(
+    site,
+):
+    heads = [
+        page.read_text(encoding="utf-8").partition("</head>")[0]
+        for page in site.glob("**/index.html")
+    ]
     titles = [re.search("<title>(.*?)</title>", head)[1] for head in heads]
     said = [re.search('name="description" content="(.*?)"', head)[1] for head in heads]
     assert len({*titles}) == len(titles) > 4 and "4.0 trial" in "".join(titles)
     assert all("shaken cube" in text and "mm" in text for text in said), said
-    pages = "".join(page.read_text(encoding="utf-8") for page in site.glob("**/releases.html"))
+    pages = "".join(
+        page.read_text(encoding="utf-8") for page in site.glob("**/releases.html")
+    )
     assert "Newton 1.8.0+mujoco" not in re.sub("<[^>]*>", "", pages)
 
 
 @pytest.mark.parametrize(
     ("origin", "address"),
     [
-        ("https://me:secret@git.example/shake/report.git", "https://git.example/shake/report"),
+        (
+            "https://me:secret@git.example/shake/report.git",
+            "https://git.example/shake/report",
+        ),
         ("git@git.example:shake/report.git", "https://git.example/shake/report"),
         ("ssh://git@git.example:22/shake/report", "https://git.example/shake/report"),
         ("/home/me/report", ""),
     ],
 )
-def test_sources_are_where_git_has_them_and_no_secret_goes_along(monkeypatch, origin, address):
+def test_sources_are_where_git_has_them_and_no_secret_goes_along(
+    monkeypatch, origin, address
+):
     monkeypatch.setattr(identity, "git", lambda *_: origin)
     assert identity.sources.__wrapped__() == (config.config().repository or address)
 
@@ -103,35 +139,61 @@ def test_the_lint_is_installed_from_what_the_page_offers(tmp_path):
     (tmp_path / name).write_bytes(packed)
     assert ZipFile(tmp_path / name).testzip() is None
     command = [sys.executable, "-m", "newton_lint", "--help"]
-    done = run(command, env={"PYTHONPATH": str(tmp_path / name)}, cwd=tmp_path, capture_output=True, check=False)
+    done = run(
+        command,
+        env={"PYTHONPATH": str(tmp_path / name)},
+        cwd=tmp_path,
+        capture_output=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
 
 
 def test_what_the_investigation_said_is_answered_by_what_was_measured(editions):
-    found = {release: investigation.derive(edition.chapters).claims for release, edition in editions.items()}
+    found = {
+        release: investigation.derive(edition.chapters).claims
+        for release, edition in editions.items()
+    }
     assert {claim.outcome.name for claim in found[own_release()]} == {"holds"}
-    assert {claim.name: claim.outcome.name for claim in found["1.8.0"]}["drifts"] == "fails"
+    assert {claim.name: claim.outcome.name for claim in found["1.8.0"]}[
+        "drifts"
+    ] == "fails"
 
 
 def test_a_suspect_is_out_only_where_its_claims_hold(editions):
     tables = {
-        release: cause.derive(editions[release].chapters).tables["suspects"].frame for release in ("1.4.0", "1.8.0")
+        release: cause.derive(editions[release].chapters).tables["suspects"].frame
+        for release in ("1.4.0", "1.8.0")
     }
-    shipped, newest = (dict(zip(frame.index, frame["why not"], strict=True)) for frame in tables.values())
+    shipped, newest = (
+        dict(zip(frame.index, frame["why not"], strict=True))
+        for frame in tables.values()
+    )
     assert all(shipped.values()) and shipped["pads' ke and kd"] == "it is this"
-    assert newest["contact points"] == newest["solver"] == newest["pads' ke and kd"] == "" != newest["friction"]
+    assert (
+        newest["contact points"]
+        == newest["solver"]
+        == newest["pads' ke and kd"]
+        == ""
+        != newest["friction"]
+    )
 
 
 def test_a_row_that_is_missing_costs_no_section(editions):
     """Of each section every row in turn, or of one with very many some of them."""
-    perturbation, release = of_editions(editions, Templates(ROOT / "templates"), ()), own_release()
+    perturbation, release = (
+        of_editions(editions, Templates(ROOT / "templates"), ()),
+        own_release(),
+    )
     lost = []
     for name, chapter in editions[release].chapters.items():
         record = chapter.results.record
         for index in range(0, len(record.rows), max(1, len(record.rows) // 12)):
             rows = [*record.rows[:index], *record.rows[index + 1 :]]
             try:
-                perturbation.section(release, name, {chapter.results.source: replace(record, rows=rows)})
+                perturbation.section(
+                    release, name, {chapter.results.source: replace(record, rows=rows)}
+                )
             except Exception as error:
                 lost.append((name, record.rows[index]["case"], repr(error)))
     assert lost == []

@@ -14,7 +14,13 @@ import pytest
 from conftest import SOURCES
 from toys import derived, link
 
-from measured_report.changes.alarm import largest, power, rate_of, settings_text, summary
+from measured_report.changes.alarm import (
+    largest,
+    power,
+    rate_of,
+    settings_text,
+    summary,
+)
 from measured_report.changes.compare import Comparison, compare
 from measured_report.editions.project import Project, own_release
 from measured_report.findings.editions import Edition
@@ -37,7 +43,9 @@ def plants() -> Mapping[str, Mapping[str, Record]]:
         for member in (member for member in archive if member.name.endswith(".json")):
             _, folder, name = member.name.split("/")
             record = read_record(archive.extractfile(member).read(), Path(name))
-            found.setdefault(folder.rpartition("-")[2], {})[record.section] = replace(record, traces={})
+            found.setdefault(folder.rpartition("-")[2], {})[record.section] = replace(
+                record, traces={}
+            )
     return found
 
 
@@ -48,7 +56,9 @@ def edition(tmp_path_factory) -> Edition:
     link(root, *SOURCES)
     folder, tracked = root / f"results/newton-{LABEL}", Project(LABEL)
     (folder / "replicas").mkdir(parents=True)
-    for path in (path for section in SECTIONS for path in tracked.results.glob(f"{section}.*")):
+    for path in (
+        path for section in SECTIONS for path in tracked.results.glob(f"{section}.*")
+    ):
         shutil.copy(path, folder)
     for path in replica_files(tracked):
         shutil.copy(path, folder / "replicas")
@@ -60,16 +70,28 @@ def measured_as(edition) -> Callable[..., Comparison]:
     """Compares the edition with records as if they were another release's, some cells changed."""
 
     def measure(
-        records: Mapping[str, Record], changes: Mapping[tuple[str, str, str], float] | None = None
+        records: Mapping[str, Record],
+        changes: Mapping[tuple[str, str, str], float] | None = None,
     ) -> Comparison:
         after = edition.project.of("1.9.0")
         for section in (section for section in SECTIONS if section in records):
-            record, rows = records[section], [dict(row) for row in records[section].rows]
+            record, rows = (
+                records[section],
+                [dict(row) for row in records[section].rows],
+            )
             for (name, case, column), factor in (changes or {}).items():
                 for row in rows if name == section else ():
-                    row.update({column: factor * row[column]} if row["case"] == case else {})
-            identity = replace(record.identity, packages={**record.identity.packages, "newton": "1.9.0"})
-            write_record(after.record_path(section), replace(record, identity=identity, rows=rows, traces={}))
+                    row.update(
+                        {column: factor * row[column]} if row["case"] == case else {}
+                    )
+            identity = replace(
+                record.identity,
+                packages={**record.identity.packages, "newton": "1.9.0"},
+            )
+            write_record(
+                after.record_path(section),
+                replace(record, identity=identity, rows=rows, traces={}),
+            )
         found = compare(edition, derived(after))
         shutil.rmtree(after.results)
         return found
@@ -81,8 +103,14 @@ def test_each_measurement_left_out_is_told_as_the_same(editions):
     found = rate_of(editions[LABEL])
     assert found["comparisons"] >= 100 and found["told"] <= 0.03 * found["comparisons"]
     assert found["moves"] <= 0.001 * found["numbers"]
-    claims = [claim for each in editions[LABEL].chapters.values() for claim in each.section.claims]
-    assert any(claim.confirmed.endswith("measurements, on 2 kinds of GPU") for claim in claims)
+    claims = [
+        claim
+        for each in editions[LABEL].chapters.values()
+        for claim in each.section.claims
+    ]
+    assert any(
+        claim.confirmed.endswith("measurements, on 2 kinds of GPU") for claim in claims
+    )
 
 
 def test_the_same_release_on_another_card_rings_nothing(measured_as, plants):
@@ -93,36 +121,59 @@ def test_the_same_release_on_another_card_rings_nothing(measured_as, plants):
 
 @pytest.mark.parametrize(
     ("plant", "first"),
-    [("4", "alarm: friction 1 → 0.95"), ("5", "alarm: timeconst 0.02"), ("6", "alarm: timeconst 0.02")],
+    [
+        ("4", "alarm: friction 1 → 0.95"),
+        ("5", "alarm: timeconst 0.02"),
+        ("6", "alarm: timeconst 0.02"),
+    ],
     ids=["friction -5 %", "timeconst +15 %", "timeconst +3 %"],
 )
-def test_what_the_engine_is_given_rings_and_is_named_first(measured_as, plants, plant, first):
+def test_what_the_engine_is_given_rings_and_is_named_first(
+    measured_as, plants, plant, first
+):
     found = measured_as(plants[f"3.10.0.{plant}"])
     assert found.alarms and largest(found)[0].startswith(first)
 
 
 @pytest.mark.parametrize(
-    ("plant", "setting"), [("7", "option-integrator"), ("8", "option-timestep")], ids=["Euler", "15 substeps"]
+    ("plant", "setting"),
+    [("7", "option-integrator"), ("8", "option-timestep")],
+    ids=["Euler", "15 substeps"],
 )
-def test_a_planted_setting_rings_and_is_named_first(measured_as, plants, plant, setting):
+def test_a_planted_setting_rings_and_is_named_first(
+    measured_as, plants, plant, setting
+):
     found = measured_as(plants[f"3.10.0.{plant}"])
     assert found.alarms and settings_text(found.settings).startswith(setting)
 
 
-@pytest.mark.parametrize("plant", ["12", "13", "15"], ids=["armature +1 %", "gravity 9.80", "timeconst +3 %"])
+@pytest.mark.parametrize(
+    "plant", ["12", "13", "15"], ids=["armature +1 %", "gravity 9.80", "timeconst +3 %"]
+)
 def test_what_is_hidden_in_the_kernels_is_told_as_changed(measured_as, plants, plant):
     """No setting tells of it. The slip is among the first three that changed, whether that matters or not."""
     found = measured_as(plants[f"3.10.0.{plant}"])
-    assert len(found.moves) >= 50 and "numbers changed; by more than its threshold: " in summary(found)
-    assert any("slip " in line for line in largest(found)[:3]) and settings_text(found.settings) == "all as they were"
+    assert len(
+        found.moves
+    ) >= 50 and "numbers changed; by more than its threshold: " in summary(found)
+    assert (
+        any("slip " in line for line in largest(found)[:3])
+        and settings_text(found.settings) == "all as they were"
+    )
 
 
 @pytest.mark.parametrize("case", ["as-shipped", "stiff-pads"])
-def test_the_least_change_that_would_have_rung_is_that_which_rings(measured_as, plants, case):
+def test_the_least_change_that_would_have_rung_is_that_which_rings(
+    measured_as, plants, case
+):
     cell, same = ("upgrade", case, "slip_mm"), measured_as(plants[UNCHANGED])
     assert "slip from 5 %" in power(same)
     [before] = {each.before for each in same.cells if each.name == ".".join(cell)}
-    [now] = {row["slip_mm"] for row in plants[UNCHANGED]["upgrade"].rows if row["case"] == case}
+    [now] = {
+        row["slip_mm"]
+        for row in plants[UNCHANGED]["upgrade"].rows
+        if row["case"] == case
+    }
     for share, rings in ((1.048, False), (1.052, True), (0.952, False), (0.948, True)):
         alarms = measured_as(plants[UNCHANGED], {cell: share * before / now}).alarms
         assert [alarm.name for alarm in alarms] == [".".join(cell)] * rings
@@ -134,4 +185,6 @@ def test_a_replica_that_is_left_out_rings_nothing(edition, measured_as):
         records = read_replica(path)
         if records.keys() >= {"noise", "upgrade"}:
             found = measured_as(records)
-            assert found.alarms == found.flips == [] and len(found.moves) <= 0.002 * len(found.cells)
+            assert found.alarms == found.flips == [] and len(
+                found.moves
+            ) <= 0.002 * len(found.cells)

@@ -23,31 +23,65 @@ pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
 
 
-def test_every_claim_table_and_figure_is_on_the_page_and_only_what_was_not_measured_is_left_out(editions):
+def test_every_claim_table_and_figure_is_on_the_page_and_only_what_was_not_measured_is_left_out(
+    editions,
+):
     for edition in editions.values():
         for chapter in edition.chapters.values():
             printed, section = chapter.prose.printed, chapter.section
-            said = "".join(str(thing) for thing in printed if not isinstance(thing, Figure))
+            said = "".join(
+                str(thing) for thing in printed if not isinstance(thing, Figure)
+            )
             drawn = [thing for thing in printed if isinstance(thing, Figure)]
             names = [claim.name for claim in section.claims]
-            assert [name for name in names if f'data-claim="{chapter.name}.{name}"' not in said] == []
-            assert [name for name, table in section.tables.items() if escape(table) not in said] == []
-            assert [name for name, figure in section.figures.items() if figure not in drawn] == []
-    assert [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"] == []
+            assert [
+                name
+                for name in names
+                if f'data-claim="{chapter.name}.{name}"' not in said
+            ] == []
+            assert [
+                name
+                for name, table in section.tables.items()
+                if escape(table) not in said
+            ] == []
+            assert [
+                name for name, figure in section.figures.items() if figure not in drawn
+            ] == []
+    assert [
+        state
+        for edition in editions.values()
+        for state in edition.left_out
+        if state.kind != "missing"
+    ] == []
 
 
 def test_every_outcome_of_every_claim_can_be_said(editions):
     """A wording that names a number it does not have would fail only when the claim flips."""
     chapters = {release: edition.chapters for release, edition in editions.items()}
-    words = {name: Templates(ROOT / "templates").words(f"{name}.md.j2") for name in ("story", "investigation")}
+    words = {
+        name: Templates(ROOT / "templates").words(f"{name}.md.j2")
+        for name in ("story", "investigation")
+    }
     for release in editions:
-        claims = [claim for chapter in chapters[release].values() for claim in chapter.section.claims]
-        told = {"story": story.derive(chapters, release), "investigation": investigation.derive(chapters[release])}
+        claims = [
+            claim
+            for chapter in chapters[release].values()
+            for claim in chapter.section.claims
+        ]
+        told = {
+            "story": story.derive(chapters, release),
+            "investigation": investigation.derive(chapters[release]),
+        }
         for name, section in told.items():
-            claims += [replace(claim, wording=words[name]["claim", claim.name]) for claim in section.claims]
+            claims += [
+                replace(claim, wording=words[name]["claim", claim.name])
+                for claim in section.claims
+            ]
         for claim in claims:
             said = [replace(claim, outcome=outcome).text for outcome in OUTCOMES]
-            assert all(text.endswith((".", ":")) for text in said) and len(set(said)) == 3, said
+            assert (
+                all(text.endswith((".", ":")) for text in said) and len(set(said)) == 3
+            ), said
 
 
 def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
@@ -59,36 +93,69 @@ def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
     ):
         return row  # these repeat to the last bit
     found = {name: row[name] for name in floors if row.get(name) is not None}
-    moved = {name: value + (chance.random() - 0.5) * floors[name] for name, value in found.items()}
-    return row | moved | {name: abs(moved[name]) for name in {"slip_mm"} & set(moved)}  # a length
+    moved = {
+        name: value + (chance.random() - 0.5) * floors[name]
+        for name, value in found.items()
+    }
+    return (
+        row | moved | {name: abs(moved[name]) for name in {"slip_mm"} & set(moved)}
+    )  # a length
 
 
 @pytest.mark.parametrize("release", ["1.4.0", "1.8.0"])
 def test_no_claim_flips_by_noise_alone(release, editions, tmp_path):
     link(tmp_path, "report", "experiments", "templates", "assets", "pyproject.toml")
-    shutil.copytree(ROOT / "results" / f"newton-{release}", tmp_path / "results" / f"newton-{release}")
+    shutil.copytree(
+        ROOT / "results" / f"newton-{release}",
+        tmp_path / "results" / f"newton-{release}",
+    )
     project = Project(release, root=tmp_path, own_release=own_release())
-    before = {name: chapter for name, chapter in editions[release].chapters.items() if not chapter.compares}
+    before = {
+        name: chapter
+        for name, chapter in editions[release].chapters.items()
+        if not chapter.compares
+    }
     values = before["noise"].results.derived
-    floors = {"slip_mm": values["slip_floor"].value, "drift_mm_s": values["drift_floor"].value}
+    floors = {
+        "slip_mm": values["slip_floor"].value,
+        "drift_mm_s": values["drift_floor"].value,
+    }
     chance = random.Random(0)
     for section, chapter in before.items():
         if section != "noise":
             record = chapter.results.record
             # What is known to repeat better, as in another solver, is moved by no more than that.
             noises = [
-                {name: row[name].noise for name in floors if row.plain.get(name) is not None}
+                {
+                    name: row[name].noise
+                    for name in floors
+                    if row.plain.get(name) is not None
+                }
                 for row in chapter.results.rows
             ]
-            known = [{name: min(floors[name], noise[name] or floors[name]) for name in noise} for noise in noises]
-            rows = [shaken(*each, chance) for each in zip(record.rows, known, strict=True)]
+            known = [
+                {name: min(floors[name], noise[name] or floors[name]) for name in noise}
+                for noise in noises
+            ]
+            rows = [
+                shaken(*each, chance) for each in zip(record.rows, known, strict=True)
+            ]
             write_record(project.record_path(section), replace(record, rows=rows))
     after = derive_edition(project).chapters
-    first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
+    first, again = (
+        side["gap"].results.rows[0].slip_mm.value for side in (before, after)
+    )
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
-    assert [flip.claim for flip in flips_between(before, {name: after[name] for name in before})] == []
+    assert [
+        flip.claim
+        for flip in flips_between(before, {name: after[name] for name in before})
+    ] == []
 
 
 def test_the_tracked_results_make_a_report_without_the_simulator(site):
     assert check_site(site) == []
-    assert [path for path in site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []
+    assert [
+        path
+        for path in site.rglob("*.html")
+        if UNDRAWN in path.read_text(encoding="utf-8")
+    ] == []

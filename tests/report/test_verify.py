@@ -10,7 +10,10 @@ from measured_report.findings.editions import Edition
 from measured_report.records.record import load_record
 from report.commands.verify import repeats_of, verify
 
-TRACKED = {row["case"]: row for row in load_record(Project(own_release()).record_path("reproduction")).rows}
+TRACKED = {
+    row["case"]: row
+    for row in load_record(Project(own_release()).record_path("reproduction")).rows
+}
 SHIPPED, STIFF = (TRACKED[case]["slip_mm"] for case in ("as-shipped", "stiff-pads"))
 """What is tracked [mm], from the GPU that the noise was measured on."""
 GPU = {"device": "cuda", "gpu": "NVIDIA H200", "cpu": "A processor"}
@@ -23,7 +26,10 @@ def edition(editions) -> Edition:
 
 
 def found(machine: dict, shipped: float | None, stiff: float = STIFF) -> dict:
-    rows = [{"case": "as-shipped", "slip_mm": shipped}, {"case": "stiff-pads", "slip_mm": stiff}]
+    rows = [
+        {"case": "as-shipped", "slip_mm": shipped},
+        {"case": "stiff-pads", "slip_mm": stiff},
+    ]
     if shipped is None:
         rows[0]["slip_mm_reason"] = "it broke down"
     return {"machine": machine, "rows": rows, "compile_s": 1.0, "measure_s": 20.0}
@@ -33,16 +39,25 @@ def found(machine: dict, shipped: float | None, stiff: float = STIFF) -> dict:
     ("machine", "shipped", "said", "agrees"),
     [
         (GPU, SHIPPED, "agrees; on NVIDIA H200", True),
-        (GPU, SHIPPED + 0.010, "(noise) near the bound: measure again; on NVIDIA H200", True),
+        (
+            GPU,
+            SHIPPED + 0.010,
+            "(noise) near the bound: measure again; on NVIDIA H200",
+            True,
+        ),
         (GPU, SHIPPED + 0.020, "differs; on NVIDIA H200", False),
         (CPU, SHIPPED + 0.015, "(devices) agrees; on NVIDIA H200", True),
         (CPU, SHIPPED + 0.1, "differs; on NVIDIA H200", False),
         (CPU, None, "differs (it broke down); on NVIDIA H200", False),
     ],
 )
-def test_the_bound_is_the_noise_on_its_processor_and_that_of_devices_elsewhere(edition, machine, shipped, said, agrees):
+def test_the_bound_is_the_noise_on_its_processor_and_that_of_devices_elsewhere(
+    edition, machine, shipped, said, agrees
+):
     repeats = list(repeats_of(edition, found(machine, shipped)))
-    first, first_agrees = next(repeat for repeat in repeats if repeat[0].endswith("on NVIDIA H200"))
+    first, first_agrees = next(
+        repeat for repeat in repeats if repeat[0].endswith("on NVIDIA H200")
+    )
     assert said.split() == first.split()[-len(said.split()) :]
     assert first_agrees is agrees
     text, all_agree = verify(edition, found(machine, shipped))

@@ -1,4 +1,4 @@
-// What the contact rows lack, J̇ q̇, put back as experiments/simulation/contact_bias_c.py does.
+// What the contact rows lack, J̇ q̇, put back as packages/contact-bias/contact_bias_c.py does.
 
 /** Puts the term back in every step of one model. */
 export class Term {

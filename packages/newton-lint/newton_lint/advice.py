@@ -8,28 +8,29 @@ from newton_lint.findings import Advice, Change, distinct
 from newton_lint.law import clamped
 from newton_lint.scene import Scene
 
-FAR, FEW = 4.0, 10
-"""Times another damping ratio or timeconst from which one is far, and iterations that solve an elliptic cone."""
+# Times another damping ratio or timeconst from which one is far, and iterations that solve an elliptic cone.
+FAR = 4.0
+FEW = 10
 
 
 def for_geom(scene: Scene, geom: int, attributes: Mapping[str, str], gain: str) -> Advice:
     """Return attributes of a geom, at the tag that says the first of them, or its own where none does."""
-    element, authored = scene.source.geom(geom), scene.source.authored(geom, next(iter(attributes)))
+    element = scene.source.geom(geom)
+    authored = scene.source.authored(geom, next(iter(attributes)))
     items = tuple(attributes.items())
     single = Change(scene.names[geom], items, element)
     if authored in (None, element):
-        return Advice((single,), gain)
+        return Advice(gain, (single,))
     # The class is where it was meant to stand. That may harm another geom of the class: then this one alone.
     shared = Change(f"the default of {scene.names[geom]}", items, authored)
-    return either(Advice((shared,), gain), Advice((single,), ""))
+    return either(Advice(gain, (shared,)), Advice("", (single,)))
 
 
 def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice:
     """Return attributes of ``<option>``; a scene without one gets it."""
     if not attributes:
-        return Advice((), gain)
-    element = scene.source.option(next(iter(attributes)))
-    return Advice((Change("option", tuple(attributes.items()), element),), gain)
+        return Advice(gain)
+    return Advice(gain, (Change("option", tuple(attributes.items()), scene.source.option(next(iter(attributes)))),))
 
 
 def ways_of(advice: Advice | None) -> tuple[Advice, ...]:
@@ -43,19 +44,20 @@ def either(first: Advice, *alternatives: Advice) -> Advice:
 
 def for_contact(scene: Scene, pair: int, solref: Callable[[Sequence[float]], str | None], gain: str) -> Advice:
     """Return a solref, made of the old one, for the ``<pair>`` of a contact or for the geoms that count in it."""
-    contacts, model = scene.contacts, scene.model
-    first, second = int(contacts.first[pair]), int(contacts.second[pair])
+    contacts = scene.contacts
+    model = scene.model
+    first = int(contacts.first[pair])
+    second = int(contacts.second[pair])
     if contacts.named[pair] >= 0:
-        element = scene.source.pair(*(model.geom(geom).name for geom in (first, second)))
         new = solref(model.pair_solref[contacts.named[pair]])
         subject = f"the pair of {scene.names[first]} and {scene.names[second]}"
-        return Advice((Change(subject, (("solref", new),), element),) if new else (), gain)
+        return Advice(gain, (Change(subject, (("solref", new),), scene.pair_element(pair)),) if new else ())
     geoms = (first,) if contacts.outranked[pair] else (first, second)
-    solrefs = {geom: new for geom in geoms if (new := solref(model.geom_solref[geom]))}
-    advices = [for_geom(scene, geom, {"solref": new}, gain) for geom, new in solrefs.items()]
+    solrefs = [(geom, solref(model.geom_solref[geom])) for geom in geoms]
+    advices = [for_geom(scene, geom, {"solref": new}, gain) for geom, new in solrefs if new]
     changes = distinct(change for advice in advices for change in advice.changes)
     singles = tuple(change for advice in advices for change in ways_of(advice)[-1].changes)
-    return either(Advice(changes, gain), *([Advice(singles, "")] if singles != changes else []))
+    return either(Advice(gain, changes), *([Advice("", singles)] if singles != changes else []))
 
 
 def longer_solref(
@@ -106,8 +108,9 @@ def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
     if timeconst > authored:  # or the next run would find the clamped timeconst in its place
         attributes["solref"] = f"{timeconst:g} {ratio:g}"
     less = f"creep goes down by up to {mixed_s / timeconst:.2g}"
-    gain = f"its solref alone counts, and {less}; its friction, condim and solimp as well"
-    return for_geom(scene, geom, attributes, gain)
+    return for_geom(
+        scene, geom, attributes, f"its solref alone counts, and {less}; its friction, condim and solimp as well"
+    )
 
 
 def whole_solref(scene: Scene, pair: int) -> Advice:

@@ -54,10 +54,10 @@ def option_of(model: mujoco.MjModel) -> Option:
     """Return what the engine is told of all contacts."""
     opt = model.opt
     return Option(
-        timestep_s=float(opt.timestep),
+        timestep_s=opt.timestep,
         integrator=int(opt.integrator),
         cone=CONES[int(opt.cone)],
-        impratio=max(float(opt.impratio), mujoco.mjMINVAL),
+        impratio=max(opt.impratio, mujoco.mjMINVAL),
         refsafe=not opt.disableflags & REFSAFE_OFF,
         noslip=opt.noslip_iterations > 0,
     )
@@ -85,12 +85,15 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     condim = np.where(outranked, condims[0], np.maximum(*condims))
     solreffriction = np.zeros((len(pairs), 2))
     indices = named[~plain]
-    solref[~plain], solimp[~plain] = model.pair_solref[indices], model.pair_solimp[indices]
+    solref[~plain] = model.pair_solref[indices]
+    solimp[~plain] = model.pair_solimp[indices]
     friction[~plain] = model.pair_friction[indices][:, (0, 2, 3)]  # two sliding, one spinning, two rolling
-    condim[~plain], solreffriction[~plain] = model.pair_dim[indices], model.pair_solreffriction[indices]
+    condim[~plain] = model.pair_dim[indices]
+    solreffriction[~plain] = model.pair_solreffriction[indices]
     if model.opt.enableflags & OVERRIDE:  # mj_assignRef: in a <pair> as well; condim has no override
         solref[:] = solreffriction[:] = model.opt.o_solref
-        solimp[:], friction[:] = model.opt.o_solimp, model.opt.o_friction[[0, 2, 3]]
+        solimp[:] = model.opt.o_solimp
+        friction[:] = model.opt.o_friction[[0, 2, 3]]
     weight = model.body_invweight0[model.geom_bodyid, 0]
     return Contacts(
         first, second, named, outranked, solref, solreffriction, solimp, condim, np.maximum(friction, MIN_MU),

@@ -10,12 +10,16 @@ import os
 import re
 import sys
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-CLEAN, FOUND, UNFIT, BROKEN, STOPPED = 0, 1, 2, 3, 130
-"""Exit status."""
+# Exit status.
+CLEAN = 0
+FOUND = 1
+UNFIT = 2
+BROKEN = 3
+STOPPED = 130
 PROGRAM = "newton-lint"
 SUBCOMMANDS = ("prescribe", "page", "pair")
 """Commands besides the lint itself, each a module."""
@@ -87,6 +91,7 @@ class Tell(argparse.Action):
 
 
 def _linted(options: argparse.Namespace) -> int:
+    from newton_lint.mend import fixed, fixed_again
     from newton_lint.output import printable, written
     from newton_lint.report import report_of
     from newton_lint.settings import table_of
@@ -95,15 +100,16 @@ def _linted(options: argparse.Namespace) -> int:
     table = table_of(Path.cwd())
     request = request_of(options, table)
     form = "json" if options.json else options.format or table.get("format", "text")
-    reports, unread, fixes = [], [], []
+    reports = []
+    unread = []
+    fixes = []
     targets = list(targets_of(options.target, [*options.exclude, *table.get("exclude", [])]))
     paths = list(dict.fromkeys(path for path in map(Path, targets) if path.is_file()))
     for target in targets:
         try:
             read = read_target(target)
             if (options.fix or options.dry_run) and read.path and read.model is not None:
-                mend = importlib.import_module("newton_lint.mend")
-                report, lines, why = mend.fixed(read, request, paths, options.dry_run)
+                report, lines, why = fixed(read, request, paths, options.dry_run)
                 fixes += lines
                 unread += [why] if why else []
             else:
@@ -112,17 +118,20 @@ def _linted(options: argparse.Namespace) -> int:
         except TargetError as error:
             unread.append(str(error))
     if options.fix and not options.dry_run and not unread and len(targets) > 1:
-        fixes += importlib.import_module("newton_lint.mend").fixed_again(targets, request, paths)
-    with _pipe_may_close():
+        fixes += fixed_again(targets, request, paths)
+    try:
         if reports or form in ("json", "sarif"):
-            print(written(reports, form, unread))
+            print(written(reports, form, unread), flush=True)
+    except BrokenPipeError:  # who reads the output may stop before its end, as head does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
     for line in (*unread, *fixes):
         print(printable(line), file=sys.stderr)
     if unread:
         return UNFIT
     least = options.fail_on or table.get("fail-on", "warning")
-    failed = least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports)
-    return FOUND if failed else CLEAN
+    if least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports):
+        return FOUND
+    return CLEAN
 
 
 def request_of(options: argparse.Namespace, table: dict[str, Any]):
@@ -134,9 +143,14 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
     ignore = [*table.get("ignore", []), *map(str.strip, options.ignore.split(",") if options.ignore else [])]
     if unknown := [rule for rule in ignore if rule not in rules()]:
         raise TargetError(f"there is no rule {', '.join(unknown)} to ignore: there are {', '.join(rules())}")
-    load = Load(options.acceleration, options.load)
-    below = options.below or table.get("below")
-    return Request(engine_of(options, table), load, work_of(options), below, frozenset(ignore), not options.no_step)
+    return Request(
+        engine_of(options, table),
+        Load(options.acceleration, options.load),
+        work_of(options),
+        options.below or table.get("below"),
+        frozenset(ignore),
+        not options.no_step,
+    )
 
 
 def engine_of(options: argparse.Namespace, table: dict[str, Any]):
@@ -151,16 +165,6 @@ def work_of(options: argparse.Namespace):
     return Work(options.hold, options.settle or SETTLE_S, options.turn, options.lift) if options.hold else None
 
 
-@contextlib.contextmanager
-def _pipe_may_close() -> Iterator[None]:
-    """Let who reads the output stop before its end, as head does."""
-    try:
-        yield
-        print(end="", flush=True)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
-
-
 def version() -> str:
     metadata = importlib.import_module("importlib.metadata")  # which takes as long as all that a rule does
     with contextlib.suppress(metadata.PackageNotFoundError):
@@ -170,12 +174,20 @@ def version() -> str:
 
 def lint_parser() -> Parser:
     """Make the parser of the lint's own options."""
-    about = "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to do."
-    epilog = "Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a contact."
-    parser = Parser(prog=PROGRAM, description=about, epilog=epilog)
+    parser = Parser(
+        prog=PROGRAM,
+        description="Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what"
+        " to do.",
+        epilog="Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a"
+        " contact.",
+    )
     add = parser.add_argument
-    targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"
-    add("target", metavar="TARGET", nargs="+", help=targets)
+    add(
+        "target",
+        metavar="TARGET",
+        nargs="+",
+        help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function",
+    )
     add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
@@ -195,7 +207,8 @@ def lint_parser() -> Parser:
 
 def add_work(parser: argparse.ArgumentParser) -> None:
     """Add options of the engine, and of a body that is held."""
-    add, default = parser.add_argument, "default: what the scene says"
+    add = parser.add_argument
+    default = "default: what the scene says"
     add("--engine", choices=("mujoco", "warp", "newton"), help="whose rules count; default: mujoco")
     add("--dt", type=positive, metavar="S", help=f"the solver's step; {default}")
     add("--cone", choices=("pyramidal", "elliptic"), help=default)

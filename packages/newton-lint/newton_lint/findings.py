@@ -1,7 +1,9 @@
-"""What a lint finds, put together."""
+"""What a lint finds: of one thing, or of many shapes and pairs at once, which are grouped into findings."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+
+import numpy as np
 
 from newton_lint.source import Element
 
@@ -26,10 +28,10 @@ class Change:
 
 @dataclass(frozen=True)
 class Advice:
-    """Advice: changes, what they gain and cost, and alternatives of which one is enough, the mildest first."""
+    """What changes gain and cost, the changes, and alternatives of which one is enough, the mildest first."""
 
-    changes: tuple[Change, ...]
     gain: str
+    changes: tuple[Change, ...] = ()
     alternatives: tuple["Advice", ...] = ()
     """One that tells no gain is not said."""
 
@@ -70,3 +72,65 @@ def grouped(findings: Iterable[Finding]) -> list[list[Finding]]:
     for finding in findings:
         groups.setdefault(replace(finding, shape="", against=()), []).append(finding)
     return list(groups.values())
+
+
+@dataclass(frozen=True)
+class Wording:
+    """What a rule says of one parameter, wherever it hits."""
+
+    rule: str
+    parameter: str
+    message: str
+    unit: str = "1"
+    severity: str = "warning"
+
+
+@dataclass(frozen=True)
+class Hits:
+    """Hits of a rule, of which all say the same; arrays of one length."""
+
+    wording: Wording
+    shape: np.ndarray
+    value: np.ndarray
+    used: np.ndarray | float = np.nan
+    """One of all, or of each; NaN where nothing is used."""
+    partner: np.ndarray | None = None
+    """The other shape of a pair; None where it is about shapes alone."""
+    items: np.ndarray | None = None
+    """What is asked for an element and an advice: geoms, or indices of pairs; None where there are none."""
+    element: Callable[[int], Element | None] = lambda _: None
+    advise: Callable[[int], Advice | None] = lambda _: None
+
+
+def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
+    """Yield a finding for each shape and each value that it has and gets, in the order in which they were hit."""
+    all_used = np.broadcast_to(hits.used, len(hits.shape))
+    # NaN equals nothing, itself neither: each hit of which nothing is used would be a finding of its own.
+    numbers = row_numbers(hits.shape, hits.value, np.nan_to_num(all_used, nan=np.inf))
+    for member in sorted(groups_of(numbers), key=lambda member: member[0]):
+        index = member[0]
+        used = float(all_used[index])
+        item = -1 if hits.items is None else int(hits.items[index])
+        yield Finding(
+            **vars(hits.wording),
+            shape=names[hits.shape[index]],
+            value=float(hits.value[index]),
+            against=() if hits.partner is None else tuple(names[geom] for geom in hits.partner[member].tolist()),
+            used=None if np.isnan(used) else used,
+            element=hits.element(item),
+            advice=hits.advise(item),
+        )
+
+
+def row_numbers(*columns: np.ndarray) -> np.ndarray:
+    """Number rows so that equal ones have the same number; faster than to sort the rows as such."""
+    key = np.zeros(len(columns[0]), dtype=np.int64)
+    for column in columns:
+        values, number = np.unique(column, return_inverse=True)
+        _, key = np.unique(key * len(values) + number, return_inverse=True)  # anew, or the products would overflow
+    return key
+
+
+def groups_of(numbers: np.ndarray) -> list[np.ndarray]:
+    """Return the indices of each number, by the numbers."""
+    return np.split(np.argsort(numbers, kind="stable"), np.cumsum(np.bincount(numbers))[:-1]) if len(numbers) else []

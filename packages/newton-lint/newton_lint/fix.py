@@ -70,8 +70,8 @@ def _escaped(value: str) -> str:
     return value.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
 
 
-def write(texts: Texts) -> list[Path]:
-    """Replace files, all or, with an OSError, none, and return where what they held is kept."""
+def write(texts: Texts) -> list[tuple[Path, Path]]:
+    """Replace files, all or, with an OSError, none; return each, as it was resolved, and where its text is kept."""
     replaced: list[tuple[Path, Path]] = []
     try:
         for file, text in texts.items():
@@ -86,7 +86,7 @@ def write(texts: Texts) -> list[Path]:
     except BaseException:
         undo(replaced)
         raise
-    return [backup for _, backup in replaced]
+    return replaced
 
 
 def undo(replaced: Iterable[tuple[Path, Path]]) -> None:

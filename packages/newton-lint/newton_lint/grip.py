@@ -11,17 +11,18 @@ import numpy as np
 
 from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Advice, Finding
-from newton_lint.scene import Scene, changed
-from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, pair_indices, predicted_hold, touches_of
-from newton_lint.stepped import Run, contact_forces, free_joints
+from newton_lint.scene import ELLIPTIC, Scene, changed
+from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, predicted_hold, touches_of
+from newton_lint.stepped import Run, Start, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
 """Creep under its own weight from which a body is said to slip."""
-AGREES, LEAST = 0.3, 0.015
-"""Least share of predicted creep that a body moves by, and of its weight that friction bears: in a grip, on a slope."""
-OPPOSE, MOST_BODIES = -0.5, 6
-"""Cosine of normals up to which a body is held from two sides, and bodies looked at, those with most friction first."""
-ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
+# Least share of predicted creep that a body moves by, and of its weight that friction bears: in a grip, on a slope.
+AGREES = 0.3
+LEAST = 0.015
+# Cosine of normals up to which a body is held from two sides, and bodies looked at, those with most friction first.
+OPPOSE = -0.5
+MOST_BODIES = 6
 
 
 def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Finding]:
@@ -34,20 +35,23 @@ def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Findi
                 steps = max(1, round(READ_SHARE * SETTLE_S / scene.model.opt.timestep))
                 if touches := touches_of(scene, data, body, steps):
                     findings = list(_grip_findings(scene, body, touches, data, run.start))
-                    reported |= {body} if findings else set()
+                    if findings:
+                        reported.add(body)
                     yield from findings
 
 
 def _burdened(scene: Scene, run: Run) -> list[int]:
     """Return bodies that move freely and alone, and of whose weight friction bears a share."""
-    model, data = scene.model, run.data
+    model = scene.model
+    data = run.data
     friction = np.zeros((model.nbody, 3))
     contacts = np.flatnonzero((data.contact.geom.min(axis=1, initial=0) >= 0) & (data.contact.dim >= 3))
     axes = data.contact.frame[contacts].reshape(-1, 3, 3)[:, 1:]
     acts = np.einsum("ni,nij->nj", contact_forces(model, data, contacts)[:, 1:3], axes)
     for geoms, sign in zip(data.contact.geom[contacts].T, (-1.0, 1.0), strict=True):  # it acts on the second geom
         np.add.at(friction, model.body_weldid[model.geom_bodyid[geoms]], sign * acts)
-    free, weight = model.jnt_bodyid[free_joints(model)], model.body_mass * float(np.linalg.norm(model.opt.gravity))
+    free = model.jnt_bodyid[free_joints(model)]
+    weight = model.body_mass * np.linalg.norm(model.opt.gravity)
     alone = free[np.isclose(model.body_subtreemass[free], model.body_mass[free])]
     share = np.linalg.norm(friction, axis=1)[alone] / np.maximum(weight[alone], 1e-12)
     first = np.argsort(-share)[:MOST_BODIES]
@@ -55,52 +59,77 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
 
 
 def _is_between(touches: Sequence[Touch]) -> bool:
+    return _least_cosine(touches) < OPPOSE and len({touch.geoms for touch in touches}) > 1
+
+
+def _least_cosine(touches: Sequence[Touch]) -> float:
     normals = np.array([touch.normal for touch in touches])
-    return float((normals @ normals.T).min()) < OPPOSE and len({touch.geoms for touch in touches}) > 1
+    return (normals @ normals.T).min()
 
 
-def _grip_findings(scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: str) -> Iterator[Finding]:
+def _grip_findings(
+    scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: Start
+) -> Iterator[Finding]:
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
-    normals = np.array([touch.normal for touch in touches])
-    between, is_sloped = _is_between(touches), float((normals @ normals.T).min()) > -OPPOSE
+    between = _is_between(touches)
+    is_sloped = _least_cosine(touches) > -OPPOSE
     if between:
         yield from _turns(scene, hold, start)
-    least_n = float(scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity))
+    least_n = scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity)
     least_n *= AGREES if between else LEAST
     if not (between or is_sloped) or hold.slides or not hold.rests or hold.load_n < least_n:
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
         where = "between fingers" if between else "down a slope"
-        message = f"{where}, by {hold.load_n:.3g} N on {hold.point_count:.3g} points, from {start}"
         impratio = max(scene.option.impratio, 1.0) * 10.0
         mended = replace(scene, model=changed(scene.model, cone=ELLIPTIC, impratio=impratio))
         after = predicted_hold(mended, body, touches, Work(hold.name), data).mm_s
         gain = f"{hold.mm_s:.2g} → {after:.2g} mm/s for the same time step"
-        option, holds = {"cone": "elliptic", "impratio": f"{impratio:g}"}, math.isfinite(after)
-        ways = [for_option(scene, option, gain) if holds else Advice((), "more friction, along both of its axes")]
+        holds = math.isfinite(after)
+        firmer = for_option(scene, {"cone": "elliptic", "impratio": f"{impratio:g}"}, gain)
+        ways = [firmer if holds else Advice("more friction, along both of its axes")]
         if scene.engine.name == "mujoco":
-            gain = "MuJoCo C alone has the pass in all releases"
-            ways.append(for_option(scene, {"noslip_iterations": "10"}, gain))
-        element, against, used = scene.source.option("impratio"), _names(scene, hold), after if holds else None
-        finding = Finding("slip", hold.name, "creep", hold.mm_s, message, against, used, "mm/s", element=element)
-        yield replace(finding, advice=either(*ways))
+            ways.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
+        yield Finding(
+            "slip",
+            hold.name,
+            "creep",
+            hold.mm_s,
+            f"{where}, by {hold.load_n:.3g} N on {hold.point_count:.3g} points, from {start}",
+            _names(scene, hold),
+            after if holds else None,
+            "mm/s",
+            element=scene.source.option("impratio"),
+            advice=either(*ways),
+        )
 
 
-def _turns(scene: Scene, hold: Hold, start: str) -> Iterator[Finding]:
+def _turns(scene: Scene, hold: Hold, start: Start) -> Iterator[Finding]:
     points: Counter[int] = Counter(touch.support for touch in hold.touches)
-    index = pair_indices(scene)
+    index = scene.pair_indices
     condims = {int(scene.contacts.condim[index[touch.geoms]]) for touch in hold.touches}
     if len(points) == 2 and max(points.values()) == 1 and condims == {3}:
-        is_held = scene.model.body_weldid[scene.model.geom_bodyid] == hold.body
-        pad = next(geom for geom in hold.touches[0].geoms if not is_held[geom])
+        pad = _supports(scene, hold)[0]
         why = "each side holds it in one point, and condim 3 has no row against turning"
-        message, against = f"turns in the grip from {start}: {why}", _names(scene, hold)
-        element = scene.source.authored(pad, "condim")
-        advice = for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]")
-        yield Finding("condim", hold.name, "condim", 3.0, message, against, 4.0, element=element, advice=advice)
+        yield Finding(
+            "condim",
+            hold.name,
+            "condim",
+            3.0,
+            f"turns in the grip from {start}: {why}",
+            _names(scene, hold),
+            4.0,
+            element=scene.source.authored(pad, "condim"),
+            advice=for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]"),
+        )
 
 
 def _names(scene: Scene, hold: Hold) -> tuple[str, ...]:
+    return tuple(scene.names[geom] for geom in _supports(scene, hold))
+
+
+def _supports(scene: Scene, hold: Hold) -> list[int]:
+    """Return the geoms that hold a body, in the order of its touches."""
     is_held = scene.model.body_weldid[scene.model.geom_bodyid] == scene.model.body_weldid[hold.body]
     geoms = (geom for touch in hold.touches for geom in touch.geoms if not is_held[geom])
-    return tuple(dict.fromkeys(scene.names[geom] for geom in geoms))
+    return list(dict.fromkeys(geoms))

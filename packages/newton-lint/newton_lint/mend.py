@@ -21,16 +21,21 @@ from newton_lint.target import Target, TargetError, compiled, read_target, tried
 
 MEASURED_S = 2.0
 """Time that a scene is stepped before and after a change, by each of its starts."""
-DEEPER, DEEPER_M = 1.1, 5e-5
-FASTER, FASTER_M_S = 1.05, 2e-3
-SLOWER, SLOWEST = 1.8, 3.0
-"""How much deeper contacts may get, what rests may move faster, and how much more effort or time it may take."""
-SHALLOW_M, FALLS_M_S = 2e-3, 3.0
-"""Depth that a body may have which no longer falls through, and the speed of what does."""
+DEEPER = 1.1
+DEEPER_M = 5e-5
+FASTER = 1.05
+FASTER_M_S = 2e-3
+# How much deeper contacts may get, what rests may move faster, and how much more effort or time it may take.
+SLOWER = 1.8
+SLOWEST = 3.0
+# Depth that a body may have which no longer falls through, and the speed of what does.
+SHALLOW_M = 2e-3
+FALLS_M_S = 3.0
 FREES = ("lost", "stiff", "thrown", "unstable")
 """Rules of what costs little, and has no contacts, only because it falls or flies."""
-MOST_TRIES, PASSES = 40, 4
-"""Changes that are tried in one pass, and times that scenes which share files are gone over."""
+# Changes that are tried in one pass, and times that scenes which share files are gone over.
+MOST_TRIES = 40
+PASSES = 4
 
 
 def measured(target: Target) -> list[Run]:
@@ -54,24 +59,26 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
 
 def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
     """Say whether contacts are deeper than before, or what rests moves faster."""
-    old_thrown, new_thrown = (float(run.thrown_m_s.max(initial=0.0)) for run in (old, new))
+    old_thrown, new_thrown = (run.thrown_m_s.max(initial=0.0) for run in (old, new))
     # What flew or fell touched nothing: that it lies now is no harm.
     lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
     lies |= "lost" in rules and new.deepest_m < SHALLOW_M
-    old_fall, new_fall = (float(run.speeds_m_s.max(initial=0.0)) for run in (old, new))
+    old_fall, new_fall = (run.speeds_m_s.max(initial=0.0) for run in (old, new))
     lies |= old_fall > FALLS_M_S > 2.0 * new_fall and new.late_m < SHALLOW_M
     for name, field in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
-        old_depth, new_depth = getattr(old, field), getattr(new, field)
+        old_depth = getattr(old, field)
+        new_depth = getattr(new, field)
         if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
             return f"{name} {M * old_depth:.3g} → {M * new_depth:.3g} mm from {new.start}"
-    old_speed, new_speed = (float(np.abs(run.data.qvel).max(initial=0.0)) for run in (old, new))
+    old_speed, new_speed = (np.abs(run.data.qvel).max(initial=0.0) for run in (old, new))
     if new_speed > FASTER * old_speed + FASTER_M_S:
         return f"what moves fastest after {new.time_s:.3g} s: {old_speed:.3g} → {new_speed:.3g} m/s or rad/s"
     return ""
 
 
 def _measures(runs: Sequence[Run]) -> str:
-    depth, cost = max((run.deepest_m for run in runs), default=0.0), sum(run.cost_s for run in runs)
+    depth = max((run.deepest_m for run in runs), default=0.0)
+    cost = sum(run.cost_s for run in runs)
     return f"deepest contact {M * depth:.3g} mm, {cost / max(len(runs), 1):.2g} s a simulated second"
 
 
@@ -79,7 +86,9 @@ class Mending:
     """A scene whose findings are mended one after the other, each on top of those before it."""
 
     def __init__(self, target: Target, request: Request, paths: Sequence[Path]):
-        self.target, self.request, self.paths = target, request, paths
+        self.target = target
+        self.request = request
+        self.paths = paths
         self.report = self.first = report_of(target, request)
         self.runs = self.first_runs = measured(target)
         self.texts: dict[Path, bytes] = dict(target.texts)
@@ -92,7 +101,9 @@ class Mending:
             pass
         # Small harms of many changes add up, although none alone was too large.
         if reason := harm(self.first_runs, self.runs, self.rules):
-            self.texts, self.report, self.runs = dict(target.texts), self.first, self.first_runs
+            self.texts = dict(target.texts)
+            self.report = self.first
+            self.runs = self.first_runs
             self.outcomes = {line: why or f"with the others {reason}" for line, why in self.outcomes.items()}
 
     def _pass(self) -> bool:
@@ -133,9 +144,11 @@ class Mending:
 
     def _harm(self, findings: Sequence[Finding], texts: dict[Path, bytes]) -> str:
         """Take texts over that mend findings of one rule, or say why not."""
-        rules, target = [findings[0].rule], tried(self.target, texts)
+        rules = [findings[0].rule]
+        target = tried(self.target, texts)
         report = report_of(target, self.request)
-        before, after = _counted(self.report), _counted(report)
+        before = _counted(self.report)
+        after = _counted(report)
         notes = {_key(finding) for finding in self.report.findings}
         if any(after[_key(finding)] >= before[_key(finding)] for finding in findings):
             return "it does not change what is found"
@@ -144,7 +157,9 @@ class Mending:
         runs = measured(target)
         if reason := harm(self.runs, runs, rules) or self._harm_elsewhere(texts, rules):
             return reason
-        self.texts, self.report, self.runs = texts, report, runs
+        self.texts = texts
+        self.report = report
+        self.runs = runs
         self.rules |= {*rules}
         return ""
 
@@ -167,8 +182,9 @@ class Mending:
     def patch(self) -> Iterator[str]:
         """Yield the change of the files as a patch."""
         for file, text in self.texts.items():
-            versions = (file.read_bytes(), text)
-            old, new = (version.decode(errors="replace").splitlines(keepends=True) for version in versions)
+            old, new = (
+                version.decode(errors="replace").splitlines(keepends=True) for version in (file.read_bytes(), text)
+            )
             for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
                 yield line.rstrip("\r\n")
 
@@ -184,7 +200,8 @@ def _counted(report: Report) -> Counter[tuple[str, str, str]]:
 def fixed(target: Target, request: Request, paths: Sequence[Path], dry: bool) -> tuple[Report, list[str], str]:
     """Mend a scene's files; return its report as it was, lines of what was done, and why files can't be written."""
     mending = Mending(target, request, paths)
-    backups, why = [], ""
+    backups = []
+    why = ""
     if mending.texts and not dry:
         try:
             backups = _written(target, mending.texts)
@@ -192,7 +209,8 @@ def fixed(target: Target, request: Request, paths: Sequence[Path], dry: bool) ->
             why = str(error)
     lines = [*(mending.patch() if dry else ()), *mending.lines(not dry and not why), *backups]
     if mending.texts:
-        before, after = _measures(mending.first_runs), _measures(mending.runs)
+        before = _measures(mending.first_runs)
+        after = _measures(mending.runs)
         lines.append(f"{target.name}: measured before: {before}; after: {after}")
     return mending.first, lines, why
 
@@ -223,7 +241,7 @@ def _written(target: Target, texts: Texts) -> list[str]:
     assert target.path is not None  # only what a file describes is changed
     expected = compiled(target.path, texts)
     try:
-        backups = write(texts)
+        replaced = write(texts)
     except OSError as error:
         raise TargetError(f"{target.name}: is not written: {error}") from error
     try:
@@ -231,9 +249,9 @@ def _written(target: Target, texts: Texts) -> list[str]:
     except ValueError:
         is_expected = False
     if not is_expected:
-        undo([(file.resolve(), backup) for file, backup in zip(texts, backups, strict=True)])
+        undo(replaced)
         raise TargetError(f"{target.name}: is not written: MuJoCo makes another model of the file than was tried")
-    return [f"{file}: as it was it is {backup.name}" for file, backup in zip(texts, backups, strict=True)]
+    return [f"{file}: as it was it is {backup.name}" for file, (_, backup) in zip(texts, replaced, strict=True)]
 
 
 def are_same(*models: mujoco.MjModel) -> bool:

@@ -7,8 +7,9 @@ from newton_lint.findings import SEVERITIES, Finding, grouped
 from newton_lint.prediction import Load, Prediction
 from newton_lint.report import Report, as_json
 
-SHOWN, WORST = 3, 5
-"""Names that a line of text has before it counts the rest, and creeps that are shown."""
+# Names that a line of text has before it counts the rest, and creeps that are shown.
+SHOWN = 3
+WORST = 5
 LEAST_MM_S = 1e-3
 """Slower creep is told as being below it."""
 USED = {"dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
@@ -93,7 +94,8 @@ def creep_line(prediction: Prediction, load: Load) -> str:
     if load.acceleration_m_s2:
         parts.append(f"{rated(prediction.acceleration_mm_s)} at {load.acceleration_m_s2:g} m/s²")
     if load.load_n:
-        least, most = prediction.load_deep_mm_s, prediction.load_shallow_mm_s
+        least = prediction.load_deep_mm_s
+        most = prediction.load_shallow_mm_s
         between = rated(most) if rated(least) == rated(most) else f"{rated(least)} to {rated(most)}"
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
     pairs = f"{_named(shapes)} on {_named(partners)}{f' ({count} pairs)' if count > 1 else ''}"
@@ -126,11 +128,17 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
         for group in grouped(report.findings)
     ]
     rules = [{"id": rule} for rule in sorted({finding.rule for report in reports for finding in report.findings})]
-    run: dict = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
-    notifications = [{"level": "error", "message": {"text": line}} for line in unread]
-    run["invocations"] = [{"executionSuccessful": not unread, "toolExecutionNotifications": notifications}]
-    schema = "https://json.schemastore.org/sarif-2.1.0.json"
-    return {"$schema": schema, "version": "2.1.0", "runs": [run]}
+    run = {
+        "tool": {"driver": {"name": "newton-lint", "rules": rules}},
+        "results": results,
+        "invocations": [
+            {
+                "executionSuccessful": not unread,
+                "toolExecutionNotifications": [{"level": "error", "message": {"text": line}} for line in unread],
+            }
+        ],
+    }
+    return {"$schema": "https://json.schemastore.org/sarif-2.1.0.json", "version": "2.1.0", "runs": [run]}
 
 
 def _with_advice(group: Sequence[Finding]) -> str:

@@ -24,20 +24,25 @@ def main(arguments: Sequence[str]) -> int:
     add_work(parser)
     parser.set_defaults(ignore=None, acceleration=0.0, load=1.0, no_step=False, turn=0.0)
     options = parser.parse_args(arguments)
-    request, reports, scenes = request_of(options, {}), [], []
+    request = request_of(options, {})
+    reports = []
+    scenes = []
     for target in targets_of(options.target):
         try:
             reports.append(report_of(read_target(target), request))
             text = "\n".join(map(printable, text_of(reports[-1])))
             opened = " open" if reports[-1].worst() > 0 else ""
         except TargetError as error:
-            text, opened = printable(str(error)), " open"
+            text = printable(str(error))
+            opened = " open"
         title = escape(printable(target))
         scenes.append(f"<details{opened}><summary>{title}</summary><pre>{escape(text)}</pre></details>")
-    table = escape("\n".join(map(printable, summary(reports))))
     title = escape(printable(", ".join(options.target)))
     options.out.mkdir(parents=True, exist_ok=True)
     page = options.out / "index.html"
-    page.write_text(PAGE.format(title=title, summary=table, scenes="\n".join(scenes)), encoding="utf-8")
+    page.write_text(
+        PAGE.format(title=title, summary=escape("\n".join(map(printable, summary(reports)))), scenes="\n".join(scenes)),
+        encoding="utf-8",
+    )
     print(page)
     return CLEAN

@@ -27,8 +27,10 @@ def main(arguments: Sequence[str]) -> int:
     options = parser.parse_args(arguments)
     target = read_target(options.target)
     engine = engine_of(options, {})
-    of_newton = (target.name, "newton_lint.newton_models.rules", "Shapes.of", target.newton_model, engine)
-    scene = newtons(*of_newton) if target.newton_model is not None else scene_of(target, engine)
+    if target.newton_model is None:
+        scene = scene_of(target, engine)
+    else:
+        scene = newtons(target.name, "newton_lint.newton_models.rules", "Shapes.of", target.newton_model, engine)
     geoms = [_geom(scene, target.name, name) for name in options.geoms]
     pairs = np.flatnonzero(np.isin(scene.contacts.first, geoms) & np.isin(scene.contacts.second, geoms))
     if not len(pairs):
@@ -50,8 +52,10 @@ def _geom(scene: Scene, target: str, name: str) -> int:
 
 def _separation(scene: Scene, geoms: Sequence[int]) -> str:
     """Say why two geoms never touch: the filters of mj_collision, in its order."""
-    model, weld = scene.model, scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
-    types, affinities = model.geom_contype[geoms], model.geom_conaffinity[geoms]
+    model = scene.model
+    weld = scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
+    types = model.geom_contype[geoms]
+    affinities = model.geom_conaffinity[geoms]
     if weld[0] == weld[1] or not (model.body_dofnum[weld] > 0).any():
         return "they do not move against each other"
     if not (types[0] & affinities[1] or types[1] & affinities[0]):
@@ -60,7 +64,9 @@ def _separation(scene: Scene, geoms: Sequence[int]) -> str:
 
 
 def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) -> Iterator[str]:
-    model, option, contact = scene.model, scene.option, contacts.contact(pair)
+    model = scene.model
+    option = scene.option
+    contact = contacts.contact(pair)
     winner = scene.names[contacts.first[pair]]
     ranked = f"of {winner}, which has the higher priority" if contacts.outranked[pair] else ""
     ranked = "of the <pair> that names them" if contacts.named[pair] >= 0 else ranked
@@ -87,11 +93,12 @@ def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) 
     yield "  ".join([f"{'':8}", *(f"{name:{WIDTH}}" for name in (scene.names[geom1], scene.names[geom2], "contact"))])
     for name, *values, rule in rows:
         yield "  ".join([f"{name:8}", *(f"{_formatted(value):{WIDTH}}" for value in values), str(rule)]).rstrip()
-    dmax, response = clamped(contact.solimp[1]), response_of(contact, option)
+    dmax = clamped(contact.solimp[1])
     ke = stiffness(contact, option, dmax) * dmax**2
     kd = normal_damping(contact, option, dmax) * dmax
     yield f"as Newton's ke and kd: {ke:.4g} and {kd:.4g}, an acceleration for each m and each m/s, and no N/m"
-    depth, slide = M * settled_depth_m(contact, option, 1.0), M * response.load_m_s_n
+    depth = M * settled_depth_m(contact, option, 1.0)
+    slide = M * response_of(contact, option).load_m_s_n
     yield f"1 N on a point presses it {depth:.3g} mm deep; held against 1 N along it, it creeps at {slide:.3g} mm/s"
 
 

@@ -4,8 +4,8 @@ import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-import mujoco
 import numpy as np
+from mujoco import MjData, MjModel
 
 from newton_lint.advice import for_option
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of, work_of
@@ -14,18 +14,19 @@ from newton_lint.law import M
 from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
-from newton_lint.scene import Scene, changed
-from newton_lint.settle import Hold, Work, pair_indices, predicted_hold, settled, settled_hold, started
+from newton_lint.scene import ELLIPTIC, Scene, changed
+from newton_lint.settle import Hold, Work, predicted_hold, settled, settled_hold, started
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
-SAFETY, MOST_TRIES = 0.8, 5
-"""Share of the bound that a prediction has to be below to be tried first, and settings that are simulated."""
+# Share of the bound that a prediction has to be below to be tried first, and settings that are simulated.
+SAFETY = 0.8
+MOST_TRIES = 5
 MEASURED_S = 1.0
 """Time over which creep is measured, after the settling."""
-TIMECONSTS_S, IMPRATIOS = (0.01, 0.005, 0.002), (10.0, 100.0, 1000.0)
+TIMECONSTS_S = (0.01, 0.005, 0.002)
+IMPRATIOS = (10.0, 100.0, 1000.0)
 NOSLIP = 10
-ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,8 @@ def main(arguments: Sequence[str]) -> int:
     if not options.hold:
         parser.error("--hold BODY says what is held")
     target = read_target(options.target)
-    scene, bound = scene_of(target, engine_of(options, {})), options.below or BELOW_MM_S
+    scene = scene_of(target, engine_of(options, {}))
+    bound = options.below or BELOW_MM_S
     hold, trials = prescribed(scene, target, work_of(options), bound)
     print("\n".join(_table(trials, bound)))
     if trials[-1].measured_mm_s > bound:
@@ -126,12 +128,12 @@ def touched(scene: Scene, hold: Hold) -> list[int]:
     return sorted(geom for geom in geoms if scene.counts[geom]) or sorted(geoms)
 
 
-def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
+def with_setting(scene: Scene, setting: Setting, hold: Hold) -> MjModel:
     """Return a copy of the model with a setting."""
     model = changed(scene.model, **dict(setting.options))
     if setting.timeconst_s is not None:
         model.geom_solref[touched(scene, hold)] = (setting.timeconst_s, 1.0)
-        pairs = pair_indices(scene)
+        pairs = scene.pair_indices
         named = [scene.contacts.named[pairs[touch.geoms]] for touch in hold.touches]
         model.pair_solref[[index for index in named if index >= 0]] = (setting.timeconst_s, 1.0)
     return model
@@ -140,7 +142,8 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
 def _rank(candidate: tuple[Setting, float], bound_mm_s: float) -> tuple:
     """Rank what is predicted to be good first, of that what changes least; the rest by creep."""
     setting, predicted = candidate
-    is_good, changes = predicted <= SAFETY * bound_mm_s, setting.change_count
+    is_good = predicted <= SAFETY * bound_mm_s
+    changes = setting.change_count
     return (0, changes, -predicted) if is_good else (1, predicted, changes)
 
 
@@ -148,23 +151,24 @@ def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: H
     """Simulate a setting from the scene's start: how far the body moves within what holds it."""
     model = with_setting(scene, setting, hold)
     # Seen from a hand that accelerates upward, gravity is larger.
-    model.opt.gravity *= 1.0 + work.lift_m_s2 / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+    model.opt.gravity *= 1.0 + work.lift_m_s2 / max(np.linalg.norm(model.opt.gravity), 1e-9)
     data = started(model, target.data)
     settled(model, data, work.settle_s)
     return Trial(setting, predicted_mm_s, M * along(model, data, hold, MEASURED_S) / MEASURED_S)
 
 
-def along(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, time_s: float) -> float:
+def along(model: MjModel, data: MjData, hold: Hold, time_s: float) -> float:
     """Step on and return how far a held body moves along what holds it [m]; sinking in is no creep."""
-    support, normal = hold.touches[0].support, hold.touches[0].normal
+    support = hold.touches[0].support
+    normal = hold.touches[0].normal
     normal = hold.data.xmat[support].reshape(3, 3).T @ normal
     begin = within(data, hold.body, support)
     settled(model, data, time_s)
     moved = within(data, hold.body, support) - begin
-    return float(np.linalg.norm(moved - (moved @ normal) * normal))
+    return np.linalg.norm(moved - (moved @ normal) * normal)
 
 
-def within(data: mujoco.MjData, body: int, support: int) -> np.ndarray:
+def within(data: MjData, body: int, support: int) -> np.ndarray:
     """Say where a body is, in another's frame [m]."""
     return data.xmat[support].reshape(3, 3).T @ (data.xipos[body] - data.xpos[support])
 
@@ -172,8 +176,8 @@ def within(data: mujoco.MjData, body: int, support: int) -> np.ndarray:
 def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Change]:
     changes = [*for_option(scene, setting.attributes(), "").changes]
     if setting.timeconst_s is not None:
-        attributes = (("solref", f"{setting.timeconst_s:g} 1"),)
-        changes += [Change(scene.names[geom], attributes, scene.source.geom(geom)) for geom in geoms]
+        solref = ("solref", f"{setting.timeconst_s:g} 1")
+        changes += [Change(scene.names[geom], (solref,), scene.source.geom(geom)) for geom in geoms]
     return changes
 
 

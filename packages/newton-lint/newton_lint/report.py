@@ -1,6 +1,6 @@
 """What is said of a target: its size, what was found in it and the creep to expect."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -17,13 +17,13 @@ from newton_lint.settle import Hold, Work, settled_hold, weigh
 from newton_lint.source import Element, Source
 from newton_lint.step_rules import stepped
 from newton_lint.stepped import Run, runs_of
-from newton_lint.target import READER, Target, TargetError, newtons
+from newton_lint.target import NEWTONS, Target, TargetError, newtons
 
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
-HUGE, NUMBERS = 1e100, ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
-"""Numbers whose squares are infinite, and what is looked at for them."""
-NEWTONS = "newton_lint.newton_models.report"
+# Numbers whose squares are infinite, and what is looked at for them.
+HUGE = 1e100
+NUMBERS = ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
 
 
 @dataclass(frozen=True)
@@ -79,17 +79,29 @@ def _report_of(target: Target, request: Request) -> Report:
     refused = any(finding.rule in ("engine", "stiff") for finding in findings)
     work = None if refused else request.work
     hold = settled_hold(scene, target, work) if work else None
-    findings += hold.findings(scene, request.below_mm_s or SLIP_MM_S) if hold else []
+    if hold:
+        findings += hold.findings(scene, request.below_mm_s or SLIP_MM_S)
     runs = runs_of(scene.model, target) if request.step else []
     for run in runs:
         weigh(scene, run.data)
-    findings += stepped(scene, target, runs) if request.step else []
+    findings += stepped(scene, runs) if request.step else []
     findings = _noted(scene, runs, findings)
-    findings += [] if refused else gripped(scene, runs, work.body if work else "")
+    if not refused:
+        findings += gripped(scene, runs, work.body if work else "")
     if work and not hold:
-        message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
-        findings.append(Finding("slides", work.body, "settle", work.settle_s, message, unit="s", severity="error"))
-    findings += _newton_findings(target, request, findings) if request.engine.name == "newton" and target.path else []
+        findings.append(
+            Finding(
+                "slides",
+                work.body,
+                "settle",
+                work.settle_s,
+                "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it",
+                unit="s",
+                severity="error",
+            )
+        )
+    if request.engine.name == "newton" and target.path:
+        findings += list(_newton_findings(target, request, findings))
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
@@ -116,21 +128,21 @@ def _noted(scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]) -> li
     return [replace(finding, severity="note") if is_idle(finding) else finding for finding in findings]
 
 
-def _newton_findings(target: Target, request: Request, findings: Sequence[Finding]) -> list[Finding]:
-    """Return what rules besides those that MuJoCo's model broke find in the file as Newton reads it."""
+def _newton_findings(target: Target, request: Request, findings: Sequence[Finding]) -> Iterator[Finding]:
+    """Yield what rules besides those that MuJoCo's model broke find in the file as Newton reads it."""
     rules = {finding.rule for finding in findings}
-    imported = replace(target, newton_model=newtons(target.name, READER, "imported", target.path))
+    imported = replace(target, newton_model=newtons(target.name, NEWTONS, "imported", target.path))
     report = newtons(target.name, NEWTONS, "report_of", imported, request)
-    changes = []
     assert target.model is not None  # what Newton alone reads is no target of this
-    gravity, taken = float(target.model.opt.gravity[2]), float(np.ravel(imported.newton_model.gravity.numpy())[2])
+    gravity = target.model.opt.gravity[2]
+    taken = float(np.ravel(imported.newton_model.gravity.numpy())[2])
     if not np.isclose(gravity, taken, rtol=1e-3):
         message = f"m/s² is what the scene says, and Newton's importer takes {taken:.4g}"
-        changes.append(Finding("importer", "", "gravity", gravity, message, used=taken))
+        yield Finding("importer", "", "gravity", gravity, message, used=taken)
     if target.model.npair:
         message = "are not read by Newton's own contacts (newton#3644)"
-        changes.append(Finding("importer", "", "pairs", float(target.model.npair), message))
-    return [*changes, *(finding for finding in report.findings if finding.rule not in rules)]
+        yield Finding("importer", "", "pairs", float(target.model.npair), message)
+    yield from (finding for finding in report.findings if finding.rule not in rules)
 
 
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:

@@ -6,16 +6,20 @@ from functools import cached_property
 
 import mujoco
 import numpy as np
+from mujoco import MjModel
 
 from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
-from newton_lint.source import Source
+from newton_lint.source import Element, Source
 from newton_lint.warp_engine import has_noslip
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
+WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
-def changed(model: mujoco.MjModel, **options: float) -> mujoco.MjModel:
+def changed(model: MjModel, **options: float) -> MjModel:
     """Return a copy of a model with other options."""
     model = copy.copy(model)
     for name, value in options.items():
@@ -33,7 +37,7 @@ class Engine:
     cone: str | None = None
     impratio: float | None = None
 
-    def configured(self, model: mujoco.MjModel) -> mujoco.MjModel:
+    def configured(self, model: MjModel) -> MjModel:
         """Return a model with these options in place of the scene's."""
         cone = CONES.index(self.cone) if self.cone else None
         options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
@@ -45,7 +49,7 @@ class Engine:
 class Scene:
     """A MuJoCo model as the rules read it."""
 
-    model: mujoco.MjModel
+    model: MjModel
     source: Source
     engine: Engine = Engine()
 
@@ -81,9 +85,21 @@ class Scene:
         return [geom if owner in ("", geom) else f"{owner}/{geom}" for owner, geom in zip(owners, geoms, strict=True)]
 
     @cached_property
+    def pair_indices(self) -> dict[tuple[int, int], int]:
+        """Return the index of each pair by its geoms, the lower first."""
+        pairs = np.sort(np.stack([self.contacts.first, self.contacts.second], axis=1), axis=1)
+        return {(int(geom1), int(geom2)): index for index, (geom1, geom2) in enumerate(pairs)}
+
+    def pair_element(self, contact: int) -> Element | None:
+        """Return the ``<pair>`` that names the geoms of a contact."""
+        geoms = (self.contacts.first[contact], self.contacts.second[contact])
+        return self.source.pair(*(self.model.geom(int(geom)).name for geom in geoms))
+
+    @cached_property
     def counts(self) -> np.ndarray:
         """Tell whether a geom's own parameters count in any pair."""
-        contacts, counting = self.contacts, np.zeros(self.model.ngeom, dtype=bool)
+        contacts = self.contacts
+        counting = np.zeros(self.model.ngeom, dtype=bool)
         plain = contacts.named < 0  # mj_collide reads a <pair>'s own parameters, and none of its geoms
         counting[contacts.first[plain]] = True
         counting[contacts.second[plain & ~contacts.outranked]] = True

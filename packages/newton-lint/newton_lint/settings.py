@@ -35,7 +35,8 @@ def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool
     """Tell whether a finding's rule is ignored: everywhere, or by a comment before the first tag or at its line."""
     if finding.rule in rules or source.root is None:
         return finding.rule in rules
-    element, root = finding.element, source.root
+    element = finding.element
+    root = source.root
     # XML takes no comment within a tag: it stands behind it, or on the line before.
     near = [(element.file, (1, element.line - 1, element.line))] if element else []
     return any(

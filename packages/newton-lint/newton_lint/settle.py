@@ -8,22 +8,27 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from mujoco import MjData, MjModel
 
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M, Response, response_of, settled_impedance, shared_slide_m_s
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 
-SETTLE_S, READ_SHARE = 0.5, 0.2
-"""Time that a scene gets to come to rest, and the last part of it over which forces are averaged."""
-EARLIER, AT_THE_EDGE = (1.0, 0.1, 0.01), 0.999
-"""Shares of the settling after which a body is looked for in its grip, and of the cone that no longer holds it."""
-UNSETTLED, UNSETTLED_MM_S = 2.0, 0.5
-"""What moves faster than so many times its creep, and this [mm/s], has not settled."""
+# Time that a scene gets to come to rest, and the last part of it over which forces are averaged.
+SETTLE_S = 0.5
+READ_SHARE = 0.2
+# Shares of the settling after which a body is looked for in its grip, and of the cone that no longer holds it.
+EARLIER = (1.0, 0.1, 0.01)
+AT_THE_EDGE = 0.999
+# What moves faster than so many times its creep, and this [mm/s], has not settled.
+UNSETTLED = 2.0
+UNSETTLED_MM_S = 0.5
 STIFFER = 1e4
 """How many times stiffer than friction a normal force is taken to be: in its direction nothing creeps."""
-RUNAWAY, LEAST_M_S = 3.0, 0.05
-"""What moves faster than so many times the creep, and than this [m/s], is not held."""
+# What moves faster than so many times the creep, and than this [m/s], is not held.
+RUNAWAY = 3.0
+LEAST_M_S = 0.05
 Points = Sequence[tuple[Response, float]]
 EXACT = int(getattr(mujoco.mjtEnableBit, "mjENBL_DIAGEXACT", 0))
 """The flag, which old releases have not."""
@@ -78,7 +83,7 @@ class Hold:
     """What of it is J̇·q̇'s."""
     moves_mm_s: float
     """How fast it moves relative to what it touches in the state that was read."""
-    data: mujoco.MjData = field(compare=False, repr=False)
+    data: MjData = field(compare=False, repr=False)
     """The state in which it was."""
 
     @property
@@ -98,21 +103,37 @@ class Hold:
         """Say that it slides, has not settled, or creeps faster than it may."""
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
-            message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
-            moves, creep = self.moves_mm_s, self.mm_s
-            yield Finding("unsettled", self.name, "speed", moves, message, touching, creep, "mm/s", "note")
+            yield Finding(
+                "unsettled",
+                self.name,
+                "speed",
+                self.moves_mm_s,
+                "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle",
+                touching,
+                self.mm_s,
+                "mm/s",
+                "note",
+            )
         elif self.slides:
             message = "slides: what it has to bear is beyond the cone of friction"
             yield Finding("slides", self.name, "load", self.load_n, message, touching, None, "N", "error")
         elif self.mm_s > below_mm_s:
-            advice = Advice((), f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings")
-            creep, message = self.mm_s, "creeps faster than it may"
-            yield Finding("creep", self.name, "creep", creep, message, touching, below_mm_s, "mm/s", advice=advice)
+            yield Finding(
+                "creep",
+                self.name,
+                "creep",
+                self.mm_s,
+                "creeps faster than it may",
+                touching,
+                below_mm_s,
+                "mm/s",
+                advice=Advice(f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"),
+            )
 
     def as_json(self) -> dict[str, Any]:
         names = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
-        values = {name: getattr(self, name) for name in names}
-        return {"body": self.name, **values, "mm_s": None if self.slides else self.mm_s}  # JSON has no infinity
+        values = {"body": self.name} | {name: getattr(self, name) for name in names}
+        return values | ({"mm_s": None} if self.slides else {})  # JSON has no infinity
 
 
 def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
@@ -130,9 +151,9 @@ def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
     return None
 
 
-def started(model: mujoco.MjModel, state: mujoco.MjData | None = None) -> mujoco.MjData:
+def started(model: MjModel, state: MjData | None = None) -> MjData:
     """Return the state in which a scene starts: a copy of one, or its first keyframe, or the model's own."""
-    data = mujoco.MjData(model)
+    data = MjData(model)
     if state is not None:
         data.time = state.time  # mj_copyData asks for data of the same model, and this one may have other options
         for name in ("qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart"):
@@ -142,14 +163,15 @@ def started(model: mujoco.MjModel, state: mujoco.MjData | None = None) -> mujoco
     return data
 
 
-def settled(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> mujoco.MjData:
+def settled(model: MjModel, data: MjData, time_s: float) -> MjData:
     mujoco.mj_step(model, data, nstep=round(time_s / model.opt.timestep))
     return data
 
 
-def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) -> list[Touch]:
+def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[Touch]:
     """Step on, and return means of each point in which a body, or what is fixed to it, is touched."""
-    model, body_of = scene.model, scene.model.geom_bodyid
+    model = scene.model
+    body_of = scene.model.geom_bodyid
     is_held = model.body_weldid == model.body_weldid[body]
     readings: defaultdict[tuple[tuple[int, int], int], list[dict[str, Any]]] = defaultdict(list)
     for _ in range(step_count):
@@ -167,15 +189,22 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
     for (pair, _), series in readings.items():
         sums = {name: sum(reading[name] for reading in series) for name in series[0]}
         # A point that is there in half of the steps bears half of its force; where and how it acts is of those alone.
-        means = {name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()}
-        support = next(int(side) for side in body_of[list(pair)] if not is_held[side])
-        touches.append(Touch(geoms=pair, support=support, share=len(series) / step_count, **means))
+        touches.append(
+            Touch(
+                geoms=pair,
+                support=next(int(side) for side in body_of[list(pair)] if not is_held[side]),
+                share=len(series) / step_count,
+                **{name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()},
+            )
+        )
     return touches
 
 
-def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> dict[str, Any] | None:
+def _reading(scene: Scene, data: MjData, index: int, sign: float) -> dict[str, Any] | None:
     """Return what a contact bears, with the friction times a sign; None where it presses nothing."""
-    model, contact, force = scene.model, data.contact[index], np.zeros(6)
+    model = scene.model
+    contact = data.contact[index]
+    force = np.zeros(6)
     if contact.efc_address < 0:  # within the gap, or without a dof: it is listed, and has no rows
         return None
     mujoco.mj_contactForce(model, data, index, force)
@@ -183,48 +212,50 @@ def _reading(scene: Scene, data: mujoco.MjData, index: int, sign: float) -> dict
         return None
     frame = contact.frame.reshape(3, 3)  # its rows: normal, then both tangents
     shares = np.abs(force[1:3]) / contact.friction[:2]
-    is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
-    used = float(shares.sum() if is_pyramid else np.hypot(*shares)) / force[0]
+    used = float(shares.sum() if scene.option.cone == "pyramidal" else np.hypot(*shares)) / force[0]
     weight = _weight(scene, data, index)
-    along1, along2 = force[1:3] ** 2 / max(float(force[1:3] @ force[1:3]), mujoco.mjMINVAL)
+    along1, along2 = force[1:3] ** 2 / max(force[1:3] @ force[1:3], mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
     softer = along1 + along2 * (contact.friction[0] / contact.friction[1]) ** 2 if along1 + along2 else 1.0
     means = {"normal_n": force[0], "tangential_n": sign * (force[1:3] @ frame[1:]), "normal": frame[0].copy()}
     return means | {"position": contact.pos.copy(), "used": used, "weight_1_kg": weight, "softer": softer}
 
 
-def _weight(scene: Scene, data: mujoco.MjData, index: int) -> float:
+def _weight(scene: Scene, data: MjData, index: int) -> float:
     """Return the diagonal of A that the engine gives a contact that has rows."""
-    model, contact = scene.model, data.contact[index]
+    model = scene.model
+    contact = data.contact[index]
     stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
     weight = data.efc_R[contact.efc_address] * d / (1.0 - d)  # mj_makeImpedance: R = (1 - d) / d · weight
     if scene.option.discrete:
         h = model.opt.timestep
         weight *= 1.0 + damping * h + stiffness * d * h * h
-    if model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL) and contact.dim > 1:
+    if scene.option.cone == "pyramidal" and contact.dim > 1:
         mu = contact.friction[0]
         weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))  # so much of R and of the weight has an edge
-    return float(weight)
+    return weight
 
 
-def weigh(scene: Scene, data: mujoco.MjData) -> None:
+def weigh(scene: Scene, data: MjData) -> None:
     """Give pairs that touch the weights of the engine, where it takes the diagonal itself and no approximation."""
-    pairs = pair_indices(scene) if scene.model.opt.enableflags & EXACT else {}
+    pairs = scene.pair_indices if scene.model.opt.enableflags & EXACT else {}
     for index in range(data.ncon if pairs else 0):
         pair = pairs.get(tuple(sorted(data.contact[index].geom.tolist())))
         if pair is not None and data.contact[index].efc_address >= 0:
             scene.contacts.weight[pair] = _weight(scene, data, index)
 
 
-def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: mujoco.MjData) -> Hold:
+def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: MjData) -> Hold:
     """Return the creep by the law of a body that is held as in ``data``, with a scene's settings and more loads."""
-    model, option = scene.model, scene.option
-    mass = float(model.body_subtreemass[body])
+    model = scene.model
+    option = scene.option
+    mass = model.body_subtreemass[body]
     gravity = model.opt.gravity
-    down = gravity / max(float(np.linalg.norm(gravity)), 1e-12)
+    down = gravity / max(np.linalg.norm(gravity), 1e-12)
     flat = np.mean([np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0)
-    pairs = pair_indices(scene)
-    turning, points = np.zeros(3), []
+    pairs = scene.pair_indices
+    turning = np.zeros(3)
+    points = []
     for touch in touches:
         contact = replace(scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg)
         plain = response_of(contact, option, settled_impedance(contact, option, touch.normal_n))
@@ -239,31 +270,42 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
     arm = data.subtree_com[body] - data.xpos[model.body_rootid[touches[0].support]]
     more = flat @ (mass * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down)))
     load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))  # what friction has to hold
-    total = float(np.linalg.norm(load))
+    total = np.linalg.norm(load)
     grip = sum(touch.used * touch.normal_n for touch in touches) / sum(touch.normal_n for touch in touches)
     slide = shared_slide_m_s(points, total)
     creep = np.zeros(3)
     if all(response.load_m_s_n for response, _ in points) and slide < 1.0 and total:
         linear = total / sum(1.0 / response.load_m_s_n for response, _ in points)
         creep = _slide(model, data, touches, points, body, more) * (slide / linear)
-    rate = float(np.linalg.norm(turning + creep))
+    rate = np.linalg.norm(turning + creep)
     speed = _speed(model, data, body, touches[0].support)
     if grip > AT_THE_EDGE or slide >= 1.0 or speed > RUNAWAY * (rate + LEAST_M_S):
         rate = math.inf
-    rates = (M * rate, M * float(np.linalg.norm(turning)), M * speed)
-    return Hold(body, scene.bodies[body], touches, total, *rates, data)
+    return Hold(
+        body=body,
+        name=scene.bodies[body],
+        touches=touches,
+        load_n=total,
+        mm_s=M * rate,
+        acceleration_mm_s=M * np.linalg.norm(turning),
+        moves_mm_s=M * speed,
+        data=data,
+    )
 
 
 def _slide(
-    model: mujoco.MjModel, data: mujoco.MjData, touches: Sequence[Touch], points: Points, body: int, more_n: np.ndarray
+    model: MjModel, data: MjData, touches: Sequence[Touch], points: Points, body: int, more_n: np.ndarray
 ) -> np.ndarray:
     """Return a body's velocity [m/s] where its points give way to friction alone, by joints that move nothing else."""
     support = np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, support, None, data.xpos[body], touches[0].support)
-    alone, jacobian = ~support.any(axis=0), np.zeros((3, model.nv))  # dofs that do not move what touches it
+    # dofs that do not move what touches it
+    alone = ~support.any(axis=0)
+    jacobian = np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, jacobian, None, data.subtree_com[body], body)
     centre = jacobian[:, alone].copy()
-    bears, acts = np.zeros((alone.sum(), alone.sum())), centre.T @ more_n
+    bears = np.zeros((alone.sum(), alone.sum()))
+    acts = centre.T @ more_n
     hard = STIFFER / min(response.load_m_s_n for response, _ in points)
     for touch, (response, _) in zip(touches, points, strict=True):
         mujoco.mj_jac(model, data, jacobian, None, touch.position, body)
@@ -274,15 +316,10 @@ def _slide(
     return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]  # two points let it turn about the line between them
 
 
-def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) -> float:
-    motion, carrier = np.zeros(6), np.zeros(6)
+def _speed(model: MjModel, data: MjData, body: int, support: int) -> float:
+    motion = np.zeros(6)
+    carrier = np.zeros(6)
     for moving, into in ((body, motion), (support, carrier)):  # rotation first, then translation
         mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0)
     carried = carrier[3:] + np.cross(carrier[:3], data.xpos[body] - data.xpos[support])
-    return float(np.linalg.norm(motion[3:] - carried))
-
-
-def pair_indices(scene: Scene) -> dict[tuple[int, int], int]:
-    contacts = scene.contacts
-    pairs = np.sort(np.stack([contacts.first, contacts.second], axis=1), axis=1)
-    return {(int(geom1), int(geom2)): index for index, (geom1, geom2) in enumerate(pairs)}
+    return np.linalg.norm(motion[3:] - carried)

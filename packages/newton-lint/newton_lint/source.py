@@ -41,7 +41,8 @@ Texts = Mapping[Path, bytes]
 
 def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> Element:
     """Return a file's first element, included ones in place of their tags; raises OSError and expat.ExpatError."""
-    root, texts = root or path.parent, texts or {}
+    root = root or path.parent
+    texts = texts or {}
     parser = expat.ParserCreate()
     open_elements: list[Element] = []
     roots: list[Element] = []
@@ -96,7 +97,8 @@ class Source:
     @cached_property
     def geoms(self) -> dict[int, tuple[Element, str | None]]:
         """Return element and class of the geoms whose place is known."""
-        bodies, model = self._placed, self._model
+        bodies = self._placed
+        model = self._model
         in_order = [geom for geoms in bodies for geom in geoms]
         names = [model.geom(index).name for index in range(model.ngeom)]
         if list(map(len, bodies)) == model.body_geomnum.tolist():
@@ -147,16 +149,16 @@ class Source:
 
     def key(self, index: int) -> Element | None:
         """Return a ``<key>``."""
-        frames = self.root.sections("keyframe") if self.root else ()
-        return dict(enumerate(key for frame in frames for key in frame.sections("key"))).get(index)
+        return dict(enumerate(self._within("keyframe", "key"))).get(index)
 
     def pair(self, *names: str) -> Element | None:
         """Return the ``<pair>`` of two geoms, by their names."""
-        for contact in self.root.sections("contact") if self.root else ():
-            for pair in contact.sections("pair"):
-                if {pair.attributes.get("geom1"), pair.attributes.get("geom2")} == set(names):
-                    return pair
-        return None
+        pairs = self._within("contact", "pair")
+        return next((p for p in pairs if {p.attributes.get("geom1"), p.attributes.get("geom2")} == {*names}), None)
+
+    def _within(self, section: str, tag: str) -> Iterator[Element]:
+        for element in self.root.sections(section) if self.root else ():
+            yield from element.sections(tag)
 
 
 def _bodies(element: Element, inherited: str | None) -> Iterator[list[tuple[Element, str | None]]]:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import mujoco
+from mujoco import MjData, MjModel
 
 MUJOCOS = (".xml", ".urdf")
 USD = (".usd", ".usda", ".usdc", ".usdz")
@@ -21,7 +22,7 @@ ENDINGS = (*MUJOCOS, *USD)
 ROOTS = re.compile(rb"<(mujoco|robot)[\s>/]")
 """One of them is in a file that a folder is searched for; ``<mujocoinclude>`` is no root."""
 INCLUDE = re.compile(rb"""<include\s[^>]*file\s*=\s*["']([^"']+)""")
-READER = "newton_lint.newton_models.reader"
+NEWTONS = "newton_lint.newton_models.report"
 NEEDS_NEWTON = "takes Newton and what it reads meshes and USD with: pip install 'newton-lint[newton]'"
 
 
@@ -30,13 +31,13 @@ class Target:
     """What is linted."""
 
     name: str
-    model: mujoco.MjModel | None
+    model: MjModel | None
     """None of a Newton model."""
     newton_model: Any = None
     """A finalized ``newton.Model``, where the target is one or is read by Newton."""
     path: Path | None = None
     """The file of MJCF or URDF."""
-    data: mujoco.MjData | None = None
+    data: MjData | None = None
     """A state that a function returns beside its model."""
     texts: Mapping[Path, bytes] = field(default_factory=dict)
     """What files are taken to hold in place of what they do, where a change is tried."""
@@ -90,7 +91,7 @@ def _read_file(target: str, path: Path) -> Target:
     if not path.is_file() or not os.access(path, os.R_OK):
         raise TargetError(f"{path}: {'cannot be read' if path.exists() else 'there is no such file'}")
     if path.suffix.lower() in USD:
-        return Target(target, None, newtons(target, READER, "imported", path))
+        return Target(target, None, newtons(target, NEWTONS, "imported", path))
     try:
         return Target(target, compiled(path), path=path)
     except (ValueError, TypeError, mujoco.FatalError) as error:  # a TypeError of a name that is no text
@@ -103,10 +104,10 @@ def tried(target: Target, texts: Mapping[Path, bytes]) -> Target:
     return replace(target, model=compiled(target.path, texts), texts=texts)
 
 
-def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> mujoco.MjModel:
+def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> MjModel:
     """Compile a file, or texts in place of what files hold; a ValueError where MuJoCo refuses it."""
     try:
-        return mujoco.MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
+        return MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
     except ValueError:
         if texts:
             raise
@@ -116,7 +117,7 @@ def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> mujoco.Mj
         raise
 
 
-def _without_pictures(spec: Any) -> mujoco.MjModel:
+def _without_pictures(spec: Any) -> MjModel:
     for material in spec.materials:
         material.textures = [""] * len(material.textures)  # or spec.compile asks for what is deleted
     for unread in (*spec.sensors, *spec.textures):
@@ -148,9 +149,9 @@ def _of(target: str, scene: Any) -> Target:
             scene = scene.compile()
         except ValueError as error:
             raise TargetError(f"{target}: MuJoCo refuses it: {_line(error)}") from error
-    if isinstance(scene, mujoco.MjModel):
-        return Target(target, scene, data=data if isinstance(data, mujoco.MjData) else None)
-    if "newton" in sys.modules and newtons(target, READER, "is_model", scene):
+    if isinstance(scene, MjModel):
+        return Target(target, scene, data=data if isinstance(data, MjData) else None)
+    if "newton" in sys.modules and newtons(target, NEWTONS, "is_model", scene):
         return Target(target, None, scene)
     raise TargetError(f"{target}: returns a {type(scene).__name__}, and no model of MuJoCo's or Newton's")
 

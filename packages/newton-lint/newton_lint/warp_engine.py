@@ -13,7 +13,8 @@ from newton_lint.target import TargetError
 @contextlib.contextmanager
 def muted_standard_error() -> Iterator[None]:
     """Mute Warp's library: of a machine without a GPU it warns, and the lint takes none."""
-    terminal, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    terminal = os.dup(2)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 2)  # the descriptor: a library in C knows no sys.stderr
     try:
         yield
@@ -27,7 +28,8 @@ def refusal(model: mujoco.MjModel) -> str:
     """Return why ``put_model`` refuses a model, empty where it takes it; TargetError without MuJoCo Warp."""
     try:
         with muted_standard_error():
-            warp, engine = importlib.import_module("warp"), importlib.import_module("mujoco_warp")
+            warp = importlib.import_module("warp")
+            engine = importlib.import_module("mujoco_warp")
             warp.config.quiet = True
             warp.init()
     except ImportError as error:

@@ -3,10 +3,8 @@
 from dataclasses import replace
 
 from measured_report.files.root import ROOT
-from measured_report.parts.section import Download, Section
-from measured_report.values.results import Results
-from report.sections.cure import bodies, budget, controls, limits, tumbles, turntable
-from report.shared.arithmetic import joined
+from report.sections.cure import bodies, budget, controls, limits, turntable
+from report.shared import Download, Results, Section, joined
 
 order = 141
 page = "cure"
@@ -22,18 +20,24 @@ labels = {
 }
 
 FILES = (  # said in full: what is kept of a section is made anew when a file changes that its code names
-    "experiments/simulation/contact_bias.py",
-    "experiments/simulation/contact_place.py",
+    "packages/contact-bias/contact_bias.py",
+    "packages/contact-bias/contact_place.py",
     "experiments/simulation/compensated_positions.py",
-    "assets/upstream/mujoco_warp-4.0.0-equality.patch",
-    "assets/upstream/mujoco_warp-4.0.0.patch",
-    "assets/upstream/mujoco_warp-4.0.0-plane-capsule.patch",
-    "assets/upstream/newton-1.8.0.patch",
-    "assets/upstream/upstream.md",
+    "packages/contact-bias/upstream/mujoco_warp-4.0.0-equality.patch",
+    "packages/contact-bias/upstream/mujoco_warp-4.0.0.patch",
+    "packages/contact-bias/upstream/mujoco_warp-4.0.0-plane-capsule.patch",
+    "packages/contact-bias/upstream/newton-1.8.0.patch",
+    "packages/contact-bias/upstream/upstream.md",
 )
 
 
 def derive(results: Results) -> Section:
-    downloads = [Download(file.name, file.read_text(encoding="utf-8")) for file in map(ROOT.joinpath, FILES)]
-    parts = (turntable, controls, limits, bodies, tumbles, budget)  # the last reads what the limits are
-    return replace(joined([part.derive(results) for part in parts]), downloads=downloads)
+    downloads = [
+        Download(file.name, file.read_text(encoding="utf-8"))
+        for file in map(ROOT.joinpath, FILES)
+    ]
+    # The budget comes last, since it reads what the limits are.
+    parts = (turntable, controls, limits, bodies, budget)
+    return replace(
+        joined([part.derive(results) for part in parts]), downloads=downloads
+    )

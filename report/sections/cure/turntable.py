@@ -1,18 +1,29 @@
-"""A box on a table that turns: does it walk outward as the law says, and what stops it?"""
+"""A box on a table that turns: does it walk outward as the law says?"""
 
-from collections.abc import Mapping
 from dataclasses import replace
 
-from measured_report.parts.claim import FAILS, Claim, all_of, at_least, at_most, decided
-from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT, Value, combined
-from measured_report.values.results import Results
-from report.shared.arithmetic import cell_count, departure, extreme, largest_size
-from report.shared.tables import Column, table_of
+from report.shared import (
+    FAILS,
+    PERCENT,
+    Claim,
+    Results,
+    Section,
+    Value,
+    all_of,
+    at_least,
+    at_most,
+    cell_count,
+    combined,
+    decided,
+    departure,
+    extreme,
+    largest_size,
+    table_of,
+)
 
 ENGINES = ("warp", "c")
 CORNERS = 4  # contacts of the box
-NO_HELP = ("noslip", "impratio", "pyramidal")  # variants that one would try against sliding
+NO_HELP = ("noslip", "impratio", "pyramidal")  # that one would try against sliding
 CURED = ("term-rk4-impratio", "term-centred-impratio")
 VARIANTS = {  # labels by variant, in the order of the table: without the term and with it
     "plain": "nothing done",
@@ -33,68 +44,150 @@ VARIANTS = {  # labels by variant, in the order of the table: without the term a
 
 
 def derive(results: Results) -> Section:
-    why = "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms"
-    resolution = results.chosen("resolution", why, 0.002, "%/s")
-    rows = {case: results.row[case] for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES)}
-    measured, law = dict[str, Value](), dict[str, Value]()
-    for cells, column in ((measured, "growth_per_s"), (law, "predicted_growth_per_s")):
-        for case, row in rows.items():
-            formula = f"{column} of {case}, in percent of the distance from the axis"
-            cells[case] = results.value(f"{case}_{column}", formula, PERCENT * row[column])
-    columns: dict[str, Column] = {
-        name: [cells[f"{variant}-{engine}"] for variant in VARIANTS]
-        for name, cells, engine in (("MuJoCo C", measured, "c"), ("by the law", law, "c"), ("Warp", measured, "warp"))
-    }
-    tables = {"rates": table_of("what is done", VARIANTS.values(), columns)}
-    claims = [_follows_law(results, measured, law, resolution), _by_hand(results, measured["plain-c"])]
-    formula = "largest growth, in size, with the term, without the error of the step and with a high impratio"
-    growths = (measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES)
-    claims += [_no_setting_stops_it(results, measured, resolution)]
-    largest = results.value("cured_growth", formula, largest_size(growths))
-    claims += [Claim("cured", at_most(largest, resolution), {"largest": largest, "resolution": resolution})]
-    return Section(tables=tables, claims=claims)
+    resolution = results.chosen(
+        "resolution",
+        "a place 200 mm from the axis is rounded to 15 nm in single precision,"
+        " half of it in each step of 2 ms",
+        0.002,
+        "%/s",
+    )
+    growths: dict[str, Value] = {}
+    law: dict[str, Value] = {}
+    for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES):
+        row = results.row[case]
+        for cells, column in (
+            (growths, "growth_per_s"),
+            (law, "predicted_growth_per_s"),
+        ):
+            cells[case] = results.value(
+                f"{case}_{column}",
+                f"{column} of {case}, in percent of the distance from the axis",
+                PERCENT * row[column],
+            )
+    plain = growths["plain-c"]
 
+    offs = [
+        results.value(
+            f"{case}_off",
+            "growth less that of the law, in size, of the latter",
+            departure(growth, law[case]),
+        )
+        for case, growth in growths.items()
+        if None not in (growth.value, law[case].value)
+        and abs(law[case].value) > resolution.value
+    ]
+    off = results.value(
+        "law_off", "largest of the departures from the law", extreme(max, offs)
+    )
+    count = results.value(
+        "fast_count", "runs for which it gives more", cell_count(offs)
+    )
+    as_law = at_most(off, 0.5, "the same growth")
+    follows = all_of(as_law, at_least(growths["plain-warp"], resolution))
 
-def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[str, Value], resolution: Value) -> Claim:
-    cases = [case for case in measured if measured[case].value is not None]
-    fast = [case for case in cases if law[case].value is not None and abs(law[case].value) > resolution.value]
-    formula = "growth less that of the law, in size, of the latter"
-    shares = [results.value(f"{case}_off", formula, departure(measured[case], law[case])) for case in fast]
-    largest = results.value("law_off", "largest of the departures from the law", extreme(max, shares))
-    numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "seen": resolution}
-    numbers |= {"count": results.value("fast_count", "runs for which it gives more", cell_count(shares))}
-    outward = at_least(numbers["growth"], resolution)
-    return Claim("follows_law", all_of(at_most(largest, 0.5, why="the same growth"), outward), numbers)
-
-
-def _by_hand(results: Results, plain: Value) -> Claim:
-    """Work the law out of what is given, without the contacts' regularization."""
+    # The law by hand, without the contacts' regularization.
     turn = results.chosen("turn", "given: how fast the table turns", 2.0, "rad/s")
     step = results.chosen("step", "given: the time step", 2.0, "ms")
-    timeconst, dmax = results.row["plain-c"].timeconst_s, results.chosen("dmax", "given: MuJoCo's default", 0.95)
-    b = results.value("b", "2 / (dmax · timeconst)", 2 / (timeconst * dmax))
-    formula = "ω² / b, of the distance from the axis"
-    braking = results.value("braking", formula, lambda turn, b: 100 * turn**2 / b, turn, b, unit="%/s")
-    formula = "ω² h / 2, of the distance from the axis"
-    inward = results.value("inward", formula, lambda turn, ms: 0.1 * turn**2 * ms / 2, turn, step, unit="%/s")
+    dmax = results.chosen("dmax", "given: MuJoCo's default", 0.95)
+    row = results.row["plain-c"]
+    b = results.value("b", "2 / (dmax · timeconst)", 2 / (row.timeconst_s * dmax))
+    braking = results.value(
+        "braking",
+        "ω² / b, of the distance from the axis",
+        lambda turn, b: 100 * turn**2 / b,
+        turn,
+        b,
+        unit="%/s",
+    )
+    inward = results.value(
+        "inward",
+        "ω² h / 2, of the distance from the axis",
+        lambda turn, ms: 0.1 * turn**2 * ms / 2,
+        turn,
+        step,
+        unit="%/s",
+    )
     rough = results.value("rough", "the first less the second", braking - inward)
-    formula = "what the law's growth takes for R m / n, (growth / ω² + h / 2) b − 1"
-    cells = results.row["plain-c"].predicted_growth_per_s, turn, step, b
-    yielding = results.value("yielding", formula, lambda g, w, ms, b: (g / w**2 + 5e-4 * ms) * b - 1, *cells)
-    off = results.value("rough_off", "how far that is from the growth, of the latter", departure(rough, plain))
-    contacts = results.row["plain-c"].loaded_contact_count
-    numbers = {"contacts": contacts, "yielding": yielding, "turn": turn, "b": b, "step": step}
-    numbers |= {"braking": braking, "inward": inward, "rough": rough}
-    closes = at_most(off, 5.0, why="nearly all of it"), at_most(results.derived["law_off"], 0.5, why="the same growth")
-    return Claim("by_hand", all_of(*closes, decided(contacts.value == CORNERS, contacts)), numbers)
+    yielding = results.value(
+        "yielding",
+        "what the law's growth takes for R m / n, (growth / ω² + h / 2) b − 1",
+        lambda growth, turn, ms, b: (growth / turn**2 + 5e-4 * ms) * b - 1,
+        row.predicted_growth_per_s,
+        turn,
+        step,
+        b,
+    )
+    rough_off = results.value(
+        "rough_off",
+        "how far that is from the growth, of the latter",
+        departure(rough, plain),
+    )
+    contacts = row.loaded_contact_count
+    closes = all_of(
+        at_most(rough_off, 5.0, "nearly all of it"),
+        as_law,
+        decided(contacts.value == CORNERS, contacts),
+    )
 
-
-def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
-    plain, formula = measured["plain-c"], "change of the growth, in size, of the growth with nothing done"
-    changes = [results.value(f"{name}_change", formula, departure(measured[f"{name}-c"], plain)) for name in NO_HELP]
-    largest = results.value("setting_change", "largest of these changes", combined(max, *changes))
+    changes = [
+        results.value(
+            f"{name}_change",
+            "change of the growth, in size, of the growth with nothing done",
+            departure(growths[f"{name}-c"], plain),
+        )
+        for name in NO_HELP
+    ]
+    change = results.value(
+        "setting_change", "largest of these changes", combined(max, *changes)
+    )
     grows = at_least(plain, resolution)
-    outcome = all_of(at_most(largest, 10.0, why="a cure would take more of it away"), grows)
+    goes_on = all_of(at_most(change, 10.0, "a cure would take more of it away"), grows)
     if grows == FAILS:
-        outcome = replace(outcome, name="unknown", reason="there is no growth to stop")
-    return Claim("no_setting_stops_it", outcome, {"largest": largest})
+        goes_on = replace(goes_on, name="unknown", reason="there is no growth to stop")
+    rest = results.value(
+        "cured_growth",
+        "largest growth, in size, with the term, without the error of the step and with"
+        " a high impratio",
+        largest_size(growths[f"{way}-{engine}"] for way in CURED for engine in ENGINES),
+    )
+    columns = {
+        "MuJoCo C": [growths[f"{variant}-c"] for variant in VARIANTS],
+        "by the law": [law[f"{variant}-c"] for variant in VARIANTS],
+        "Warp": [growths[f"{variant}-warp"] for variant in VARIANTS],
+    }
+    return Section(
+        tables={"rates": table_of("what is done", VARIANTS.values(), columns)},
+        claims=[
+            Claim(
+                "follows_law",
+                follows,
+                {
+                    "growth": growths["plain-warp"],
+                    "law": law["plain-warp"],
+                    "largest": off,
+                    "seen": resolution,
+                    "count": count,
+                },
+            ),
+            Claim(
+                "by_hand",
+                closes,
+                {
+                    "contacts": contacts,
+                    "yielding": yielding,
+                    "turn": turn,
+                    "b": b,
+                    "step": step,
+                    "braking": braking,
+                    "inward": inward,
+                    "rough": rough,
+                },
+            ),
+            Claim("no_setting_stops_it", goes_on, {"largest": change}),
+            Claim(
+                "cured",
+                at_most(rest, resolution),
+                {"largest": rest, "resolution": resolution},
+            ),
+        ],
+    )

@@ -1,52 +1,90 @@
-"""The shake itself in other engines: a line for each, and whether the cube slips farthest in MuJoCo."""
+"""The shake itself in other engines: whether the cube slips farthest in MuJoCo."""
 
-from collections.abc import Mapping
-
-from measured_report.parts.claim import Claim, all_of, decided, greater
-from measured_report.parts.section import Section
-from measured_report.values.results import Results
-from report.shared.arithmetic import Sections, cell_count, extreme
-from report.shared.tables import Column, cell_or_lost, creep_or_unseen, table_of
-from report.shared.timing import RowsBy
+from report.shared import (
+    Claim,
+    Results,
+    RowsBy,
+    Section,
+    Sections,
+    all_of,
+    cell_count,
+    cell_or_lost,
+    creep_or_unseen,
+    decided,
+    extreme,
+    greater,
+    table_of,
+)
 
 MUJOCO = "mujoco-c"
 ARMATURES = {"own": "of its own", "links": "in the links"}
 
 
-def derive(results: Results, labels: Mapping[str, str]) -> Section:
+def derive(results: Results, labels: dict[str, str]) -> Section:
     """Make the table, of models under their ``labels``, and its claims."""
     rows = RowsBy(results, results.rows, "model", "shake")
     models = list(dict.fromkeys(model for model, _ in rows))
-    columns: dict[str, Column] = {
+    near = [rows[model, "3cm"] for model in models]
+    columns = {
         "slip": "slip_mm",
-        "creep": creep_or_unseen,
-        "shaken 100 mm": [cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models],
-        "held still": [cell_or_lost(rows[model, "held"], "slip_mm") for model in models],
-        **{"along over normal force": "friction_share", "penetration": "penetration_mm", "path off": "path_off_mm"},
-        "armature": [ARMATURES.get(rows[model, "3cm"].plain.get("armature"), "") for model in models],
+        "creep": map(creep_or_unseen, near),
+        "shaken 100 mm": [
+            cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models
+        ],
+        "held still": [
+            cell_or_lost(rows[model, "held"], "slip_mm") for model in models
+        ],
+        "along over normal force": "friction_share",
+        "penetration": "penetration_mm",
+        "path off": "path_off_mm",
+        "armature": [ARMATURES.get(row.plain.get("armature"), "") for row in near],
     }
     names = [{MUJOCO: "MuJoCo C", **labels}[model] for model in models]
-    step = results.chosen("robot_step", "given: the time step of the shake", 1000.0 / 960.0, "ms")
-    table = table_of("engine", names, columns, [rows[model, "3cm"] for model in models], step=step)
+    step = results.chosen(
+        "robot_step", "given: the time step of the shake", 1000.0 / 960.0, "ms"
+    )
+    table = table_of("engine", names, columns, near, step=step)
+
+    # Whether the cube slips farther in MuJoCo than in each other engine that keeps it.
     others = [model for model in models if model != MUJOCO]
-    wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
-    lost, amplitudes = [row.plain.get("dropped") for row in wide], [row.shake_amplitude_m for row in wide]
-    loses = decided(lost[0] is True and not any(lost[1:]), *amplitudes)
-    claims = [_slips_farthest(results, rows, others), Claim("only_it_loses", loses, {"wide": amplitudes[0]})]
-    return Section(tables={"robots": table}, claims=claims)
-
-
-def _slips_farthest(results: Results, rows: RowsBy, others: list[str]) -> Claim:
-    """Tell whether the cube slips farther in MuJoCo than in every other engine that keeps it."""
-    mine, held = (rows[MUJOCO, shake].slip_mm for shake in ("3cm", "held"))
-    slips = [rows[model, "3cm"].slip_mm for model in others if rows[model, "3cm"].slip_mm.value is not None]
-    worst = results.value("robot_worst", "farthest slip in another engine", extreme(max, slips))
-    count = results.value("robot_count", "other contact models that keep the cube", cell_count(slips))
-    stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
+    mine = rows[MUJOCO, "3cm"].slip_mm
+    held = rows[MUJOCO, "held"].slip_mm
+    slips = [rows[model, "3cm"].slip_mm for model in others]
+    slips = [slip for slip in slips if slip.value is not None]
     still = [rows[model, "held"].slip_mm for model in others]
-    still_worst = results.value("robot_worst_held", "the same with the arm held still", extreme(max, still))
-    numbers = {"mine": mine, "held": held, "worst": worst, "count": count, "stiff": stiff, "still": still_worst}
-    # Stiff pads were measured on another machine, in the same engine, which repeats to the last bit.
+    worst = results.value(
+        "robot_worst", "farthest slip in another engine", extreme(max, slips)
+    )
+    count = results.value(
+        "robot_count", "other contact models that keep the cube", cell_count(slips)
+    )
+    still_worst = results.value(
+        "robot_worst_held", "the same with the arm held still", extreme(max, still)
+    )
+    stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
+    # Measured on another machine, in the same engine, which repeats to the last bit.
     is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value
-    outcome = all_of(*(greater(mine, slip) for slip in (worst, held, still_worst)), decided(is_less, stiff))
-    return Claim("slips_farthest", outcome, numbers)
+    farthest = all_of(
+        *(greater(mine, slip) for slip in (worst, held, still_worst)),
+        decided(is_less, stiff),
+    )
+
+    wide = [rows[model, "10cm"] for model in (MUJOCO, *others)]
+    is_lost, *are_lost = (row.plain.get("dropped") for row in wide)
+    amplitudes = [row.shake_amplitude_m for row in wide]
+    loses = decided(is_lost is True and not any(are_lost), *amplitudes)
+    numbers = {
+        "mine": mine,
+        "held": held,
+        "worst": worst,
+        "count": count,
+        "stiff": stiff,
+        "still": still_worst,
+    }
+    return Section(
+        tables={"robots": table},
+        claims=[
+            Claim("slips_farthest", farthest, numbers),
+            Claim("only_it_loses", loses, {"wide": amplitudes[0]}),
+        ],
+    )

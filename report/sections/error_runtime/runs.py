@@ -1,18 +1,22 @@
 """Points of the diagram of error against run time, sorted."""
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import compress
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.values.quantities import Quantity, Value, combined
-from measured_report.values.results import Results, Row
+from report.shared import Quantity, Results, Row, Value, combined
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
-METHODS = ("newton", "newton-each-substep", "mujoco", "newton-rk4", "mujoco-rk4", "cpu", "c", "c-rk4")
-ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
-ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
-LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m  # chosen: farther off than its edge, the cube has left the grasp
+IN_WARP = ("newton", "newton-each-substep", "mujoco")
+METHODS = (*IN_WARP, "newton-rk4", "mujoco-rk4", "cpu", "c", "c-rk4")
+ENGINES = {
+    "warp-cuda": "MuJoCo Warp on the GPU",
+    "warp-cpu": "MuJoCo Warp on the CPU",
+    "mujoco-c": "MuJoCo C",
+}
+ERROR = "numerical_error_mm"
+GRASP = "grasp_error_mm_per_cycle"
+TIME = "ms_per_s"
+LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m  # farther off, the cube has left the grasp
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
@@ -27,61 +31,93 @@ class Points:
     """Rows of the section, sorted."""
 
     results: Results
-    settings: Sequence[Row]
-    references: Sequence[Row]
-    worlds: Sequence[Row]  # many worlds at once, fewest first
-    floors: Mapping[str, Value]  # distance of Warp from C with the same steps, by pads [mm]
-    backend_front: frozenset[str]  # cases that no other beats in numerical error and run time
+    settings: list[Row]
+    references: list[Row]
+    worlds: list[Row]  # many worlds at once, fewest first
+    floors: dict[str, Value]  # distance of Warp from C, by pads [mm]
+    backend_front: frozenset[str]  # cases that no other of their backend beats
 
     def __getitem__(self, case: str) -> Row:
         return self.results.row[case]
 
     @property
     def engines(self) -> tuple[str, str]:
-        """Return the two backends to compare: Warp's, on the GPU where there is one, and C."""
+        """Return the two backends to compare: Warp's, on a GPU if any, and C."""
         return self[SHIPPED].backend, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
-        """Look up the settings as shipped on a backend, where they count."""
+        """Return the run with the settings as shipped on a backend, if it counts."""
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
         row = self[with_shipped_steps(pads, method)]
         return row if row and counts(row) and row.backend == backend else None
 
     def converged(self, pads: str) -> Quantity:
-        """Look up the grasp error of the converged solution with the cone and impratio as shipped."""
-        solutions = (row for row in self.references if row["pads"] == pads and is_own_model(row))
-        return next(solutions, self[f"{pads}/reference"])[GRASP]
+        """Return the grasp error of the model as shipped, solved to the end."""
+        for row in self.references:
+            if row["pads"] == pads and is_own_model(row):
+                return row[GRASP]
+        return self[f"{pads}/reference"][GRASP]
 
 
 def points_of(results: Results) -> Points:
-    settings = [row for row in results.rows if row.method in METHODS and row.knob and row["pads"] in PADS]
-    in_warp = [row for row in settings if row.method in ("newton", "newton-each-substep", "mujoco")]
-    fine = [row for row in in_warp if row.knob == "substeps" and row.substeps.value >= AS_SHIPPED.substeps]
-    floors = {}
-    for pads in PADS:
-        formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
-        cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
-        floors[pads] = results.value(f"floor_{pads}", formula, combined(max, *cells))
+    settings = [
+        row
+        for row in results.rows
+        if row.method in METHODS and row.knob and row["pads"] in PADS
+    ]
+    fine = [
+        row
+        for row in settings
+        if row.method in IN_WARP
+        and row.knob == "substeps"
+        and row.substeps.value >= AS_SHIPPED.substeps
+    ]
+    floors = {
+        pads: results.value(
+            f"floor_{pads}",
+            "largest distance between a run in Warp and the same in C, from the shipped"
+            " number of substeps on",
+            combined(
+                max, *(row.c_difference_mm for row in fine if row["pads"] == pads)
+            ),
+        )
+        for pads in PADS
+    }
     own_model = [row for row in settings if counts(row) and is_own_model(row)]
-    references = [row for row in results.rows if row.method == "reference"]
-    worlds = [row for row in results.rows if row.case.startswith("worlds-")]
-    return Points(results, settings, references, worlds, floors, front(own_model, "pads", "backend"))
+    return Points(
+        results,
+        settings,
+        references=[row for row in results.rows if row.method == "reference"],
+        worlds=[row for row in results.rows if row.case.startswith("worlds-")],
+        floors=floors,
+        backend_front=front(own_model, "pads", "backend"),
+    )
 
 
-def front(rows: Sequence[Row], *groups: str) -> frozenset[str]:
-    """Select the cases that no other in the same ``groups`` beats in numerical error and run time."""
-    places = [(tuple(row[name] for name in groups), row[ERROR].value, row[TIME].value) for row in rows]
+def front(rows: list[Row], *groups: str) -> frozenset[str]:
+    """Return the cases that no other of their groups beats in error and run time."""
+    places = {
+        row.case: ([row[name] for name in groups], row[ERROR].value, row[TIME].value)
+        for row in rows
+    }
 
-    def beats(other: tuple, one: tuple) -> bool:
-        return other != one and other[0] == one[0] and other[1] <= one[1] and other[2] <= one[2]
+    def is_beaten(place: tuple) -> bool:
+        group, error, time = place
+        return any(
+            other != place
+            and other[0] == group
+            and other[1] <= error
+            and other[2] <= time
+            for other in places.values()
+        )
 
-    unbeaten = [not any(beats(other, place) for other in places) for place in places]
-    return frozenset(row.case for row in compress(rows, unbeaten))
+    return frozenset(case for case, place in places.items() if not is_beaten(place))
 
 
 def counts(row: Row) -> bool:
     """Tell whether a run was timed, holds the cube, and its solver converged."""
-    return row[TIME].value is not None and holds_cube(row) and not uses_all_iterations(row)
+    is_timed = row[TIME].value is not None
+    return is_timed and holds_cube(row) and not uses_all_iterations(row)
 
 
 def holds_cube(row: Row) -> bool:
@@ -90,9 +126,10 @@ def holds_cube(row: Row) -> bool:
 
 def uses_all_iterations(row: Row) -> bool:
     limit = row.iterations.value if "iterations" in row else AS_SHIPPED.iterations
-    return None in (limit, row.iteration_peak_count.value) or row.iteration_peak_count.value >= limit
+    peak = row.iteration_peak_count.value
+    return None in (limit, peak) or peak >= limit
 
 
 def is_own_model(row: Row) -> bool:
-    """Tell whether cone and impratio are as shipped, so that the errors of two rows are from one solution."""
+    """Tell whether cone and impratio are as shipped, so that errors compare."""
     return not ("cone" in row or "impratio" in row)

@@ -1,9 +1,7 @@
-"""Other scenes: does one law tell the creep of all of them, and do grasps that others published fail by it?"""
+"""Other scenes: does one law give the creep of all, and do published grasps fail by it?"""
 
-from measured_report.parts.section import Section
-from measured_report.values.results import Results
 from report.sections.scenes import capsule, creep, pick
-from report.shared.arithmetic import joined
+from report.shared import Results, Section, joined
 
 order = 184  # after the sections that creep reads
 page = "scenes"

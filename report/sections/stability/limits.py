@@ -1,72 +1,105 @@
-"""How far each extreme can be pushed: from what holds to what breaks, beside the scene as shipped."""
+"""How far each extreme can be pushed: from what holds to what breaks."""
 
-from collections.abc import Mapping, Sequence
 from itertools import filterfalse
 from typing import NamedTuple
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.parts.claim import Claim
-from measured_report.values.quantities import Quantity, absent
-from measured_report.values.results import Results, Row
-from report.sections.reproduction import FRAME_RATE
+from report.sections.reproduction import FRAME_RATE, MASS_KG
 from report.sections.stability.claims import family, least, most
 from report.sections.stability.passing import is_stable
+from report.shared import Quantity, Results, Row, absent
 
 NONE = absent("1", "it was not seen")
 
 
 class Limit(NamedTuple):
-    """One extreme: what holds, what breaks beyond it, and what the scene has as shipped, all in one unit."""
+    """One extreme, all in one unit."""
 
     name: str
-    low: Quantity
+    low: Quantity  # what holds
     high: Quantity
-    broken: Quantity
+    broken: Quantity  # what breaks beyond it
     shipped: float
-    over: tuple[Quantity, Quantity] | None = None  # what holds and what breaks, in percent over a limit
+    over: tuple[Quantity, Quantity] | None = None  # low and high, percent over a limit
 
 
-def limits(results: Results, claims: Mapping[str, Claim], critical: Sequence[Row], alone: Sequence[Row]) -> list[Limit]:
-    """Collect them from the claims on each, and from the rows where a claim has one end alone."""
+def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list[Limit]:
+    """Collect them from values of the claims, and from the rows of a family."""
+    value = results.derived
+    found = []
 
-    def ends(name: str, rows: Sequence[Row], column: str) -> tuple[Quantity, Quantity]:
-        formula, held = "{} of the runs of " + name + " that hold", list(filter(is_stable, rows))
-        low = least(results, f"{name}_low", formula.format("least"), held, column)
-        return low, most(results, f"{name}_high", formula.format("largest"), held, column)
+    def add(label: str, name: str, rows: list[Row], column: str, *rest, **more) -> None:
+        held = list(filter(is_stable, rows))
+        low = least(
+            results,
+            f"{name}_low",
+            f"least of the runs of {name} that hold",
+            held,
+            column,
+        )
+        high = most(
+            results,
+            f"{name}_high",
+            f"largest of the runs of {name} that hold",
+            held,
+            column,
+        )
+        found.append(Limit(label, low, high, *rest, **more))
 
-    def said(claim: str, name: str) -> Quantity:
-        number = claims[claim].numbers.get(name)
-        return number if isinstance(number, Quantity) else NONE
+    stiff = [row for row in family(results, "steps") if row.pads == "stiff"]
+    step_ms = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
+    add("time step [ms]", "step", stiff, "step_ms", NONE, step_ms)
 
-    def loads(label: str, name: str) -> Limit:
+    first = value["safe_ke"].value
+    limit = value["kd_100_ke"].value
+    known = critical if first is not None else ()
+    safe = [row for row in known if row.pad_ke.value >= first]
+    soft = [row for row in known if row.pad_ke.value < first]
+    lost = filterfalse(is_stable, soft)
+    sunk = most(
+        results, "ke_critical_lost", "largest below these that fails", lost, "pad_ke"
+    )
+    add("ke, kd with it", "ke_critical", safe, "pad_ke", sunk, AS_SHIPPED.pad_ke)
+    alone = [
+        row
+        for row in default_kd
+        if row.substeps.value == AS_SHIPPED.substeps
+        and limit is not None
+        and row.pad_ke.value <= limit
+    ]
+    breaks = value["kd_100_breaks"]
+    add("ke alone", "ke_alone", alone, "pad_ke", breaks, AS_SHIPPED.pad_ke)
+
+    for label, name in (
+        ("shake, of Coulomb's limit", "shake"),
+        ("weaker grip, of that", "grip"),
+    ):
         rows = [row for row in family(results, name) if row.load.value is not None]
-        over = said(f"{name}_crossover", "kept"), said(f"{name}_crossover", "lost")
-        return Limit(label, *ends(f"{name}_load", rows, "load"), results.derived.get(f"{name}_lost", NONE), 1.0, over)
+        over = value[f"{name}_kept_over"], value[f"{name}_lost_over"]
+        drops = value[f"{name}_lost"]
+        add(label, f"{name}_load", rows, "load", drops, 1.0, over=over)
 
-    steps = [row for row in family(results, "steps") if row.pads == "stiff"]
+    low = value["friction_kept"]
+    high = value["friction_most"]
+    slides = value["friction_lost"]
+    found.append(Limit("pads' friction", low, high, slides, AS_SHIPPED.pad_mu))
+
     sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
-    small = most(results, "edge_lost", "largest that is lost", filterfalse(is_stable, sizes), "cube_edge_mm")
+    lost = filterfalse(is_stable, sizes)
+    small = most(results, "edge_lost", "largest that is lost", lost, "cube_edge_mm")
+    edge_mm = 1e3 * AS_SHIPPED.cube_edge_m
+    add("cube's edge [mm]", "edge", sizes, "cube_edge_mm", small, edge_mm)
+
+    low = value["mass_least"]
+    high = value["mass_most"]
+    found.append(Limit("mass, grip to match [kg]", low, high, NONE, MASS_KG))
+
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
-    heavy = least(results, "gravity_lost", "least that loses it", filterfalse(is_stable, pulls), "gravity_m_s2")
-    first, up_to = said("safe_settings", "least"), said("safe_settings", "limit")
-    safe = [row for row in critical if first.value is not None and row.pad_ke.value >= first.value]
-    soft = [row for row in critical if first.value is not None and row.pad_ke.value < first.value]
-    sunk = most(results, "ke_critical_lost", "largest below these that fails", filterfalse(is_stable, soft), "pad_ke")
-    below = [row for row in alone if row.substeps.value == AS_SHIPPED.substeps and up_to.value is not None]
-    below = [row for row in below if row.pad_ke.value <= up_to.value]
-    mass = AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3
-    step = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
-    found = [
-        Limit("time step [ms]", *ends("step", steps, "step_ms"), NONE, step),
-        Limit("ke, kd with it", *ends("ke_critical", safe, "pad_ke"), sunk, AS_SHIPPED.pad_ke),
-        Limit("ke alone", *ends("ke_alone", below, "pad_ke"), said("safe_settings", "breaks"), AS_SHIPPED.pad_ke),
-        loads("shake, of Coulomb's limit", "shake"),
-        loads("weaker grip, of that", "grip"),
-        Limit("pads' friction", said("friction_extremes", "kept"), said("friction_extremes", "most"),
-              said("friction_extremes", "lost"), AS_SHIPPED.pad_mu),
-        Limit("cube's edge [mm]", *ends("edge", sizes, "cube_edge_mm"), small, 1e3 * AS_SHIPPED.cube_edge_m),
-        Limit("mass, grip to match [kg]", said("masses", "light"), said("masses", "heavy"), NONE, mass),
-        Limit("gravity [m/s²]", *ends("pull", pulls, "gravity_m_s2"), heavy, 9.81),
-        Limit("overlap at the start [mm]", *ends("start", family(results, "overlap"), "overlap_mm"), NONE, 1.0),
-    ]  # fmt: skip
-    return [limit for limit in found if None not in (limit.low.value, limit.high.value)]
+    formula = "least that loses it"
+    lost = filterfalse(is_stable, pulls)
+    heavy = least(results, "gravity_lost", formula, lost, "gravity_m_s2")
+    add("gravity [m/s²]", "pull", pulls, "gravity_m_s2", heavy, 9.81)
+
+    starts = family(results, "overlap")
+    add("overlap at the start [mm]", "start", starts, "overlap_mm", NONE, 1.0)
+    return [each for each in found if None not in (each.low.value, each.high.value)]

@@ -1,4 +1,4 @@
-"""What releases have side by side: changes between them, marks, and the two between which changes are told."""
+"""The two releases between which changes are told."""
 
 from dataclasses import dataclass
 
@@ -6,19 +6,21 @@ from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.claim import HOLDS, Outcome, beyond
-from measured_report.values.quantities import Quantity
-from measured_report.values.results import Results
+from report.shared import HOLDS, Outcome, Quantity, Results, beyond
 
 
 def released(releases: Releases, shown: str) -> Releases:
-    """Return what a page compares: no trial with other packages than a release comes with, but for the one shown."""
-    return {name: chapters for name, chapters in releases.items() if name == shown or not read_label(name).pins}
+    """Return the releases without trials with other packages, but for the one shown."""
+    return {
+        name: chapters
+        for name, chapters in releases.items()
+        if name == shown or not read_label(name).pins
+    }
 
 
 @dataclass(frozen=True)
 class Ends:
-    """The oldest and the newest release that has results, between which changes are told."""
+    """The oldest and the newest release that has results."""
 
     releases: Releases
     old: str
@@ -30,25 +32,38 @@ class Ends:
 
     @property
     def one(self) -> Outcome | None:
-        return Outcome("unknown", f"only Newton {self.old} has results") if self.old == self.new else None
+        """Return unknown if there is one release alone."""
+        if self.old != self.new:
+            return None
+        return Outcome("unknown", f"only Newton {self.old} has results")
 
-    def cells(self, headline: Query) -> tuple[Quantity, Quantity]:
-        return headline.cell(self.releases[self.old], self.old), headline.cell(self.releases[self.new], self.new)
+    def cells(self, query: Query) -> tuple[Quantity, Quantity]:
+        old = self.releases[self.old]
+        new = self.releases[self.new]
+        return query.cell(old, self.old), query.cell(new, self.new)
 
     def live(self, case: str, column: str) -> tuple[Quantity, Quantity]:
         return self.cells(Query(f"upgrade.{case}.{column}"))
 
 
-def unchanged(results: Results, name: str, before: Quantity, after: Quantity, noise: Quantity) -> Outcome:
-    """Tell whether the change ``name`` is no more than noise and rounding; clearly more is the opposite."""
-    moved = results.value(name, "later release less earlier one", after - before, across=True)
-    is_same = None not in (moved.value, noise.value) and abs(moved.number) <= noise.number
-    return (HOLDS if is_same else beyond(moved, noise)).having_read(before, after, moved, noise)
+def unchanged(
+    results: Results, name: str, before: Quantity, after: Quantity, noise: Quantity
+) -> Outcome:
+    """Tell whether a change is no more than noise; clearly more is the opposite."""
+    change = after - before
+    moved = results.value(name, "later release less earlier one", change, across=True)
+    is_known = None not in (moved.value, noise.value)
+    is_same = is_known and abs(moved.number) <= noise.number
+    outcome = HOLDS if is_same else beyond(moved, noise)
+    return outcome.having_read(before, after, moved, noise)
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:
-    """Return unknown where times of the oldest and the newest release do not compare: machines differ."""
-    records = [chapters[section].results.record for chapters in releases.values() if section in chapters]
-    if records and records[0].machine_for_speed != records[-1].machine_for_speed:
-        return Outcome("unknown", f"measured on {records[0].machine_in_full} and on {records[-1].machine_in_full}")
-    return None
+    """Return unknown if times of the oldest and the newest release do not compare."""
+    chapters = [each[section] for each in releases.values() if section in each]
+    records = [chapter.results.record for chapter in chapters]
+    if not records or records[0].machine_for_speed == records[-1].machine_for_speed:
+        return None
+    first = records[0].machine_in_full
+    last = records[-1].machine_in_full
+    return Outcome("unknown", f"measured on {first} and on {last}")

@@ -1,30 +1,36 @@
 """The tables and the figure of what releases have side by side."""
 
-from collections.abc import Mapping, Sequence
-
 from markupsafe import Markup
 
 from measured_report.changes.query import Query, points
 from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.section import Figure, Table
 from measured_report.values.format import unit_label
-from measured_report.values.quantities import Quantity
-from report.shared.tables import table_of
+from report.shared import Figure, Quantity, Table, table_of
 
-SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
-TAKEN, GIVEN = "as-shipped-friction-timeconst-off", "as-shipped-friction-timeconst-on"
+SHIPPED = "as-shipped"
+SWITCHED = "as-shipped-kf-off"
+TAKEN = "as-shipped-friction-timeconst-off"
+GIVEN = "as-shipped-friction-timeconst-on"
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
 SLIP = Query(f"upgrade.{SHIPPED}.slip_mm")
 MUJOCO_CONTACTS = Query("upgrade.as-shipped-mujoco-contacts.slip_mm")
-MUJOCO_C, PYRAMID = Query("reproduction.as-shipped-mujoco-c.slip_mm"), Query("solver.cone-pyramidal.slip_mm")
-SPEEDS = (
-    Query(f"speed.{SHIPPED}.frame_ms", label="a frame with shipped pads [ms]"),
-    Query("speed.fixed.frame_ms", label="a frame with stiff pads, all trimmed [ms]"),
-    Query("scaling.worlds-16384.frame_ms", label="a frame of the most worlds [ms]"),
-    Query("leave_out.untrimmed.frame_ms", label="on the CPU, a frame exactly as shipped [ms]", device="cpu"),
-    Query("leave_out.without-all.frame_ms", label="on the CPU, a frame without what is unneeded [ms]", device="cpu"),
-)
+MUJOCO_C = Query("reproduction.as-shipped-mujoco-c.slip_mm")
+PYRAMID = Query("solver.cone-pyramidal.slip_mm")
+SPEEDS = {
+    label: Query(f"{place}.frame_ms", label=label, device=device)
+    for label, place, device in (
+        ("a frame with shipped pads [ms]", f"speed.{SHIPPED}", ""),
+        ("a frame with stiff pads, all trimmed [ms]", "speed.fixed", ""),
+        ("a frame of the most worlds [ms]", "scaling.worlds-16384", ""),
+        ("on the CPU, a frame exactly as shipped [ms]", "leave_out.untrimmed", "cpu"),
+        (
+            "on the CPU, a frame without what is unneeded [ms]",
+            "leave_out.without-all",
+            "cpu",
+        ),
+    )
+}
 TRIED = {
     label: Query(f"upgrade.{case}.slip_mm")
     for case, label in {
@@ -41,7 +47,6 @@ TRIED = {
         "hold": "arm held still",
     }.items()
 }
-SETTING_SECTIONS = ("upgrade", "defaults")
 DRAWN = {
     SLIP: "shipped pads",
     MUJOCO_CONTACTS: "MuJoCo's contacts",
@@ -50,64 +55,97 @@ DRAWN = {
 }
 
 
-def side_by_side(heading: str, releases: Releases, queries: Mapping[str, Query]) -> Table:
-    lines = [[each.cell(chapters, release).bare for release, chapters in releases.items()] for each in queries.values()]
-    columns = dict(zip(map(config().short_name, releases), zip(*lines, strict=True), strict=True))
+def side_by_side(heading: str, releases: Releases, queries: dict[str, Query]) -> Table:
+    columns = {
+        config().short_name(release): [
+            query.cell(chapters, release).bare for query in queries.values()
+        ]
+        for release, chapters in releases.items()
+    }
     return table_of(heading, queries, columns)
 
 
 def option_table(releases: Releases) -> Table:
-    kinds = config().changes.settings  # of rows that are no runs: each has a name and a value
+    """Show the settings that differ; of their rows each has a name and a value."""
+    kinds = config().changes.settings
+    measured = {name: each for name, each in releases.items() if "upgrade" in each}
     settings: dict[str, dict[str, Quantity | str]] = {}
-    measured = {release: sections for release, sections in releases.items() if "upgrade" in sections}
-    for release, sections in measured.items():
-        for row in (row for name in SETTING_SECTIONS if name in sections for row in sections[name].results.rows):
-            if row.kind in kinds:
-                settings.setdefault(f"{kinds[row.kind]} {row.name}", {})[release] = row["value"]
-    differing = {
-        name: values
-        for name, values in settings.items()
-        if len({getattr(values.get(release), "value", values.get(release)) for release in measured}) > 1
-    } or {"none": dict.fromkeys(measured, "")}
-    lines = {release: [values.get(release, "–") for values in differing.values()] for release in measured}
-    columns = {config().short_name(release): list(map(Markup("{}").format, line)) for release, line in lines.items()}
-    return table_of("", differing, columns)
+    for release, chapters in measured.items():
+        for section in ("upgrade", "defaults"):
+            rows = chapters[section].results.rows if section in chapters else ()
+            for row in rows:
+                if row.kind in kinds:
+                    name = f"{kinds[row.kind]} {row.name}"
+                    settings.setdefault(name, {})[release] = row["value"]
+
+    def differs(values: dict[str, Quantity | str]) -> bool:
+        cells = (values.get(release) for release in measured)
+        return len({getattr(cell, "value", cell) for cell in cells}) > 1
+
+    shown = {name: values for name, values in settings.items() if differs(values)}
+    shown = shown or {"none": dict.fromkeys(measured, "")}
+    columns = {
+        config().short_name(release): [
+            Markup("{}").format(values.get(release, "–")) for values in shown.values()
+        ]
+        for release in measured
+    }
+    return table_of("", shown, columns)
 
 
-def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
-    slips = [(config().name_of(release), SLIP.cell(releases[release], release)) for release in releases]
-    sources = [headline.cell(releases[release], release) for headline in DRAWN for release in releases]
-    return Figure(lambda: _draw_slips(releases), sources, {"slips": slips, "steps": steps})
+def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
+    lines = {
+        query: [query.cell(chapters, name) for name, chapters in releases.items()]
+        for query in DRAWN
+    }
+    slips = zip(map(config().name_of, releases), lines[SLIP], strict=True)
+    cells = [cell for line in lines.values() for cell in line]
+    numbers = {"slips": list(slips), "steps": steps}
+    return Figure(lambda: _draw_slips(releases, lines), cells, numbers)
 
 
-def _draw_slips(releases: Releases):
+def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
     # Matplotlib takes long to import, and whoever only compares draws nothing.
     from measured_report.parts.figures import INK, new_figure, tick_125
     from report.shared import drawing as shared
 
     drawing, axes = new_figure(7.2, 3.4)
-    looks = ((shared.SHIPPED, "-"), (shared.SHIPPED, "--"), (INK, "-"), (shared.STIFF, "-"))
-    for (headline, label), (colour, dashes) in zip(DRAWN.items(), looks, strict=True):
-        points = [(place, headline.cell(each, name).value) for place, (name, each) in enumerate(releases.items())]
-        shared.mark_points(axes, points, color=colour, linestyle=dashes, marker="o", label=label)
+    looks = (
+        {"color": shared.SHIPPED, "linestyle": "-"},
+        {"color": shared.SHIPPED, "linestyle": "--"},
+        {"color": INK, "linestyle": "-"},
+        {"color": shared.STIFF, "linestyle": "-"},
+    )
+    for (query, label), look in zip(DRAWN.items(), looks, strict=True):
+        points = enumerate(cell.value for cell in lines[query])
+        shared.mark_points(axes, points, marker="o", label=label, **look)
     axes.set_yscale("log")
     tick_125(axes.yaxis)
-    axes.set_xticks(range(len(releases)), [config().short_name(name) for name in releases])
-    axes.set(xlim=(-0.3, len(releases) - 0.5), xlabel="Newton release", ylabel="slip [mm]")
+    axes.set_xticks(range(len(releases)), map(config().short_name, releases))
+    axes.set(
+        xlim=(-0.3, len(releases) - 0.5), xlabel="Newton release", ylabel="slip [mm]"
+    )
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing
 
 
 def number_table(releases: Releases) -> Table:
-    """Show how the headlines moved from release to release, marked where one differs from the one before."""
-    labels: list[Markup] = []
+    """Show the headlines, marked where one differs from the release before."""
+    names = []
     columns: dict[str, list[Markup]] = {name: [] for name in releases}
-    for headline in (Query(value, label=label) for label, value in config().changes.headlines.items()):
-        if history := points(releases, headline):
-            labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
-            marks = {point.release: point.mark for point in history}
-            for name, column in columns.items():
-                number, mark = headline.cell(releases[name], name).bare, marks.get(name, "")
-                moved = Markup('{} <span class="moved {}">{}</span>').format(number, mark, mark)
-                column.append(moved if mark else number)
-    return table_of("number", labels, {config().short_name(name): column for name, column in columns.items()})
+    for label, text in config().changes.headlines.items():
+        query = Query(text, label=label)
+        history = points(releases, query)
+        if not history:
+            continue
+        names.append(Markup("{} [{}]").format(label, unit_label(query.unit)))
+        marks = {point.release: point.mark for point in history}
+        for name, chapters in releases.items():
+            number = query.cell(chapters, name).bare
+            mark = marks.get(name)
+            if mark:
+                moved = Markup('{} <span class="moved {}">{}</span>')
+                number = moved.format(number, mark, mark)
+            columns[name].append(number)
+    columns = {config().short_name(name): cells for name, cells in columns.items()}
+    return table_of("number", names, columns)

@@ -9,6 +9,9 @@ import pytest
 from scipy.optimize import brentq
 
 from experiments import drift_law
+from experiments.drivers.contacts import Contacts
+from experiments.drivers.mjcf import numbers
+from experiments.drivers.mujoco_c import InC
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
@@ -22,7 +25,6 @@ from experiments.simulation.budget import (
     predicted_mm,
     softness,
 )
-from experiments.simulation.mjcf_engines import Contacts, InC, numbers
 from experiments.simulation.simulation import simulate
 
 SHORT = replace(AS_SHIPPED, cube_in_hand=True, frame_count=150)

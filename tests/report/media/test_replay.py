@@ -39,18 +39,26 @@ def page(project) -> str:
     templates = Templates(project.templates)
     edition = derive_edition(project)
     give_words(edition, templates)
-    return replay_page(project, edition.chapters["poses"], Plugins(edition).replay, None, templates, "")
+    return replay_page(
+        project, edition.chapters["poses"], Plugins(edition).replay, None, templates, ""
+    )
 
 
-def test_the_page_runs_its_one_script_fetches_nothing_and_says_without_it_what_was_measured(page, poses_path):
+def test_the_page_runs_its_one_script_fetches_nothing_and_says_without_it_what_was_measured(
+    page, poses_path
+):
     assert len(page.encode()) <= MOST_BYTES
     assert page.count("<script") == 1 and f"<script>{script()}</script>" in page
-    policy = page.partition('http-equiv="Content-Security-Policy" content="')[2].partition('"')[0]
+    policy = page.partition('http-equiv="Content-Security-Policy" content="')[
+        2
+    ].partition('"')[0]
     digest = base64.b64encode(hashlib.sha256(script().encode()).digest()).decode()
     assert "default-src 'none'" in policy and f"script-src 'sha256-{digest}';" in policy
     still = page.partition("<script>")[0]
     for row in load_record(poses_path).rows:
-        assert (">lost</td>" if row["dropped"] else f'value="{json.dumps(row["slip_mm"])}"') in still
+        assert (
+            ">lost</td>" if row["dropped"] else f'value="{json.dumps(row["slip_mm"])}"'
+        ) in still
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="node is not there")
@@ -65,7 +73,9 @@ def test_the_script_reads_what_was_kept(poses_path, tmp_path):
         console.log(JSON.stringify(shakes.map(({{ runs }}) => runs.map((run) => [run.end_s, run.at(run.end_s)]))));
         """
     )
-    printed = subprocess.run(["node", tmp_path / "read.mjs"], capture_output=True, text=True, check=True).stdout
+    printed = subprocess.run(
+        ["node", tmp_path / "read.mjs"], capture_output=True, text=True, check=True
+    ).stdout
     rows = {row["case"]: row for row in results.record.rows}
     cases = [list(runs) for runs in SHAKES.values()]
     for members, found in zip(cases, json.loads(printed), strict=True):
@@ -73,17 +83,37 @@ def test_the_script_reads_what_was_kept(poses_path, tmp_path):
             poses = results.trace(case).value.iloc[-1]
             assert end_s == pytest.approx(rows[case]["shake_duration_s"])
             assert state["slip_mm"] == pytest.approx(rows[case]["slip_mm"], abs=0.005)
-            assert state["penetration_mm"] == pytest.approx(poses["penetration_mm"], abs=0.005)
-            np.testing.assert_allclose(state["joints"], poses.iloc[2:11].astype(float), atol=1e-4)
+            assert state["penetration_mm"] == pytest.approx(
+                poses["penetration_mm"], abs=0.005
+            )
+            np.testing.assert_allclose(
+                state["joints"], poses.iloc[2:11].astype(float), atol=1e-4
+            )
 
 
 @pytest.mark.skipif(not shutil.which("npm"), reason="npm is not there")
 def test_the_script_is_what_its_sources_give(tmp_path):
     assets = tmp_path / "assets"
-    shutil.copytree(ROOT / "assets", assets, ignore=shutil.ignore_patterns("node_modules", "replay.js"))
+    shutil.copytree(
+        ROOT / "assets",
+        assets,
+        ignore=shutil.ignore_patterns("node_modules", "replay.js"),
+    )
     folder = assets / "replay"
-    install = subprocess.run(["npm", "ci", "--ignore-scripts"], cwd=folder, capture_output=True, text=True, check=False)
+    install = subprocess.run(
+        ["npm", "ci", "--ignore-scripts"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     if install.returncode:
-        pytest.skip(f"npm cannot install: {(install.stderr.splitlines() or ['no reason given'])[-1]}")
-    subprocess.run(["npm", "run", "--silent", "build"], cwd=folder, capture_output=True, check=True)
-    assert Path(folder / "replay.js").read_bytes() == (SOURCES / "replay.js").read_bytes()
+        pytest.skip(
+            f"npm cannot install: {(install.stderr.splitlines() or ['no reason given'])[-1]}"
+        )
+    subprocess.run(
+        ["npm", "run", "--silent", "build"], cwd=folder, capture_output=True, check=True
+    )
+    assert (
+        Path(folder / "replay.js").read_bytes() == (SOURCES / "replay.js").read_bytes()
+    )

@@ -16,6 +16,19 @@ def test_times_compare_where_both_were_measured_on_machines_of_one_kind():
         return {"speed": SimpleNamespace(results=SimpleNamespace(record=record))}
 
     assert (
-        machines_differ({"1.4.0": timed(), "1.5.0": timed(driver="1"), "1.8.0": timed(host="there")}, "speed") is None
+        machines_differ(
+            {
+                "1.4.0": timed(),
+                "1.5.0": timed(driver="1"),
+                "1.8.0": timed(host="there"),
+            },
+            "speed",
+        )
+        is None
     )
-    assert "measured on" in machines_differ({"1.4.0": timed(), "1.8.0": timed(driver="1")}, "speed").reason
+    assert (
+        "measured on"
+        in machines_differ(
+            {"1.4.0": timed(), "1.8.0": timed(driver="1")}, "speed"
+        ).reason
+    )

@@ -21,24 +21,41 @@ def test_a_cell_that_is_not_there_says_why(results):
     soft = results.row["soft"]
     assert arithmetic.cell_or_absent(soft, "slip_mm") == soft.slip_mm
     for row, column in ((soft, "drift_mm"), (None, "slip_mm")):
-        assert arithmetic.cell_or_absent(row, column, "it fell") == absent("mm", "it fell")
+        assert arithmetic.cell_or_absent(row, column, "it fell") == absent(
+            "mm", "it fell"
+        )
     found = arithmetic.Sections({"toy": results})
     assert found.cell("toy", "soft", "slip_mm") == soft.slip_mm
-    for section, case, reason in (("toy", "firm", "does not say"), ("noise", "soft", "has no results here")):
-        assert found.cell(section, case, "slip_mm").reason == f"section {section} {reason}"
+    for section, case, reason in (
+        ("toy", "firm", "does not say"),
+        ("noise", "soft", "has no results here"),
+    ):
+        assert (
+            found.cell(section, case, "slip_mm").reason == f"section {section} {reason}"
+        )
 
 
 def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
     path = Project("1.4.0").record_path("stiffness")
     record = load_record(path)
-    index = next(index for index, row in enumerate(record.rows) if row["case"] == "pad-ke-2.5e5")
+    index = next(
+        index for index, row in enumerate(record.rows) if row["case"] == "pad-ke-2.5e5"
+    )
 
     def is_held_with(**changed) -> bool:
-        rows = [*record.rows[:index], record.rows[index] | changed, *record.rows[index + 1 :]]
-        return arithmetic.is_held(Results(replace(record, rows=rows), path).row["pad-ke-2.5e5"])
+        rows = [
+            *record.rows[:index],
+            record.rows[index] | changed,
+            *record.rows[index + 1 :],
+        ]
+        return arithmetic.is_held(
+            Results(replace(record, rows=rows), path).row["pad-ke-2.5e5"]
+        )
 
     assert is_held_with()
-    assert not is_held_with(cycle_count=None, cycle_count_reason="the shake is shorter than one cycle")
+    assert not is_held_with(
+        cycle_count=None, cycle_count_reason="the shake is shorter than one cycle"
+    )
     assert not is_held_with(dropped=True)
 
 
@@ -52,6 +69,16 @@ def test_a_cube_that_was_lost_has_not_slipped():
     assert tables.cell_or_lost(kept, "slip_mm") == kept.slip_mm
     path = Project("1.4.0").record_path("reproduction")
     record = load_record(path)
-    rows = [row | ({"dropped": True} if row["case"] == "as-shipped" else {}) for row in record.rows]
-    claims = {claim.name: claim for claim in reproduction.derive(Results(replace(record, rows=rows), path)).claims}
-    assert {claims[name].outcome.reason for name in ("slips", "stiff_pads_hold")} == {"as shipped: lost"}
+    rows = [
+        row | ({"dropped": True} if row["case"] == "as-shipped" else {})
+        for row in record.rows
+    ]
+    claims = {
+        claim.name: claim
+        for claim in reproduction.derive(
+            Results(replace(record, rows=rows), path)
+        ).claims
+    }
+    assert {claims[name].outcome.reason for name in ("slips", "stiff_pads_hold")} == {
+        "as shipped: lost"
+    }

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from itertools import chain
 from typing import Any, TypeGuard
 
-ASSETS = ("assets/", "experiments/")  # where files lie that a program reads or starts by their path
+ASSETS = ("assets/", "experiments/", "packages/")  # where files lie that a program reads or starts by their path
 GAP = "·"
 WORKED_OUT = ...  # stands for what a module gives a name at its top level, and is no constant
 Meanings = Mapping[str, str]  # by name what it stands for
@@ -98,7 +98,7 @@ class Reader:
             start = self._package[: len(self._package) - node.level + 1] if node.level else ()
             module = ".".join((*start, *([node.module] if node.module else [])))
             for alias in node.names:
-                path = f"{module}.{alias.name}"
+                path = f"{module}.{alias.name}".lstrip(".")  # a module in no package may import one beside it
                 yield alias.asname or alias.name, path, path
 
 

@@ -1,201 +1,38 @@
-"""Marks in any text: what is stale, false or missing is told, what is fresh is not, and a fix changes nothing else."""
+"""The command ``measured-report audit``: number-audit with the noise of this report's records."""
 
-import json
-import os
-import time
+import sys
 
 import pytest
 
+from measured_report.commands.audit import data_of, noise_of_record
 from measured_report.commands.new import main
 
-RESULTS = {
-    "pytest.json": {
-        "machine_info": {},
-        "benchmarks": [{"name": "a[1/2]", "stats": {"mean": 0.0123, "stddev": 1e-4, "rounds": 10}}],
-    },
-    "hyperfine.json": {
-        "results": [{"command": "sleep 1 (b)", "mean": 0.01, "stddev": 0.00079, "times": [9e-3, 9.5e-3, 0.01, 0.0115]}]
-    },
-    "criterion.json": {"mean": {"point_estimate": 12345.6, "standard_error": 170.0}},
-    "google.json": {"context": {}, "benchmarks": [{"name": "BM/1_mean", "real_time": 10.0, "time_unit": "us"}]},
-    "asv.json": {"result_columns": ["result", "params"], "results": {"m.time_x": [[0.5, 0.25], [["1", "2"]]]}},
-    "plain.json": {"old": 4.0, "new": 2.0, "big": 1234567, "none": None},
-    "odd.json": {"rows": 1, "units": 2, "identity": 3, "a": 1e308, "times": 1, "mean": 7},
-    "twice.json": {"a_ms": 12.3, "b_ms": 12.3},
-    "table.csv": "case;time_ms;n\nx;12.5;10\ny;13.5;20\ny;14.5;30\n",
-    "values.json": {"section": {"drag": {"value": 2.5, "unit": "mm", "noise": 0.1}}},
-}
-FRESH = [  # each with the number that would be stale, which a fix makes of it again
-    ("12.3 ms", "12.9 ms", "pytest.json#/benchmarks/a[1/2]/stats/mean"),
-    ("**0.0123** s", "**0.0133** s", "pytest.json#/benchmarks/a[1/2]/stats/mean ms"),
-    ("10 ms", "20 ms", "hyperfine.json#/results/sleep%201%20(b)/times"),
-    ("12.3 µs", "13.3 µs", "criterion.json#/mean/point_estimate"),
-    ("10.0 us", "12.0 us", "google.json#/benchmarks/BM/1_mean/real_time"),
-    ("250 ms", "380 ms", "asv.json#/results/m.time_x/0/1 s"),
-    ("1,234,567", "1,234,568", "plain.json#/big"),
-    ("1\u202f200\u202f000", "1\u202f300\u202f000", "plain.json#/big digits 2"),
-    ("50 %", "40 %", "100 * (1 - n / plain.json#/old )"),
-    ("12.5 ms", "12.6 ms", "table.csv#/x/time_ms"),
-    ("2.5 mm", "2.7 mm", "values.json#/section/drag/value"),
-]
-MISSING = {
-    "nothing.json#/a": "there is no",
-    "table.csv#/z/time_ms": "similar: /x/time_ms",
-    "plain.json#/none": "there is no number",
-    "../out.json#/a": "out.json is outside",
-    "pipe.json#/a": "no regular file",
-    "plain.json#/old / 0": "division by zero",
-    "((plain.json#/old": "never closed",
-    "plain.json#/old (plain.json#/new )": "no arithmetic",
-    "9 ** 9 ** 9": "no arithmetic",
-    "pytest.json#/benchmarks/a[1/2]/stats/mean + plain.json#/old": "no unit in common",
-}
+
+def test_a_number_of_a_record_is_audited(toy, monkeypatch, capsys):
+    pytest.importorskip("number_audit", reason="the audit is a package of its own")
+    toy.measure()
+    (toy.project.root / ".git").mkdir()
+    path = toy.project.root / "README.md"
+    source = toy.record_path.relative_to(toy.project.root).as_posix()
+    path.write_text(f"6.36 mm<!-- = {source}#/rows/soft/slip_mm -->", encoding="utf-8")
+    monkeypatch.setattr("sys.argv", ["measured-report", "audit", str(path), "--check"])
+    assert (main(), capsys.readouterr().out) == (0, "")
+    path.write_text(path.read_text(encoding="utf-8").replace("6.36", "6.37"), encoding="utf-8")
+    assert main() == 1
+    assert "stale: 6.37 mm is 6.3617 mm by" in capsys.readouterr().out
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (folder := tmp_path / "project").mkdir()
-    (folder / ".git").mkdir()
-    (tmp_path / "out.json").write_text('{"a": 5}')
-    (folder / "link.json").symlink_to(tmp_path / "out.json")
-    os.mkfifo(folder / "pipe.json")
-    for name, result in RESULTS.items():
-        (folder / name).write_text(result if isinstance(result, str) else json.dumps(result))
-    monkeypatch.chdir(folder)
-    return folder
+def test_a_record_whose_noise_can_not_be_read_is_an_error_of_its_mark(toy):
+    toy.measure()
+    text = toy.record_path.read_text(encoding="utf-8")
+    toy.record_path.write_text(text.replace("6.3617", "6.3618"), encoding="utf-8")  # it is sealed
+    data_of.cache_clear()
+    with pytest.raises(ValueError, match="the noise of slip_mm is not known"):
+        noise_of_record(toy.record_path, 0, "slip_mm")
 
 
-@pytest.fixture
-def audit(folder, monkeypatch, capsys):
-    """Write a text, audit it and return the status, what was printed and the text as it then is."""
-
-    def run(text: str | bytes, *options: str, name: str = "a.md") -> tuple[int, list[str], str]:
-        (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
-        monkeypatch.setattr("sys.argv", ["measured-report", "audit", name, *options])
-        status = main()
-        return status, capsys.readouterr().out.splitlines(), (folder / name).read_bytes().decode("utf-8", "replace")
-
-    return run
-
-
-@pytest.mark.parametrize(("fresh", "stale", "source"), FRESH)
-def test_a_number_is_fresh_or_stale_by_any_source_and_a_fix_ends_at_its_own_bytes(audit, fresh, stale, source):
-    named = "2.0<!-- n = plain.json#/new -->"
-    right, wrong = (f"{named} 2024\r\nit takes {number}<!-- = {source} -->, 3.\r\n" for number in (fresh, stale))
-    assert audit(right, "--check") == (0, [], right)
-    status, [line], _ = audit(wrong, "--check")
-    assert status == 1 and line.startswith("a.md:2: stale: ")
-    assert audit(wrong, "--fix", "--check") == (0, [], right)
-
-
-@pytest.mark.parametrize(("fresh", "stale"), [("1.2×10⁶", "1.3×10⁶"), ("1.23e+06", "1.23e+05"), ("1.23e6", "1.23e-6")])
-def test_a_number_with_a_power_of_ten_is_audited_and_left_as_it_is(audit, fresh, stale):
-    assert audit(f"{fresh}<!-- = plain.json#/big -->", "--check")[:2] == (0, [])
-    status, [line], text = audit(wrong := f"{stale}<!-- = plain.json#/big -->", "--fix")
-    assert (status, text) == (1, wrong) and "stale: " in line
-
-
-def test_names_make_arithmetic_and_words_that_turn(audit):
-    marks = "4.0<!-- old = plain.json#/old --> 2.0<!-- new = plain.json#/new --> 2×<!-- ratio = old / new --> "
-    words = "{}<!-- Faster if new < old else Slower --> {}<!-- not so if ratio < 1.5 else so -->"
-    right, wrong = marks + words.format("Faster", "so"), marks + words.format("Slower", "not so")
-    assert audit(right, "--check") == (0, [], right)
-    status, lines, _ = audit(wrong, "--check")
-    assert (status, [line.split(": ")[1] for line in lines]) == (1, ["false", "false"])
-    assert audit(wrong, "--fix", "--check") == (0, [], right)
-    assert "another mark is called old" in audit(f"{marks} 5<!-- old = plain.json#/new -->", "--check")[1][0]
-
-
-def test_within_its_noise_nothing_is_stale_and_no_word_false(audit):
-    way = "hyperfine.json#/results/sleep%201%20(b)"
-    text = f"12.3 ms<!-- a = {way}/times --> 13 ms<!-- b = {way}/mean ± 30 % --> "
-    status, lines, _ = audit(f"{text}slower<!-- slower if a > b else faster -->")
-    assert (status, [line.split(": ")[1] for line in lines]) == (0, ["fresh", "fresh", "unclear"])
-    assert "± 1.7 ms" in lines[0]
-
-
-@pytest.mark.parametrize(("source", "message"), MISSING.items())
-def test_what_leads_nowhere_or_out_of_the_project_is_one_line(audit, source, message):
-    status, [line], after = audit(text := f"5<!-- = {source} -->", "--fix")
-    assert (status, after) == (1, text) and line.startswith("a.md:1: missing: ") and message in line
-
-
-def test_a_folder_outside_is_read_when_allowed(audit):
-    assert audit("5<!-- = ../out.json#/a --> 5<!-- = link.json#/a -->", "--check", "--allow", "..")[0] == 0
-
-
-SLEEP = "hyperfine.json#/results/sleep%201%20(b)/mean"
-MEAN = "pytest.json#/benchmarks/a[1/2]/stats/mean"
-FORMS = {
-    "a.tex": f"``a'' ``\\audited{{%s\\,ms}}{{= {MEAN}}}''".replace("#", "\\#"),
-    "a.rst": f"~~~~\n:audit:`%s ms <= {MEAN}>`, ``:audit:`7 <= no.json#/x>` ``\n",
-    "a.html": f"<b>%s</b>&nbsp;ms<!-- = {MEAN} -->",
-    "a.md": f"```\n7<!-- = no.json#/x -->\n```\n`7<!-- = no.json#/x -->`\n\n- %s\nms<!-- = {MEAN} --> <!-- a == b -->",
-}
-
-
-@pytest.mark.parametrize("name", FORMS)
-def test_each_kind_of_text_has_its_marks_and_code_has_none(audit, name):
-    right, wrong = (FORMS[name].replace("%s", number) for number in ("12.3", "14.3"))
-    assert audit(right, "--check", name=name) == (0, [], right)
-    assert audit(wrong, "--fix", "--check", name=name) == (0, [], right)
-
-
-@pytest.mark.parametrize(
-    ("text", "source", "marked"),
-    [
-        ("12.3 ms, or `12.3 ms`; 10 of v12.3.", "pytest.json", f"12.3 ms<!-- = {MEAN} -->, or `12.3 ms`; 10 of v12.3."),
-        ("4.0 of 1,234", "plain.json", "4.0<!-- = plain.json#/old --> of 1,234"),
-        ("It takes 10.0 ms.", "hyperfine.json", f"It takes 10.0 ms<!-- = {SLEEP} -->."),
-        ("**10.0 ms** 12.5<!-- = x -->", "hyperfine.json", f"**10.0 ms<!-- = {SLEEP} -->** 12.5<!-- = x -->"),
-        ("12.3 ms", "twice.json", "12.3 ms"),
-    ],
-)
-def test_suggestions_mark_what_is_one_number_of_the_results_and_leave_a_choice(audit, text, source, marked):
-    status, lines, after = audit(text, "--suggest", source)
-    assert (status, after) == (0, marked) and ("unclear: 12.3 ms is twice.json#/a_ms or" in lines[0]) == (
-        text == marked
-    )
-    assert audit(marked, "--suggest", source)[2] == marked
-
-
-def test_a_suggestion_in_latex_and_in_restructuredtext_is_audited_as_it_is(audit):
-    for name in ("a.tex", "a.rst"):
-        marked = audit("takes 10.0 ms", "--suggest", "hyperfine.json", name=name)[2]
-        assert "audit" in marked and audit(marked, "--check", name=name) == (0, [], marked)
-
-
-def test_a_build_server_gets_annotations_or_json(audit):
-    text = f"\n14.3 ms<!-- = {MEAN} -->"
-    annotation = "::error file=a.md,line=2::stale: 14.3 ms is 12.3 ± 0.072 ms"
-    assert audit(text, "--format", "github")[1][0].startswith(annotation)
-    finding = json.loads(*audit(text, "--format", "json")[1])
-    assert (finding["file"], finding["line"], finding["kind"], finding["replacement"]) == ("a.md", 2, "stale", "12.3")
-
-
-HOSTILE = {  # with how many lines of them are told
-    b"\xff\xe9 12.9 ms<!-- = " + MEAN.encode() + b" -->\xff\r\n": 1,  # bytes that are no text
-    b"7<!-- a <!-- = no.json#/x -->": 0,  # a comment in a comment
-    b"7<!-- = no.json#/x" + b"<!--" * 9999: 0,
-    b"`" * 99999 + b"7<!-- = no.json#/x": 0,
-    b"5<!-- = __import__('os') --> 5<!-- a = a --> 7<!-- = odd.json#/mean --> 5<!-- = odd.json#/a -->": 4,
-    b"2024 we were<!-- = plain.json#/old -->, 16 384<!-- = plain.json#/old --> 1,5<!-- = plain.json#/old -->": 3,
-    b"10^6<!-- = plain.json#/old --> 10<sup>6</sup><!-- = plain.json#/big -->": 2,
-}
-
-
-@pytest.mark.parametrize("text", HOSTILE)
-def test_whatever_a_file_has_is_a_line_or_works(audit, text):
-    status, lines, after = audit(text, "--fix")
-    assert len(lines) == HOSTILE[text] and status == int(len(lines) > 1)
-    assert after == text.replace(b"12.9", b"12.3").decode("utf-8", "replace") or "odd.json#/a" in after
-
-
-def test_a_thousand_marks_take_no_longer_than_a_second(audit, folder):
-    runs = [{"name": f"t{i}", "stats": {"mean": i + 1, "stddev": 0.01, "rounds": 5 + i % 20}} for i in range(1000)]
-    (folder / "many.json").write_text(json.dumps({"machine_info": {}, "benchmarks": runs}))
-    audit("1 s<!-- = many.json#/benchmarks/t0/stats/mean -->")  # what is imported once is
-    began = time.process_time()
-    marks = "".join(f"{i + 1} s<!-- = many.json#/benchmarks/t{i}/stats/mean -->\n" for i in range(1000))
-    assert audit(marks, "--check")[:2] == (0, [])
-    assert time.process_time() - began < 1
+def test_without_the_package_a_line_names_it(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "number_audit.command", None)
+    monkeypatch.setattr("sys.argv", ["measured-report", "audit", "README.md"])
+    assert main() == 2
+    assert "pip install ./packages/number-audit" in capsys.readouterr().err

@@ -6,12 +6,12 @@ from functools import cached_property
 
 import newton
 import numpy as np
+from newton.solvers import SolverMuJoCo
 
 from newton_lint.combined import Contacts, contacts_of, share
-from newton_lint.findings import Finding
-from newton_lint.grouping import Hits, Wording, findings_of
+from newton_lint.findings import Finding, Hits, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
-from newton_lint.newton_models.compat import kf_is_read, make_solver
+from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.rules import SAME
 from newton_lint.rules import lint as of_mujoco
 from newton_lint.scene import Engine, Scene
@@ -30,7 +30,7 @@ class Shapes(Scene):
     @classmethod
     def of(cls, model: newton.Model, engine: Engine) -> "Shapes":
         """Compile a model that has shapes."""
-        compiled = engine.configured(make_solver(model, use_mujoco_cpu=True).mj_model)
+        compiled = engine.configured(SolverMuJoCo(model, use_mujoco_cpu=True).mj_model)
         return cls(compiled, Source(None, compiled), engine, shapes=model)
 
     @cached_property
@@ -73,31 +73,43 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
     values = {name: scene.of_geoms(f"shape_material_{name}") for name in ("ke", "kd")}
     for name, zero, used in (("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2), ("kd", "ke", 2.0 / timeconst_s)):
         hit = np.flatnonzero(converted & (values[name] > 0.0) & (values[zero] <= 0.0))
-        message = f"is not read: {zero} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is"
-        yield Hits(Wording("ke-without-kd", name, message), hit, values[name][hit], used)
+        yield Hits(
+            Wording(
+                "ke-without-kd",
+                name,
+                f"is not read: {zero} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is",
+            ),
+            hit,
+            values[name][hit],
+            used,
+        )
 
 
 def friction_gain(scene: Shapes) -> Iterator[Hits]:
     """Yield authored kf that is not read, takes the friction away, or asks for a timeconst below two steps."""
-    contacts, kf, opt = scene.contacts, scene.of_geoms("shape_material_kf"), scene.option
+    contacts = scene.contacts
+    kf = scene.of_geoms("shape_material_kf")
+    opt = scene.option
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
         yield Hits(Wording("kf", "kf", f"is not read by SolverMuJoCo {reason}"), unread, kf[unread])
         return
-    first, second = contacts.first, contacts.second
+    first = contacts.first
+    second = contacts.second
     solmix = scene.model.geom_solmix
     mix = share(solmix[first], solmix[second], contacts.outranked)[:, 0]
-    mixed, mu = mix * kf[first] + (1.0 - mix) * kf[second], contacts.friction[:, 0]
+    mixed = mix * kf[first] + (1.0 - mix) * kf[second]
+    mu = contacts.friction[:, 0]
     lost = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
-    message = "is not read: kf is 0, which takes the friction away"
-    yield Hits(Wording("kf", "mu", message), first[lost], mu[lost], partner=second[lost])
+    wording = Wording("kf", "mu", "is not read: kf is 0, which takes the friction away")
+    yield Hits(wording, first[lost], mu[lost], partner=second[lost])
     dmax = contacts.solimp[:, 1]
     most = 1.0 / (opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax))
     counts = authored[first] | authored[second] & ~contacts.outranked
     hit = np.flatnonzero(counts & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME)))
-    message = "asks for a friction timeconst below two steps, which the engine clamps it to"
-    yield Hits(Wording("kf", "kf", message), first[hit], mixed[hit], most[hit], second[hit])
+    wording = Wording("kf", "kf", "asks for a friction timeconst below two steps, which the engine clamps it to")
+    yield Hits(wording, first[hit], mixed[hit], most[hit], second[hit])
 
 
 def kf_unread(scene: Scene) -> str:

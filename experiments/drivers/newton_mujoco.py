@@ -1,0 +1,65 @@
+"""MuJoCo Warp through Newton, on the same scenes."""
+
+from typing import Any
+
+import mujoco
+import newton
+import numpy as np
+from newton.solvers import SolverMuJoCo
+
+from experiments.drivers.mujoco_c import free_joint, start
+from experiments.drivers.mujoco_warp import CONSTRAINT_MAX, CONTACT_MAX, InWarp
+from experiments.simulation.compat import make_solver
+
+
+class ThroughNewton(InWarp):
+    """The same as Newton's ``SolverMuJoCo`` sets MuJoCo Warp up from the MJCF; the contacts are MuJoCo's."""
+
+    def _build(self, mjcf: str) -> None:
+        newton.use_coord_layout_targets = True
+        builder, scene = newton.ModelBuilder(), newton.ModelBuilder()
+        SolverMuJoCo.register_custom_attributes(scene)
+        scene.add_mjcf(mjcf)
+        builder.replicate(scene, self.world_count)
+        newton_model = builder.finalize(device=self.device)
+        newton_model.joint_q.assign(np.tile(_in_newton(self.model), self.world_count))
+        self.actuated = [
+            self.model.jnt_qposadr[joint] for joint in self.model.actuator_trnid[:, 0]
+        ]
+        self.solver = make_solver(
+            newton_model,
+            use_mujoco_contacts=True,
+            nconmax=CONTACT_MAX,
+            njmax=CONSTRAINT_MAX,
+            update_data_interval=0,
+        )
+        self.states = newton_model.state(), newton_model.state()
+        self.control: Any = (
+            newton_model.control()
+        )  # which has what the solver's attributes add to it
+        self.time_step = float(self.model.opt.timestep)
+        self.model = self.solver.mj_model
+        self.model.opt.timestep = (
+            self.time_step
+        )  # Newton sets it where it steps in C alone
+        self.engine, self.data = self.solver.mjw_model, self.solver.mjw_data
+
+    def command(self, control: np.ndarray) -> None:
+        targets = self.control.joint_target_q.numpy().reshape((self.world_count, -1))
+        targets[:, self.actuated] = control
+        self.control.joint_target_q.assign(targets.ravel())
+        self.control.mujoco.ctrl.assign(np.asarray(control, dtype=np.float32).ravel())
+
+    def _steps(self) -> None:
+        first, second = self.states
+        self.solver.step(first, second, self.control, None, self.time_step)
+        self.solver.step(second, first, self.control, None, self.time_step)
+
+
+def _in_newton(model: mujoco.MjModel) -> np.ndarray:
+    """Return the initial qpos as Newton has it: the free body's quaternion ends with its real part."""
+    qpos = start(model).qpos.copy()
+    position, _ = free_joint(model)
+    turn = slice(position.stop, position.stop + 4)
+    qpos[turn] = np.roll(qpos[turn], -1)
+    return qpos

@@ -1,0 +1,12 @@
+"""Bodies that wobble, spin, roll on an edge or tumble, with the exact term and without: its package's benchmark."""
+
+from tqdm import tqdm
+
+import contact_tumbles
+from measured_report.measuring.measurement import Conditions, Measurement
+
+
+def measure(conditions: Conditions) -> Measurement:
+    bodies = tqdm(contact_tumbles.BODIES, desc="tumbles", unit="body", delay=3.0)
+    rows = [contact_tumbles.measure(body, conditions.profile, conditions.device) for body in bodies]
+    return Measurement([row for of_body in rows for row in of_body])

@@ -1,0 +1,59 @@
+"""Reading and writing files without surprises: bytes in, bytes out, all or nothing."""
+
+import os
+import shutil
+import stat
+import tempfile
+from pathlib import Path
+
+BYTE_LIMIT = 256 << 20
+
+
+class AuditError(Exception):
+    """Something in the audited files that their author has to mend, in one line."""
+
+
+def read_file(path: Path) -> bytes:
+    """Return the bytes of a regular file.
+
+    Raises AuditError for a link, a pipe, a device or more bytes than ``BYTE_LIMIT``.
+    """
+    name = "/".join(path.parts[-2:])
+    try:
+        info = path.lstat()
+        if not stat.S_ISREG(info.st_mode):
+            raise AuditError(f"{name} is no regular file")
+        if info.st_size > BYTE_LIMIT:
+            raise AuditError(f"{name} has more than {BYTE_LIMIT >> 20} MiB")
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise AuditError(f"there is no {name}") from None
+    except OSError as error:
+        raise AuditError(f"{name} can't be read: {error.strerror}") from None
+
+
+def replace_file(path: Path, old: bytes, new: bytes) -> None:
+    """Replace the bytes of a file, unless they are no longer ``old``.
+
+    Raises AuditError, and leaves the file as it is, if it was edited meanwhile, is
+    read-only or can't be written.
+    """
+    if not path.stat().st_mode & stat.S_IWUSR:
+        raise AuditError("the file is read-only, so nothing was fixed")
+    try:
+        descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        temporary = Path(name)
+        try:
+            with os.fdopen(descriptor, "wb") as file:
+                file.write(new)
+                file.flush()
+                os.fsync(file.fileno())
+            shutil.copymode(path, temporary)
+            if path.read_bytes() != old:
+                raise AuditError("the file was edited meanwhile, so nothing was fixed")
+            temporary.replace(path)
+        finally:
+            temporary.unlink(missing_ok=True)
+    except OSError as error:
+        message = f"the file can't be written: {error.strerror}; nothing was fixed"
+        raise AuditError(message) from None

@@ -1,0 +1,23 @@
+"""MJCF in several engines: runs that blow up."""
+
+import math
+
+import pytest
+from stepping import BALL
+
+from experiments.drivers.mjcf import ENGINES
+from experiments.simulation.c_warnings import RunFailed
+
+
+@pytest.mark.parametrize("name", ["c", "warp"])
+def test_a_run_that_blows_up_fails(name, tmp_path, monkeypatch):
+    """MuJoCo's C engine would go on from the beginning."""
+    monkeypatch.chdir(tmp_path)  # where it keeps a log of it
+    engine = ENGINES[name](BALL, 1, "cpu")
+    engine.advance()
+    if name == "c":
+        engine.worlds[0].qvel[0] = math.inf
+    else:
+        engine.data.qvel.fill_(math.inf)
+    with pytest.raises(RunFailed):
+        engine.advance()
