@@ -22,7 +22,7 @@ from measured_report.pages.prose import Templates
 from measured_report.pages.wording import worded_editions
 from measured_report.parts.prose import Prose
 from measured_report.records import code
-from measured_report.records.code import cached_sources, unchanged_files
+from measured_report.records.code import cached_sources
 from measured_report.records.identity import package_versions
 from measured_report.records.traces import load_trace
 from measured_report.site.pages import Content, contents_of
@@ -100,15 +100,14 @@ def site(tmp_path_factory) -> Path:
 def editions(site) -> Mapping[str, Edition]:
     """What the tracked results of every release make, as it was kept when their site was built."""
     project = Project(own_release(), root=site.parent)
-    with cached_sources(), unchanged_files():
+    with cached_sources():
         return worded_editions(project, Templates(project.templates))
 
 
 @pytest.fixture(scope="module")
 def unchanged() -> Iterator[None]:
-    """Look at each source once for all tests of a module, of which none changes any."""
-    with unchanged_files():
-        yield
+    """Mark tests of which none changes a source."""
+    yield
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from measured_report.files.root import ROOT
-from measured_report.records.code import Graph
+from measured_report.records.code import Code
 from measured_report.records.identity import sections
 
 GENERATOR = ROOT / "packages/measured-report"
@@ -45,7 +45,7 @@ def modules() -> Mapping[str, Path]:
 @cache
 def imports() -> Mapping[str, frozenset[str]]:
     """The project's modules that each of its modules imports, wherever in it the import stands, and their packages."""
-    graph = Graph((str(ROOT), *map(str, PACKAGES.values()), str(TERM)))
+    graph = Code(ROOT)
     names = {str(path): name for name, path in modules().items()}
     named = {name: {names[file] for file in graph.imported(str(path))} for name, path in modules().items()}
     return {name: frozenset(found - {name}) for name, found in named.items()}

@@ -5,7 +5,6 @@ import re
 from altered import SCENARIOS
 from commands.test_publish import DAMAGES as OF_SITES
 from damage import RECORD_WAYS, TRACE_WAYS
-from files.test_outside import WHOLE_DAMAGES
 from records.test_replicas import DAMAGES as OF_REPLICAS
 
 from measured_report.files.root import ROOT
@@ -13,7 +12,7 @@ from measured_report.files.root import ROOT
 
 def test_reliability_counts_what_is_tried():
     text = (ROOT / "docs/reliability.md").read_text(encoding="utf-8")
-    counted = [[*RECORD_WAYS, *TRACE_WAYS], SCENARIOS, WHOLE_DAMAGES, OF_REPLICAS, OF_SITES]
+    counted = [[*RECORD_WAYS, *TRACE_WAYS], SCENARIOS, OF_REPLICAS, OF_SITES]
     assert re.findall(r"(\d+) (?:ways|scenarios|damages)", text) == [str(len(each)) for each in counted]
 
 

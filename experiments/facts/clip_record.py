@@ -7,7 +7,7 @@ from pathlib import Path
 
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
-from measured_report.files.atomic import RecordError, read_own_file, short_path
+from measured_report.files.atomic import RecordError, read_file, short_path
 from measured_report.records.identity import Identity, changes, files_digest, identity_at
 from measured_report.records.record import Record, load_record, trace_path
 
@@ -70,6 +70,6 @@ def _digest(record: Path, name: str) -> str:
     if not re.fullmatch(rf"{CLIPS}\.[\w.-]+", name):
         raise ValueError(f"{name!r:.80} is no name of a file there")
     try:
-        return hashlib.sha256(read_own_file(record.with_name(name), BYTE_LIMIT)).hexdigest()
+        return hashlib.sha256(read_file(record.with_name(name), BYTE_LIMIT)).hexdigest()
     except RecordError:
         return ""

@@ -13,9 +13,8 @@ import pytest
 from conftest import ROOT
 
 from measured_report.editions.project import own_release
-from measured_report.files import config
+from measured_report.files import git
 from measured_report.pages.prose import Templates
-from measured_report.records import identity
 from report.shared.wheel import wheel
 from report.story import cause, investigation
 from tests.perturbed import of_editions
@@ -126,11 +125,9 @@ def test_each_release_has_its_title_and_a_description_that_is_a_sentence_of_its_
         ("/home/me/report", ""),
     ],
 )
-def test_sources_are_where_git_has_them_and_no_secret_goes_along(
-    monkeypatch, origin, address
-):
-    monkeypatch.setattr(identity, "git", lambda *_: origin)
-    assert identity.sources.__wrapped__() == (config.config().repository or address)
+def test_sources_are_where_git_has_them_and_no_secret_goes_along(monkeypatch, origin, address):
+    monkeypatch.setattr(git, "git", lambda *_: origin)
+    assert git.web_address(ROOT) == address
 
 
 def test_the_lint_is_installed_from_what_the_page_offers(tmp_path):

@@ -9,8 +9,7 @@ from pathlib import Path
 
 from measured_report.measuring.batch import Batch, Plan, Result
 from measured_report.measuring.section import Section
-from measured_report.records.identity import identity_of
-from measured_report.records.record import load_record
+from measured_report.records.record import basis_of, load_record
 
 
 @dataclass(frozen=True)
@@ -97,7 +96,8 @@ def single(batch: Batch) -> Plan:
 
 
 def section_of(toy, plan: Plan, name: str = "toy") -> Section:
-    return Section(toy.project, name, "cpu", plan, identity_of("toy", "full", toy.project.root))
+    basis = basis_of("toy", toy.project.record_path(name), "full", toy.project.root)
+    return Section(toy.project, name, "cpu", plan, basis)
 
 
 def begun(log: Path) -> list[str]:

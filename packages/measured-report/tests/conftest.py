@@ -11,7 +11,6 @@ from toys import Toy, git, lay_out
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
 from measured_report.files.config import report_in
-from measured_report.records.code import unchanged_files
 
 with suppress(ImportError):  # an extra
     from hypothesis import settings
@@ -64,13 +63,6 @@ def built(toy, model) -> Toy:
     """The project with its site."""
     shutil.copytree(model.project.site, toy.project.site)
     return toy
-
-
-@pytest.fixture(scope="module")
-def unchanged() -> Iterator[None]:
-    """Look at each source once for all tests of a module, of which none changes any."""
-    with unchanged_files():
-        yield
 
 
 @pytest.fixture

@@ -26,7 +26,6 @@ from measured_report.editions.status import states_of
 from measured_report.files.atomic import locked
 from measured_report.files.config import report
 from measured_report.findings.editions import Edition, derive_edition
-from measured_report.records.code import unchanged_files
 from measured_report.records.columns import units_of
 from measured_report.records.identity import identity_of
 from measured_report.records.record import Record, write_record
@@ -319,8 +318,7 @@ def derived(project: Project) -> Edition:
 
 
 def compared(*projects: Project) -> Comparison:
-    with unchanged_files():
-        return compare(*map(derive_edition, projects))
+    return compare(*map(derive_edition, projects))
 
 
 def git(folder: Path, *command: str) -> str:

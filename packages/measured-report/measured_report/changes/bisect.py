@@ -6,13 +6,19 @@ from typing import Any
 
 from measured_report.changes.query import Answer, Query
 from measured_report.editions.project import Project
-from measured_report.editions.release import Release, folder_at, release_of, releases_between
+from measured_report.editions.release import (
+    Release,
+    folder_at,
+    release_of,
+    releases_between,
+)
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError, suggestion
+from measured_report.files.git import git
 from measured_report.findings.editions import editions_of
 from measured_report.measuring.measure import measure
-from measured_report.records.identity import MISSING, git, sections
+from measured_report.records.identity import MISSING, sections
 from measured_report.records.record import load_record
 
 ASIDE = "bisect"  # the folder below `results` of what a search measured

@@ -22,8 +22,14 @@ from measured_report.findings.chapters import Chapters, Releases
 from measured_report.findings.editions import Edition
 from measured_report.findings.sections import file_of, outline_of
 from measured_report.parts.claim import WITHIN, Claim
-from measured_report.records.code import CARRIED, files, roots_of
-from measured_report.records.columns import REASON, UNBELIEVED, column_of, columns_of, parameters
+from measured_report.records.code import GENERATOR, Code
+from measured_report.records.columns import (
+    REASON,
+    UNBELIEVED,
+    column_of,
+    columns_of,
+    parameters,
+)
 from measured_report.records.identity import package_versions, sections
 from measured_report.values.format import format_share, label_of
 from measured_report.values.noise import FALSE_SHARE, LEAST_RUNS, NORMAL, TINY, Z
@@ -242,8 +248,8 @@ def _refuse_empty_pages(edition: Edition) -> None:
 
 def _refuse_absent_imports(root: Path) -> None:
     """Raise ReportError where a module measures nothing, or imports first of all what is not installed."""
-    graph, modules = files().graph(roots_of(root)), [file_of("experiments", section) for section in sections(root)]
-    measuring = {path for module in modules if module for path in graph.closure(str(module), CARRIED)}
+    graph, modules = Code(root), [file_of("experiments", section) for section in sections(root)]
+    measuring = {path for module in modules if module for path in graph.closure(str(module), GENERATOR)}
     for module in filter(None, modules):
         if "measure" not in graph.source(str(module)).top:
             raise ReportError(f"{graph.name_of(str(module))} has no function measure(conditions)")

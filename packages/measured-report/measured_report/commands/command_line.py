@@ -17,11 +17,16 @@ from typing import Any, NoReturn
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
-from measured_report.files.atomic import recover
-from measured_report.files.config import config, report
-from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion, without_secrets
+from measured_report.files.config import Config, Report
+from measured_report.files.config import report as current
+from measured_report.files.errors import (
+    UNPRINTABLE,
+    ReportError,
+    UsageError,
+    suggestion,
+    without_secrets,
+)
 from measured_report.records.code import cached_sources
-from measured_report.records.record import load_record
 
 OWN = "report.commands"  # the package of a report's own commands, which need not be there
 
@@ -65,26 +70,24 @@ def _open_closed() -> None:
 
 
 def _run(name: str, *typed: str) -> int:
-    names = commands()
+    report = current()
+    names = commands(report.root)
     if name not in names:
         raise UsageError(f"{name} is no command{suggestion(name, names)}; use one of: {', '.join(names)}")
     module = import_module(names[name])
     parser = Parser(prog=f"build.py {name}", description=help_of(module), allow_abbrev=False)
     parser.set_defaults(edition="", pins="", profile="full")
-    for option, settings in options_of(module).items():
+    for option, settings in options_of(module, report.settings).items():
         parser.add_argument(_flag(option), **settings)
-    arguments = parser.parse_args([*_typed(module), *typed])
-    release = own_release()
-    arguments.release = release_of(arguments.edition or release, arguments.pins)
-    project = Project(str(arguments.release), arguments.profile, own_release=release)
-    damages = recover(project.results.parent, load_record)
-    for line in damages:
-        _say(line)
+    arguments = parser.parse_args([*_typed(module, report), *typed])
+    release = own_release(report=report)
+    arguments.release = release_of(arguments.edition or release, arguments.pins, report=report)
+    project = Project(str(arguments.release), arguments.profile, report.root, release)
     for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):  # not while anything is being imported
         signal.signal(stop, signal.default_int_handler)
     sys.unraisablehook = _stop_again
     with cached_sources():
-        return module.run(project, arguments) or int(bool(damages))
+        return int(module.run(project, arguments) or 0)
 
 
 def _stop_again(ignored: Any) -> None:
@@ -95,9 +98,9 @@ def _stop_again(ignored: Any) -> None:
         sys.__unraisablehook__(ignored)
 
 
-def commands() -> dict[str, str]:
+def commands(root: Path) -> dict[str, str]:
     """Find the module of each command by its name, the generator's first; none is imported, which takes long."""
-    folders = {__package__: Path(__file__).parent, OWN: report().root.joinpath(*OWN.split("."))}
+    folders = {__package__: Path(__file__).parent, OWN: root.joinpath(*OWN.split("."))}
     modules = ((package, path) for package, folder in folders.items() for path in sorted(folder.glob("*.py")))
     return {path.stem: f"{package}.{path.stem}" for package, path in modules if b"\ndef run(" in path.read_bytes()}
 
@@ -106,23 +109,24 @@ def help_of(module: ModuleType) -> str:
     return (module.__doc__ or "").partition("\n")[0].rstrip(".")
 
 
-def options_of(module: ModuleType) -> Mapping[str, Mapping[str, Any]]:
+def options_of(module: ModuleType, settings: Config) -> Mapping[str, Mapping[str, Any]]:
     """Return a command's options by the variables of make that set them."""
     options = getattr(module, "OPTIONS", {})
-    return {config().option or "EDITION" if name == "edition" else name.upper(): options[name] for name in options}
+    return {settings.option or "EDITION" if name == "edition" else name.upper(): options[name] for name in options}
 
 
 def _flag(variable: str) -> str:
     return f"--{variable.lower().replace('_', '-')}"
 
 
-def _typed(module: ModuleType) -> Iterator[str]:
+def _typed(module: ModuleType, report: Report) -> Iterator[str]:
     """Yield the options that were typed as variables of make; UsageError for one that no command has."""
     # Taken out, since programs that are started from here, as the tests, are no part of what make was asked for.
     typed = variables_of(os.environ.pop("TYPED", ""))
-    options = options_of(module)
+    options = options_of(module, report.settings)
     if os.environ.get("MAKELEVEL") == "1" and typed.keys() - options:
-        variables = {name for command in map(import_module, commands().values()) for name in options_of(command)}
+        modules = map(import_module, commands(report.root).values())
+        variables = {name for command in modules for name in options_of(command, report.settings)}
         for name in sorted(typed.keys() - variables):
             raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), variables)}; see make help")
     for name, value in typed.items():

@@ -6,7 +6,6 @@ from measured_report.commands.options import Arguments, refuse_itself, refuse_un
 from measured_report.editions.project import Project
 from measured_report.findings.editions import derive_edition
 from measured_report.pages.wording import sentences_of
-from measured_report.records.code import unchanged_files
 
 OPTIONS = shared("a", "b", "profile", "format")
 
@@ -17,8 +16,8 @@ def run(project: Project, arguments: Arguments) -> int:
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
-    with unchanged_files():  # each by itself: what compares releases says nothing of one of them
-        before, after = (derive_edition(project.of(name)) for name in names)
+    # Each by itself: what compares releases says nothing of one of them.
+    before, after = (derive_edition(project.of(name)) for name in names)
     comparison, rate = compare(before, after), rate_of(before) + rate_of(after)
     print(diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project)))
     return int(comparison.is_alarm)

@@ -5,14 +5,13 @@ from importlib import import_module
 from measured_report.commands.command_line import commands, help_of, options_of
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
-from measured_report.files.config import config
 
 
 def run(project: Project, arguments: Arguments) -> int:
     texts: dict[str, str] = {}
-    for name, path in commands().items():
-        options = {**options_of(module := import_module(path))}
-        if not config().needs_device:
+    for name, path in commands(project.root).items():
+        options = {**options_of(module := import_module(path), project.settings)}
+        if not project.settings.needs_device:
             options.pop("DEVICE", None)
         print(f"make {name:9} {help_of(module)}" + (f" [{' '.join(options)}]" if options else ""))
         texts |= {variable: option["help"] for variable, option in options.items()}

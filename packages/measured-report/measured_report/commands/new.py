@@ -15,9 +15,11 @@ from urllib.parse import unquote, urlparse
 from measured_report.commands import audit
 from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
-from measured_report.files.config import Config, report_in
+from measured_report.files.atomic import write_file
+from measured_report.files.config import report_in
 from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError
-from measured_report.records.identity import git
+from measured_report.files.git import git
+from measured_report.files.settings import Config
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
 # The folders below that a report has one of, and what it is then called.
@@ -60,7 +62,7 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     marks = {"@PACKAGE@": name, "@VERSION@": version, "@OPTION@": Config(edition=name).option}
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, kind, {**marks, "@TITLE@": title or KINDS[kind].format(name)})
-    (folder / FILE).write_text(reference(report_in(folder)), encoding="utf-8")
+    write_file(folder / FILE, reference(report_in(folder)))
     way = shlex.quote(os.path.relpath(folder))
     print(f"wrote {folder}; cd {way} && make report measures, and builds site/index.html")
 
@@ -83,8 +85,7 @@ def _write(folder: Path, kind: str, marks: Mapping[str, str]) -> None:
                 is_quoted = mark == "@TITLE@" and template.suffix in (".toml", ".cff")
                 quoted = json.dumps(replacement, ensure_ascii=False)[1:-1]
                 text = text.replace(mark, quoted if is_quoted else replacement)
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_text(text, encoding="utf-8")
+            write_file(folder / name, text)
 
 
 def _source(folder: Path) -> str:

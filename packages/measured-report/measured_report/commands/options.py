@@ -7,9 +7,10 @@ from typing import Any
 
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of
-from measured_report.files.config import config
+from measured_report.files.config import Config
+from measured_report.files.config import report as current
 from measured_report.files.errors import UsageError
-from measured_report.measuring.accelerator import kinds
+from measured_report.measuring.accelerator import read_device
 from measured_report.records.identity import sections
 
 Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
@@ -19,12 +20,6 @@ def read_cluster(cluster: str) -> str:
     if cluster != "local" and not re.fullmatch(r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}", cluster):
         raise UsageError(f"CLUSTER={cluster:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
     return cluster
-
-
-def read_device(asked: str) -> str:
-    if asked not in kinds():
-        raise UsageError(f"DEVICE={asked:.80} is no device; use one of: {', '.join(kinds())}")
-    return asked
 
 
 def read_address(address: str) -> str:
@@ -64,11 +59,12 @@ def refuse_unmeasured(project: Project, name: str) -> None:
     """Refuse an edition without results where nothing is to be measured, but for the project's own."""
     if not project.is_own and not any(project.record_path(section).exists() for section in sections(project.root)):
         measured = ", ".join(release for release in project.releases if release != project.release) or "none"
-        name = f"{config().option}={name}"
+        name = f"{project.settings.option}={name}"
         raise UsageError(f"{name} has no results (there are: {measured}); make upgrade {name} measures it")
 
 
-def refuse_itself(before: str, after: str) -> None:
+def refuse_itself(before: str, after: str, settings: Config | None = None) -> None:
     if before == after:
-        name, option = config().name_of(after), config().option
+        settings = settings or current().settings
+        name, option = settings.name_of(after), settings.option
         raise UsageError(f"{name} would be compared with itself; {option}= names another edition, as make newest does")

@@ -36,7 +36,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
             print(f"{label}: {', '.join(names)}")
     if lacking:
         # A CPU's results never stand with those of an accelerator.
-        takes_card = needs_device(lacking[0], project.root) and any(machines_besides(project, "cpu"))
+        takes_card = needs_device(lacking[0], project) and any(machines_besides(project, "cpu"))
         accelerator = project.report.accelerator
         on = f" on a {accelerator.NOUN}"
         device = None if accelerator.accelerators() or takes_card else "cpu"

@@ -5,14 +5,23 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from measured_report.commands.options import Arguments, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
-from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums
+from measured_report.files.atomic import (
+    digests_below,
+    locked,
+    replace,
+    staging_folder,
+    sums,
+    write_file,
+)
 from measured_report.files.errors import ReportError, UsageError, without_secrets
+from measured_report.files.git import GitError, environment, run_git
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
@@ -22,8 +31,8 @@ SUBJECT = "The report, as make publish made it"
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
 DOMAIN = "CNAME"  # a file that GitHub keeps on the branch
-ALONE = ("core.bare=true", "core.hooksPath=/dev/null", "push.followTags=false", "push.recurseSubmodules=no")
-OF_HOOKS = [f"GIT_{name}" for name in "DIR WORK_TREE INDEX_FILE OBJECT_DIRECTORY QUARANTINE_PATH PREFIX".split()]
+ALONE = ("core.bare=true", "push.followTags=false", "push.recurseSubmodules=no")
+PROTOCOLS = "file:git:http:https:ssh"
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
@@ -64,7 +73,7 @@ def _checked_copy(site: Path, copy: Path) -> Path:
         raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
     if problems := check_site(copy):
         raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
-    (copy / MARK).write_text("what make publish made; it removes what else is here\n", encoding="utf-8")
+    write_file(copy / MARK, "what make publish made; it removes what else is here\n")
     for path in (copy, *copy.rglob("*")):
         path.chmod(0o755 if path.is_dir() else 0o644)
     return copy
@@ -86,54 +95,59 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
 
 def _to_branch(copy: Path, location: str, site: Path) -> str:
     """Publish to a branch of a remote, as its one commit, made in a repository of its own and pushed by address."""
+    if not shutil.which("git"):
+        raise UsageError("publishing there needs git, which is not there; TARGET=dir:PATH needs nothing")
+    try:
+        return _pushed(copy, location, site)
+    except GitError as error:
+        raise UsageError(f"not published: {error}") from None
+
+
+def _pushed(copy: Path, location: str, site: Path) -> str:
     remote, _, branch = location.partition("#")
     branch = branch or BRANCH
-    ref, git, aside = f"refs/heads/{branch}", ["git", "-C", str(site.parent)], copy.with_name("git")
-    if Path(_run([*git, "rev-parse", "--show-toplevel"])) != site.parent.resolve():
+    ref, aside, here = f"refs/heads/{branch}", copy.with_name("git"), partial(run_git, site.parent)
+    if Path(here("rev-parse", "--show-toplevel")) != site.parent.resolve():
         raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
-    if _run(["git", "check-ref-format", "--branch", branch]) != branch or branch.startswith(("@", "refs/")):
+    if here("check-ref-format", "--branch", branch) != branch or branch.startswith(("@", "refs/")):
         raise UsageError(f"{branch} is no name for a branch")
-    is_named = remote in _run([*git, "remote"]).splitlines()
-    address = _run([*git, "remote", "get-url", "--push", remote]) if is_named else remote
-    _run(["git", "init", "--quiet", "--bare", str(aside)])
+    is_named = remote in here("remote").splitlines()
+    address = here("remote", "get-url", "--push", remote) if is_named else remote
+    here("init", "--quiet", "--bare", str(aside))
     # The clone's settings say who pushes; none of its hooks or of what else may go with a push has a part.
-    settings = [f"include.path={site.parent / _run([*git, 'rev-parse', '--git-path', 'config'])}", *ALONE]
-    git = ["git", "--git-dir", str(aside), *(part for setting in settings for part in ("-c", setting))]
-    if before := _tip(git, address, ref):
-        _run([*git, "fetch", "--quiet", "--depth", "1", "--no-tags", "--no-auto-maintenance", address, ref])
-        names = _run([*git, "ls-tree", "--name-only", before]).splitlines()
+    settings = [f"include.path={site.parent / here('rev-parse', '--git-path', 'config')}", *ALONE]
+    options = [option for setting in settings for option in ("-c", setting)]
+    there = partial(run_git, aside, *options, GIT_DIR=str(aside), GIT_ALLOW_PROTOCOL=PROTOCOLS)
+    if before := _tip(there, address, ref):
+        there("fetch", "--quiet", "--depth", "1", "--no-tags", "--no-auto-maintenance", address, ref)
+        names = there("ls-tree", "--name-only", before).splitlines()
         if MARK not in names:
             raise UsageError(f"the branch {branch} of {remote} holds something else; it was left alone")
         if DOMAIN in names and not (copy / DOMAIN).exists():
-            (copy / DOMAIN).write_text(_run([*git, "show", f"{before}:{DOMAIN}"]) + "\n", encoding="utf-8")
-    importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
-    author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
-    _run([*importing, str(copy)], GIT_DIR=str(aside), **author)
-    commit = _run([*git, "rev-parse", ref])
-    _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}"])
-    if _tip(git, address, ref) != commit:
+            write_file(copy / DOMAIN, there("show", f"{before}:{DOMAIN}") + "\n")
+    _import(copy, branch, aside)
+    commit = there("rev-parse", ref)
+    there("push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}")
+    if _tip(there, address, ref) != commit:
         raise ReportError(f"not published: {remote} does not have it on its branch {branch}")
     return f"{remote}, branch {branch}"
 
 
-def _tip(git: Sequence[str], address: str, ref: str) -> str:
+def _tip(git: Callable[..., str], address: str, ref: str) -> str:
     """Ask a remote for the commit that a branch is at; empty where it has none."""
-    tips = (line.split("\t") for line in _run([*git, "ls-remote", address, ref]).splitlines())
+    tips = (line.split("\t") for line in git("ls-remote", address, ref).splitlines())
     return next((tip for tip, name in tips if name == ref), "")
 
 
-def _run(command: Sequence[str], **settings: str) -> str:
-    name = "ghp-import" if "ghp_import" in command else command[0]
-    quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_ALLOW_PROTOCOL": "file:git:http:https:ssh", "LC_ALL": "C"}
-    env = {name: text for name, text in os.environ.items() if name not in OF_HOOKS} | quiet | settings
-    try:
-        ended = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=env)
-    except FileNotFoundError:
-        raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None
+def _import(copy: Path, branch: str, repository: Path) -> None:
+    """Make a folder the one commit of a branch."""
+    command = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT, str(copy)]
+    author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
+    env = environment(GIT_DIR=str(repository), **author)
+    ended = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=env)
     if ended.returncode:
         lines = [*filter(None, map(str.strip, ended.stderr.splitlines())), f"exit status {ended.returncode}"]
-        raise UsageError(f"not published: {name}: {lines[0]}")
-    return ended.stdout.strip()
+        raise UsageError(f"not published: ghp-import: {lines[0]}")
 
 
 TARGETS = {"dir": _to_folder, "git": _to_branch}

@@ -7,6 +7,7 @@ from typing import Any
 
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
+from measured_report.files.atomic import write_file
 from measured_report.files.config import Report
 
 FILE = "REFERENCE.md"
@@ -28,7 +29,7 @@ HANDED = "values/"  # begins the modules whose classes a report is handed, so th
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    (project.root / FILE).write_text(reference(project.report), encoding="utf-8")
+    write_file(project.root / FILE, reference(project.report))
     print(f"wrote {FILE}")
     return 0
 

@@ -9,7 +9,7 @@ from measured_report.commands.options import Arguments, refuse_unmeasured, share
 from measured_report.commands.report import device_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import records_of, states_of
-from measured_report.files.atomic import atomic_file
+from measured_report.files.atomic import write_file
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.findings.replicas import reasons_text, refused, replicas_text
 from measured_report.measuring.accelerator import lacks
@@ -29,8 +29,8 @@ def run(project: Project, arguments: Arguments) -> int:
         return 0
     device = device_of(project, arguments)
     fresh = [state.section for state in states_of(project) if state.kind == "fresh"]
-    if not (measurable := [section for section in fresh if device or not needs_device(section, project.root)]):
-        raise UsageError(lacks())
+    if not (measurable := [section for section in fresh if device or not needs_device(section, project)]):
+        raise UsageError(lacks(project.report))
     again = replace(project.of(project.release), aside=ASIDE)
     if lacking := [section for section in measurable if not again.record_path(section).exists()]:
         again = measure(again, arguments.release, lacking, device or "cpu", arguments.cluster)
@@ -49,8 +49,7 @@ def _keep(project: Project, records: Records, source: str) -> None:
     machine = max(map(machine_of, accepted), key=[*map(machine_of, accepted)].count)
     day = min(record.measured["date"] for record in accepted)[:10]
     path = project.results / FOLDER / f"{machine}-{day}-{sha256(content).hexdigest()[:8]}.tgz"
-    with atomic_file(path) as temporary:
-        temporary.write_bytes(content)
+    write_file(path, content)
     name = path.relative_to(project.root)
     print(f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {name}")
     if left_out:

@@ -25,7 +25,7 @@ def run(project: Project, arguments: Arguments) -> int:
         project, is_done = measure_what_can(project, arguments.release, stale_sections, device, arguments.cluster)
     damaged, lacking = build_site(project, arguments.address)
     if lacking and not device:
-        print(f"{lacks()}, in up to hours")
+        print(f"{lacks(project.report)}, in up to hours")
     return int(damaged or not is_done)
 
 
@@ -46,5 +46,5 @@ def measure_what_can(
 def device_of(project: Project, arguments: Arguments) -> str | None:
     """Return the device to measure on; hosts elsewhere have accelerators, unless a CPU is asked for."""
     if arguments.cluster not in (None, "local"):
-        return arguments.device or kinds()[0]
-    return measuring_device(arguments.device, project.profile)
+        return arguments.device or kinds(project.report)[0]
+    return measuring_device(arguments.device, project.profile, project.report)

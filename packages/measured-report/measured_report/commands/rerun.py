@@ -15,10 +15,10 @@ OPTIONS = {"section": SECTION, **shared("edition", "device", "cluster", "profile
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    section, names = arguments.section, sections()
+    section, names = arguments.section, sections(project.root)
     if section not in names:
         raise UsageError(f"SECTION={section} is no section{suggestion(section, names)}; use one of: {', '.join(names)}")
-    if not (device := device_of(project, arguments) if needs_device(section, project.root) else "cpu"):
-        raise UsageError(lacks())
+    if not (device := device_of(project, arguments) if needs_device(section, project) else "cpu"):
+        raise UsageError(lacks(project.report))
     project = measure(project, arguments.release, [section], device, arguments.cluster)
     return int(build_site(project, arguments.address)[0])

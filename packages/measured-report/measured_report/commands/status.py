@@ -7,7 +7,6 @@ from measured_report.commands.options import Arguments, refuse_unmeasured, share
 from measured_report.editions.project import Project, read_manifest
 from measured_report.editions.status import changes_text, states_of, status_matrix
 from measured_report.files.atomic import RecordError
-from measured_report.files.config import config
 from measured_report.findings.replicas import replicas_text
 
 OPTIONS = shared("edition", "profile")
@@ -15,16 +14,16 @@ OPTIONS = shared("edition", "profile")
 
 def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
-    modules = (import_module(name) for name in commands().values() if name.startswith(OWN))
+    modules = (import_module(name) for name in commands(project.root).values() if name.startswith(OWN))
     states = [module.state(project) for module in modules if hasattr(module, "state")]
     replicas = replicas_text(project)
     is_damaged = any(line.startswith("damaged: ") for line in replicas)
     try:
-        read_manifest(project.results)
+        read_manifest(project.results, project.settings)
     except RecordError as error:
         replicas, is_damaged = [*replicas, f"damaged: {error}"], True
     print("\n".join([status_matrix(project), *replicas, *(f"{state.section}: {state.summary}" for state in states)]))
     states += states_of(project)
     if changed := changes_text(states):
-        print(f"\n{config().edition} {project.release}\n{changed}")
+        print(f"\n{project.settings.edition} {project.release}\n{changed}")
     return int(is_damaged or any(state.kind == "damaged" for state in states))

@@ -8,7 +8,14 @@ from dataclasses import replace
 from functools import partial
 from typing import TextIO
 
-from measured_report.changes.alarm import Say, largest, power, settings_text, summary, upgrade_text
+from measured_report.changes.alarm import (
+    Say,
+    largest,
+    power,
+    settings_text,
+    summary,
+    upgrade_text,
+)
 from measured_report.changes.compare import Comparison, Fault, compare
 from measured_report.changes.moves import few
 from measured_report.changes.query import Query
@@ -17,7 +24,7 @@ from measured_report.commands.report import measure_what_can
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
 from measured_report.editions.status import records_of, states_of
-from measured_report.files.atomic import atomic_file
+from measured_report.files.atomic import write_file
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.findings.editions import Edition, derive_edition, editions_of
@@ -108,8 +115,7 @@ def timed_in_turn(sides: Sequence[Project], releases: Sequence[Release], device:
                 return []
             if not again:
                 records = [record for record in records_of(timed[index]) if record.section in names]
-                with atomic_file(timed[index].results / FOLDER / "first.tgz") as temporary:
-                    temporary.write_bytes(archive_of(records))
+                write_file(timed[index].results / FOLDER / "first.tgz", archive_of(records))
     return list(map(derive_edition, timed))
 
 

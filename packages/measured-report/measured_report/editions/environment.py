@@ -13,8 +13,9 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from measured_report.editions.release import Release, release_date
-from measured_report.files.atomic import locked
-from measured_report.files.config import config, read_toml, report
+from measured_report.files.atomic import locked, write_file
+from measured_report.files.config import Config, read_toml
+from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.records.identity import MISSING, package_versions
 
@@ -40,8 +41,9 @@ def add_group(name: str, root: Path, python: Path = Path(sys.executable), kind: 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path:
     """Return the Python that has a release, and the ``packages`` that it was measured with; it is made if need be."""
-    package, option = config().edition, config().option
-    if release.is_installed_with(package_versions()):
+    settings = release.settings
+    package, option = settings.edition, settings.option
+    if release.is_installed_with(package_versions(settings)):
         return Path(sys.executable)
     if not release.requirement:
         example = f"a path or git+https://HOST/{package}.git@COMMIT"
@@ -49,7 +51,7 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
     folder = environment_of(release, root)
     if release.checkout or not (folder / READY).exists():
         versions = {name: version for name, version in packages.items() if name != package}
-        installs = requirements(root, {package: MISSING, **versions, **dict(release.pins)})
+        installs = requirements(root, {package: MISSING, **versions, **dict(release.pins)}, settings)
         edits = (release.checkout / "pyproject.toml").read_text(encoding="utf-8") if release.checkout else ""
         pins = [f"{name}=={version}" for name, version in release.pins]
         _make(folder, f"{option}={release.asked}", _asked_for(release, installs), pins, edits)
@@ -70,12 +72,12 @@ def _lend(folder: Path) -> None:
     for packages in folder.glob("lib/python*/site-packages"):
         path, text = packages / "measured-report.pth", f"{lent}\n"
         if not path.exists() or path.read_text(encoding="utf-8") != text:  # another process may just begin to read it
-            path.write_text(text, encoding="utf-8")
+            write_file(path, text)
 
 
 def python_with(name: str, requirements: Sequence[str]) -> Path:
     """Return the Python of ``.venv-<name>``, which has these requirements alone; it is made when it is not there."""
-    folder = report().root / f".venv-{name}"
+    folder = current().root / f".venv-{name}"
     _make(folder, name, requirements)
     return folder / "bin" / "python"
 
@@ -86,19 +88,19 @@ def environment_of(release: Release, root: Path) -> Path:
     if release.checkout:
         pins = "".join(f"+{pin}" for pin in name.split("+")[2:])
         name = f"{release.checkout.name}-{hashlib.sha256(str(release.checkout).encode()).hexdigest()[:7]}{pins}"
-    return root / f".venv-{config().edition_folder(name)}"
+    return root / f".venv-{release.settings.edition_folder(name)}"
 
 
-def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
+def requirements(root: Path, packages: Mapping[str, str], settings: Config) -> list[str]:
     """Read the project's requirements with these versions in the place of its own, ``missing`` ones as they come."""
     for name, version in packages.items():
-        if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
+        if name not in settings.packages or (not VERSION.fullmatch(version) and version != MISSING):
             raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
     dependencies = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
     pinned = {name: version for name, version in packages.items() if version != MISSING}
-    replaced = {*pinned, config().edition}.union(*config().changes.package_groups)
+    replaced = {*pinned, settings.edition}.union(*settings.changes.package_groups)
     remaining = [requirement for requirement in dependencies if NAME.sub("", requirement) not in replaced]
-    return remaining + [f"{config().requirement_of(name)}=={version}" for name, version in pinned.items()]
+    return remaining + [f"{settings.requirement_of(name)}=={version}" for name, version in pinned.items()]
 
 
 def _asked_for(release: Release, installs: Sequence[str]) -> list[str]:
@@ -106,11 +108,11 @@ def _asked_for(release: Release, installs: Sequence[str]) -> list[str]:
     options = []
     named = [requirement.partition("==")[0] for requirement in installs if "==" in requirement]
     if not os.environ.get(FILTER) and (day := release_date(release)):
-        lifted = f"{FILTER}={date.today()} takes later ones"
-        print(f"{config().option}={release.asked} came out on {day}; its packages are of that day, and {lifted}")
+        asked = f"{release.settings.option}={release.asked}"
+        print(f"{asked} came out on {day}; its packages are of that day, and {FILTER}={date.today()} takes later ones")
         options += ["--exclude-newer", (date.fromisoformat(day) + timedelta(days=1)).isoformat()]
         options += [argument for name in named for argument in ("--exclude-newer-package", f"{name}=2100-01-01")]
-    extras = config().requirement.removeprefix(config().edition)
+    extras = release.settings.requirement.removeprefix(release.settings.edition)
     target = ["--editable", f"{release.checkout}{extras}"] if release.checkout else [release.requirement]
     return [*options, *installs, *target]
 
@@ -124,9 +126,9 @@ def _make(folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str]
             return
         try:
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
-            overrides.write_text("\n".join(pins), encoding="utf-8")
+            write_file(overrides, "\n".join(pins))
             _run([*install, "--overrides", str(overrides), *arguments], name)
-            ready.write_text(digest, encoding="utf-8")
+            write_file(ready, digest)
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise
@@ -134,7 +136,7 @@ def _make(folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str]
 
 def _run(arguments: Sequence[str], name: str) -> None:
     """Run uv, which may take a while; UsageError, one line, with the cause where it fails."""
-    tools = report().root / ".venv.tools" / "bin"  # where the Makefile has put it, on a host that has none
+    tools = current().root / ".venv.tools" / "bin"  # where the Makefile has put it, on a host that has none
     if not (uv := shutil.which("uv") or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{tools}")):
         raise UsageError(f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it")
     if sys.stdout.isatty():  # a log has the one line that says why it failed

@@ -11,10 +11,11 @@ from typing import Any
 from msgspec import Struct, convert
 
 from measured_report.editions.release import Release, read_label
-from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
-from measured_report.files.config import FILE, Report, config, report, report_in, tomllib
+from measured_report.files.atomic import RecordError, read_file, short_path, write_file
+from measured_report.files.columns import name_problem
+from measured_report.files.config import FILE, Config, Report, report_in, tomllib
+from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import name_problem
 from measured_report.records.identity import full_version
 
 PROFILES = ("full", "quick")
@@ -31,26 +32,27 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     sections: tuple[str, ...]
 
 
-def read_manifest(results: Path) -> Manifest | None:
+def read_manifest(results: Path, settings: Config | None = None) -> Manifest | None:
     """Read the manifest in a folder of results; None where there is none, RecordError for one that is damaged."""
     path = results / MANIFEST
     if not os.path.lexists(path):
         return None
-    content = read_own_file(path, BYTE_LIMIT)
+    content = read_file(path, BYTE_LIMIT)
     try:
         fields = tomllib.loads(content.decode("utf-8"))
         if any(name_problem(str(text)) for text in (*fields.values(), *fields.get("sections", ()))):
             raise ValueError("it has a text with what can't be printed")
-        return convert({"asked": fields.pop(config().edition), **fields}, Manifest)
+        package = (settings or current().settings).edition
+        return convert({"asked": fields.pop(package), **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
 
-def write_manifest(results: Path, manifest: Manifest) -> None:
-    fields = {config().edition: manifest.asked, "date": manifest.date, "sections": manifest.sections}
+def write_manifest(results: Path, manifest: Manifest, settings: Config | None = None) -> None:
+    package = (settings or current().settings).edition
+    fields = {package: manifest.asked, "date": manifest.date, "sections": manifest.sections}
     lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in fields.items()]
-    with atomic_file(results / MANIFEST) as path:
-        path.write_text("".join(lines), encoding="utf-8")
+    write_file(results / MANIFEST, "".join(lines))
 
 
 @dataclass(frozen=True)
@@ -59,7 +61,7 @@ class Project:
 
     release: str
     profile: str = "full"  # `full`, or `quick` for small grids and short runs, which are kept apart
-    root: Path = field(default_factory=lambda: report().root)
+    root: Path = field(default_factory=lambda: current().root)
     own_release: str | None = None  # the release that is meant where none is named; None: this one
     aside: str = ""  # the folder below `results` that has what was measured on the way to something else; empty: none
 
@@ -71,7 +73,11 @@ class Project:
     def report(self) -> Report:
         """Return the report that it is of: the current one where its folder has, or links, no other ``report.toml``."""
         file = (self.root / FILE).resolve()
-        return report_in(file.parent) if file.is_file() else report()
+        return report_in(file.parent) if file.is_file() else current()
+
+    @property
+    def settings(self) -> Config:
+        return self.report.settings
 
     @property
     def site(self) -> Path:
@@ -82,7 +88,7 @@ class Project:
         """Name the folder of the edition's records; only those of the full profile are tracked."""
         parts = [self.aside] if self.aside else []
         parts += [self.profile] if self.aside or self.profile != "full" else []
-        return self.root.joinpath("results", *parts, config().edition_folder(self.release))
+        return self.root.joinpath("results", *parts, self.settings.edition_folder(self.release))
 
     @property
     def templates(self) -> Path:
@@ -90,7 +96,7 @@ class Project:
 
     @property
     def named(self) -> Release:
-        release = read_label(self.release)
+        release = read_label(self.release, self.settings)
         assert release, f"{self.release} is no label"
         return release
 
@@ -98,15 +104,15 @@ class Project:
     def manifest(self) -> Manifest | None:
         """Read the edition's manifest; None where there is none, or none that can be read."""
         try:
-            return read_manifest(self.results)
+            return read_manifest(self.results, self.settings)
         except RecordError:
             return None
 
     @property
     def releases(self) -> list[str]:
         """List the editions that have results, and this one, by version and date."""
-        folders = {path.parent.name for path in self.results.parent.glob(config().edition_folder("*/*.json"))}
-        labels = filter(read_label, map(config().edition_in, folders))
+        folders = {path.parent.name for path in self.results.parent.glob(self.settings.edition_folder("*/*.json"))}
+        labels = {label for label in map(self.settings.edition_in, folders) if read_label(label, self.settings)}
         return sorted({self.release, *labels}, key=lambda release: self.of(release).order)
 
     @property
@@ -128,7 +134,7 @@ class Project:
         device = device or ("cpu" if self.named.machine == "cpu" else "")
         edition = "" if self.is_own else self.asked
         profile = "" if self.profile == "full" else self.profile
-        options = {"SECTION": section, "DEVICE": device, config().option: edition, "PROFILE": profile}
+        options = {"SECTION": section, "DEVICE": device, self.settings.option: edition, "PROFILE": profile}
         return " ".join(["make rerun", *(shlex.quote(f"{name}={value}") for name, value in options.items() if value)])
 
     @property
@@ -138,10 +144,11 @@ class Project:
         return manifest.asked if manifest else self.release
 
 
-def own_release(root: Path | None = None) -> str:
+def own_release(root: Path | None = None, report: Report | None = None) -> str:
     """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
-    requirement = config().requirement_of(config().edition)
-    text = ((root or report().root) / "pyproject.toml").read_text(encoding="utf-8")
+    report = report or current()
+    requirement = report.settings.requirement_of(report.settings.edition)
+    text = ((root or report.root) / "pyproject.toml").read_text(encoding="utf-8")
     if not (match := re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)):
         line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
         raise ReportError(f"pyproject.toml has no line {line}")

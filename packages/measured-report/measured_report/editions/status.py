@@ -8,10 +8,17 @@ from dataclasses import dataclass, replace
 from measured_report.editions.project import Project
 from measured_report.editions.release import folder_at
 from measured_report.files.atomic import RecordError
-from measured_report.files.config import config
 from measured_report.files.groups import grouped
-from measured_report.records.code import unchanged_files
-from measured_report.records.identity import EDITED, MISSING, changes, code_in, identity_of, package_versions, sections
+from measured_report.records.code import Code
+from measured_report.records.identity import (
+    EDITED,
+    MISSING,
+    changes,
+    code_in,
+    identity_of,
+    package_versions,
+    sections,
+)
 from measured_report.records.record import Record, load_record
 
 NOT_SHOWN = "not shown"  # kind of what is whole, and that code or words can't do with
@@ -40,41 +47,46 @@ class State:
         return "; ".join(f"{kind}: {text}" if text else kind for kind, text in texts.items())
 
 
-def states_of(project: Project) -> list[State]:
+def states_of(project: Project, code: Code | None = None) -> list[State]:
+    """Return the state of each section of an edition; ``code`` saves reading the files once more for each edition."""
     states = []
-    with unchanged_files():
-        for section in sections(project.root):
-            path = project.record_path(section)
-            try:
-                record = load_record(path) if os.path.lexists(path) else None
-                states.append(State(section, "fresh" if record else "missing", record))
-            except RecordError as error:
-                states.append(State(section, "damaged", notes=(str(error),)))
-        packages = expected_packages(project, [state.record for state in states if state.record])
-        for index, state in enumerate(states):
-            if state.record:
-                now = identity_of(state.section, project.profile, project.root, packages)
-                if changed := changes(state.record.identity, now):
-                    states[index] = replace(state, kind="stale", notes=tuple(changed))
+    code = code or Code(project.root)
+    for section in sections(project.root):
+        path = project.record_path(section)
+        try:
+            record = load_record(path) if os.path.lexists(path) else None
+            states.append(State(section, "fresh" if record else "missing", record))
+        except RecordError as error:
+            states.append(State(section, "damaged", notes=(str(error),)))
+    packages = expected_packages(project, [state.record for state in states if state.record])
+    for index, state in enumerate(states):
+        if state.record:
+            now = identity_of(state.section, project.profile, project.root, packages, code)
+            if changed := changes(state.record.identity, now):
+                states[index] = replace(state, kind="stale", notes=tuple(changed))
     return states
 
 
 def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
     """Find the versions that an edition's records should have been measured with: of one not here, its newest's."""
-    release, installed = project.named, package_versions()
+    release, installed = project.named, package_versions(project.settings)
     if release.is_installed_with(installed):
         return installed
     readable = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
     newest = max(readable, key=lambda record: record.time, default=None)
     packages = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**packages, **dict(release.pins), config().edition: package_version(project)}
+    return {**packages, **dict(release.pins), project.settings.edition: package_version(project)}
 
 
 def package_version(project: Project) -> str:
     """Return the version that an edition is of; of an edited checkout with its digest, without what git may run."""
     release, manifest = project.named, project.manifest
-    if release.source.endswith(EDITED) and manifest and (folder := folder_at(manifest.asked)).is_dir():
-        return f"{release.package_version}.{code_in(folder)}"
+    if (
+        release.source.endswith(EDITED)
+        and manifest
+        and (folder := folder_at(manifest.asked, project.report.root)).is_dir()
+    ):
+        return f"{release.package_version}.{code_in(folder, project.settings.edition)}"
     return release.package_version
 
 
@@ -86,11 +98,11 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def status_matrix(project: Project) -> str:
-    with unchanged_files():
-        states = {release: states_of(project.of(release)) for release in project.releases}
+    code = Code(project.root)
+    states = {release: states_of(project.of(release), code) for release in project.releases}
     rows = zip(*([state.summary for state in release_states] for release_states in states.values()), strict=True)
     lines = [(name, *row) for name, row in zip(sections(project.root), rows, strict=True)]
-    return aligned([("section", *(f"{config().edition} {release}" for release in states)), *lines])
+    return aligned([("section", *(f"{project.settings.edition} {release}" for release in states)), *lines])
 
 
 def changes_text(states: Sequence[State]) -> str:

@@ -1,19 +1,16 @@
-"""Files: read only as what they should be, and written whole; folders are held by one process at a time."""
+"""Files: each is read only if it is a regular file, and written whole. Folders are held by one process at a time."""
 
 import fcntl
 import os
 import shutil
 import stat
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
 
 from measured_report.files.errors import UNPRINTABLE, ReportError
-
-WHOLE, NEW, ASIDE = ".whole", "-new", ".damaged"  # ends of folders that wait for their place, are written, are refused
 
 
 class RecordError(ReportError):
@@ -25,8 +22,8 @@ def short_path(path: Path) -> str:
     return UNPRINTABLE.sub("?", "/".join(path.parts[-2:]))
 
 
-def read_own_file(path: Path, byte_limit: int) -> bytes:
-    """Read the regular file at ``path``; RecordError for a link, a pipe or a device, and for too much."""
+def read_file(path: Path, byte_limit: int) -> bytes:
+    """Return the content of a regular file; RecordError for a link, a pipe or a device, and if it is too large."""
     name = short_path(path)
     try:
         info = path.lstat()
@@ -71,51 +68,20 @@ def _holder(inode: int) -> str:
     return "another process"
 
 
-def put_record(record: Path, files: Mapping[str, bytes]) -> None:
-    """Put a record and its traces, contents by name, at ``record``, all or none: after a kill ``recover`` goes on."""
-    record.parent.mkdir(parents=True, exist_ok=True)
-    whole = record.with_name(f".{record.stem}{WHOLE}")
-    with locked(record.parent.parent), staging_folder(record.with_suffix("")) as new:
-        shutil.rmtree(whole, ignore_errors=True)  # of a process that was killed
-        for name, content in files.items():
-            with atomic_file(new / name) as temporary:
-                temporary.write_bytes(content)
-        os.rename(new, whole)
-        _put_in_place(whole, list(files))
+def write_file(path: Path, content: str | bytes) -> None:
+    """Write a file whole: whoever reads it meanwhile finds the former content."""
+    with atomic_file(path) as temporary:
+        temporary.write_bytes(content.encode() if isinstance(content, str) else content)
 
 
-def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
-    """Finish what killed processes were putting in place; set aside, and say, what ``load`` finds no whole record."""
-    messages = []
-    for remnant in results.glob(f"*/.*{NEW}"):
-        with locked(results):
-            shutil.rmtree(remnant, ignore_errors=True)
-    for whole in sorted(results.glob(f"*/.*{WHOLE}")):
-        section = whole.name[1 : -len(WHOLE)]
-        with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
-            try:
-                traces = load(whole / f"{section}.json").traces
-                names = [*(f"{section}.{case}.csv.gz" for case in traces), f"{section}.json"]
-                if whole.is_symlink() or {path.name for path in whole.iterdir()} != {*names}:
-                    raise RecordError(f"{short_path(whole)} is not what was written there")
-            except RecordError as error:
-                aside = whole.with_suffix(ASIDE)
-                shutil.rmtree(aside, ignore_errors=True)
-                os.rename(whole, aside)
-                messages.append(f"damaged: {error}; it was not put in place, and is at {short_path(aside)}")
-            else:
-                _put_in_place(whole, names)
-    return messages
-
-
-def _put_in_place(whole: Path, names: Sequence[str]) -> None:
-    """Copy files to where they belong, the last of them last; they wait until all are there."""
-    for name in names:
-        with atomic_file(whole.with_name(name)) as temporary:
-            shutil.copyfile(whole / name, temporary)
-    used = whole.with_name(whole.stem + NEW)
-    os.rename(whole, used)
-    shutil.rmtree(used)
+def write_files(contents: Mapping[Path, bytes]) -> None:
+    """Write several files, each whole. The first is replaced last, and none unless all are on the disk."""
+    with ExitStack() as stack:
+        for path, content in contents.items():
+            with stack.enter_context(atomic_file(path)).open("wb") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
 
 
 @contextmanager
@@ -126,8 +92,6 @@ def atomic_file(path: Path) -> Iterator[Path]:
     temporary.unlink(missing_ok=True)  # of a process that was killed, or a link that leads elsewhere
     try:
         yield temporary
-        with temporary.open("rb") as file:
-            os.fsync(file.fileno())
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
@@ -137,7 +101,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
 def staging_folder(folder: Path) -> Iterator[Path]:
     """Name a staging folder for what is to take the place of ``folder``; what is left there is removed."""
     with locked(folder.parent):
-        fresh = folder.with_name(f".{folder.name}{NEW}")
+        fresh = folder.with_name(f".{folder.name}-new")
         shutil.rmtree(fresh, ignore_errors=True)
         try:
             yield fresh

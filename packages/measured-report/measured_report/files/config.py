@@ -1,168 +1,30 @@
-"""Config: all settings of ``report.toml``."""
+"""Config: a report, with all that is known of it, and the current one."""
 
-import re
 import sys
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from functools import cache, cached_property
-from importlib import import_module
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
-
-from msgspec import Meta, ValidationError, convert
+from typing import Any, TypeVar
 
 from measured_report.files import root
-from measured_report.files.errors import ReportError, suggestion
+from measured_report.files.columns import Schema, case_parameters
+from measured_report.files.git import web_address
+from measured_report.files.settings import (
+    FILE,
+    ColumnTraits,
+    Config,
+    Page,
+    module_named,
+    read_settings,
+    read_toml,
+    tomllib,
+)
 
-if TYPE_CHECKING:
-    from measured_report.records.columns import Schema
-if sys.version_info >= (3, 11):
-    import tomllib as tomllib  # which others read here too
-else:
-    import tomli as tomllib
-FILE = "report.toml"
+__all__ = ["FILE", "ColumnTraits", "Config", "Page", "Report", "module_named", "read_toml", "tomllib"]
 ROOMS = ("experiments", "report")  # packages that every report has of its own, by the same names
 T = TypeVar("T")
-Address = Annotated[str, Meta(pattern="^$|^https?://")]
-ClassName = Annotated[str, Meta(pattern="^$|:")]
-
-
-@dataclass(frozen=True)
-class ColumnTraits:
-    """Describes what ``report.toml`` may tell of a column."""
-
-    better: Literal["", "less", "more"] = ""  # which numbers are better; empty: neither
-    resolution: Annotated[float, Meta(ge=0.0)] = 0.0  # least difference that counts, whatever the noise
-    rate_of: str = ""  # the column of the time that makes this rate, whose share of noise it has
-    known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
-    grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
-    trials: str = ""  # the column that says of how many trials this many, or this share, succeeded: noise is binomial
-    unless: str = ""  # the column that says that a run failed, where this number then does not exist
-
-
-@dataclass(frozen=True)
-class Columns(ColumnTraits):
-    """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
-
-    names: Collection[str] = ()  # the columns that it is of
-    pattern: str = ""  # a regular expression that matches all of the name of any other
-    kind: Literal["", "parameter", "setting", "computed", "cost", "uncompared", "failure"] = ""
-    """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``computed`` (of
-    settings), ``cost``, ``uncompared`` (between editions) or ``failure`` (of a run, whose numbers are then chance)."""
-    signed: bool | None = None  # whether its numbers have a sign; None: its unit says so
-
-
-@dataclass(frozen=True)
-class Changes:
-    """Holds the table ``changes``: what comparing editions takes to know of this report's sections and rows."""
-
-    upgrade_sections: Sequence[str] = ()  # sections that make upgrade measures, the longest first; none: all
-    headlines: Mapping[str, str] = field(default_factory=dict)  # values that the history shows, by what they are called
-    thresholds: Mapping[str, float] = field(default_factory=dict)
-    """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
-    setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05  # the same for any setting
-    settings: Mapping[str, str] = field(default_factory=dict)
-    """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
-    explanation: str = ""  # the claim that, where it holds, explains why editions differ
-    equivalent_sections: Sequence[str] = ()  # sections of the same runs: where one lacks a case, another's is taken
-    package_groups: Sequence[Sequence[str]] = ()  # groups of packages that bisect swaps as one
-    keys: Sequence[str] = ("case",)  # columns that tell the rows of one section apart, where they are there
-    endings: str = ""  # the column that lists how the repeats of a run ended; where they differ, no row is compared
-
-
-@dataclass(frozen=True)
-class Page:
-    """Describes one page of every release."""
-
-    name: str
-    label: str = ""  # what links to it say; empty: its name
-    texts: tuple[str, ...] = ()  # its templates of prose, the first with its title; none: `pages/NAME.md.j2`
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "label", self.label or self.name.replace("_", " ").capitalize())
-        object.__setattr__(self, "texts", self.texts or (f"pages/{self.name}.md.j2",))
-
-    @property
-    def file(self) -> str:
-        return f"{self.name}.html"
-
-
-@dataclass(frozen=True)
-class Config:
-    """Holds the fields of ``report.toml``, as they are without it."""
-
-    edition: str = ""  # the package whose releases the report compares
-    packages: Sequence[str] = ()  # others whose versions a record depends on; it is read with `edition` before them
-    requirement: str = ""  # that package as pyproject.toml asks for it, with its extras and without a version
-    edition_name: str = ""  # what people call it
-    short_names: Mapping[str, str] = field(default_factory=dict)  # what labels call other packages
-    trials: Mapping[str, str] = field(default_factory=dict)  # what people call labels with other packages
-    host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
-    accelerator: str = "measured_report.measuring.accelerator"  # the module of what accelerates it; this one of nothing
-    case: ClassName = ""  # the dataclass, as `module:name`, whose fields are what a run was set to
-    noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
-    repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
-    """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
-    units: Mapping[str, str] = field(default_factory=dict)  # by the end of a column's name, besides the known ones
-    cost_terms: Sequence[str] = ()  # columns that two rows must share for their costs to be compared
-    columns: Sequence[Columns] = ()  # the tables ``columns``
-    baseline: str = "the baseline"  # what people call the case that all others are changed from
-    changes: Changes = field(default_factory=Changes)  # the table of that name
-    title: str = "A report"  # what its data are of, where nothing else of it is at hand
-    name: str = "report"  # its name in citations
-    repository: Address = ""  # the page of its sources on the web; where nothing is said, pages lead to none
-    pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))  # in order, the front page first
-    text_modules: str = ""  # the package with a module for each text of a page: `front` derives what `front.md.j2` says
-    plugins: str = "measured_report.pages.plugins"  # the module of what else it shows; this says what it may
-    formulas: Sequence[str] = ()  # patterns of names and formulas in drawings and table cells, which lead to no record
-
-    @property
-    def front(self) -> Page:
-        return self.pages[0]
-
-    @property
-    def sources(self) -> Sequence[str]:
-        """Name the files that this is read from, below the root: with the case's, they say what columns hold."""
-        module = self.case.partition(":")[0]
-        return (FILE, f"{module.replace('.', '/')}.py") if module else (FILE,)
-
-    @property
-    def needs_device(self) -> bool:
-        """Tell whether what a section measures depends on the device, where it does not say."""
-        return self.accelerator != Config.accelerator
-
-    @property
-    def option(self) -> str:
-        """Name the variable of make that names an edition."""
-        return self.edition.upper().replace("-", "_")
-
-    @property
-    def flag(self) -> str:
-        """Name the same option of ``build.py``."""
-        return self.option.lower().replace("_", "-") or "edition"
-
-    def name_of(self, release: str) -> str:
-        """Name an edition within a sentence."""
-        return f"the {self.trials[release]}" if release in self.trials else f"{self.edition_name} {release}".strip()
-
-    def short_name(self, release: str) -> str:
-        return self.trials.get(release, release)
-
-    def edition_folder(self, release: str) -> str:
-        return f"{self.edition}-{release}"
-
-    def edition_in(self, folder: str) -> str:
-        return folder.removeprefix(f"{self.edition}-")
-
-    def requirement_of(self, package: str) -> str:
-        """Write a package as it is asked for, with its extras."""
-        return self.requirement if package == self.edition and self.requirement else package
-
-
-def read_toml(path: Path) -> dict[str, Any]:
-    """Read a TOML file; ValueError or OSError where it is none."""
-    return tomllib.loads(path.read_text(encoding="utf-8-sig"))
 
 
 @dataclass(eq=False)
@@ -174,58 +36,29 @@ class Report:
     _path: list[str] = field(default_factory=list)
 
     @cached_property
-    def config(self) -> Config:
-        """Read ``report.toml``; ReportError, one line, where it is not whole."""
-        path = self.root / FILE
-        try:
-            settings = read_toml(path) if path.is_file() else {}
-            tables: list[tuple[Any, ...]] = [("", settings, Config), ("changes.", settings.get("changes", {}), Changes)]
-            for table_name, kind in (("columns", Columns), ("pages", Page)):
-                tables += [(f"{table_name}.", table, kind) for table in settings.get(table_name, ())]
-            for table_name, table, kind in tables:
-                names = {field.name for field in fields(kind)}
-                for name in table if isinstance(table, dict) else ():
-                    if name not in names:
-                        raise ValueError(f"there is no setting {table_name}{name}{suggestion(name, names)}")
-            config = convert(settings, Config)
-            for pattern in (*(table.pattern for table in config.columns), *config.formulas):
-                re.compile(pattern)
-            if not all(table.names or table.pattern for table in config.columns):
-                raise ValueError("a table of columns has neither names nor a pattern")
-            if wrong := [name for name, share in config.changes.thresholds.items() if not share > 0]:
-                raise ValueError(f"changes.thresholds has {wrong[0]}, which is not above 0")
-            if not 0 < len(config.pages) == len({page.name for page in config.pages}):
-                raise ValueError(f"pages has none, or two of one name: {[page.name for page in config.pages]}")
-        except re.error as error:
-            raise ReportError(f"{FILE}: {error.pattern!r} is no regular expression: {error}") from None
-        except (OSError, ValueError, TypeError) as error:  # which msgspec's are
-            hint = "; REFERENCE.md says what it takes" if isinstance(error, ValidationError) else ""
-            raise ReportError(f"{FILE}: {' '.join(str(error).split())}{hint}") from None
-        if not (package := config.edition):
-            return config
-        return replace(config, packages=[package, *config.packages], edition_name=config.edition_name or package)
-
-    @property
     def settings(self) -> Config:
         """Return the settings of ``report.toml``."""
-        return self.config
+        return read_settings(self.root)
 
     @cached_property
-    def columns(self) -> "Schema":
+    def columns(self) -> Schema:
         """Return the schema of the report's columns."""
-        from measured_report.records.columns import Schema, case_parameters
+        return Schema(self.settings, case_parameters(self.settings))
 
-        return Schema(self.config, case_parameters(self.config))
+    @cached_property
+    def sources(self) -> str:
+        """Return the page of the sources on the web: as ``report.toml`` has it, or git's origin."""
+        return self.settings.repository or web_address(self.root)
 
     @cached_property
     def host(self) -> ModuleType:
         """Import the module that measures on a host."""
-        return module_named("host", self.config.host)
+        return module_named("host", self.settings.host)
 
     @cached_property
     def accelerator(self) -> ModuleType:
         """Import the module of the devices that accelerate the report's host."""
-        return module_named("accelerator", self.config.accelerator)
+        return module_named("accelerator", self.settings.accelerator)
 
     def __enter__(self) -> "Report":
         self._follow(report())
@@ -267,20 +100,12 @@ def report() -> Report:
 
 def config() -> Config:
     """Return what the current report says of itself."""
-    return report().config
+    return report().settings
 
 
 def module_of(setting: str) -> ModuleType:
     """Import the module that a setting names; ReportError, one line, where there is none."""
     return module_named(setting, getattr(config(), setting).partition(":")[0])
-
-
-def module_named(setting: str, name: str) -> ModuleType:
-    """Import the module ``name``, which a setting of ``report.toml`` names; ReportError where there is none."""
-    try:
-        return import_module(name)
-    except ImportError as error:
-        raise ReportError(f"{FILE}: {setting} = {name!r}: {error}") from error
 
 
 def cached_in_report(function: Callable[..., T]) -> Callable[..., T]:

@@ -1,7 +1,6 @@
 """The cache of what is derived: an entry counts while all that it was made from is the same."""
 
 import functools
-import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from importlib import metadata
@@ -12,8 +11,7 @@ from typing import Any
 from measured_report.files.cache import Cache
 from measured_report.files.config import Report
 from measured_report.parts import macros
-from measured_report.records.code import files, roots_of
-from measured_report.records.syntax import digest_of
+from measured_report.records.code import Code, digest_of
 
 PACKAGES = (
     "numpy",
@@ -32,6 +30,9 @@ class DerivedCache(Cache):
 
     report: Report
     read: dict[tuple[str, str], Any] = field(default_factory=dict)
+    code: Callable[[Path, Path], Code] = field(
+        default_factory=lambda: functools.cache(Code)
+    )
     digests: dict[Path, str] = field(default_factory=dict)  # of code
 
     def get(self, name: str, key: str) -> Any:
@@ -44,8 +45,26 @@ class DerivedCache(Cache):
     def key(self, code: Path, inputs: Sequence[str]) -> str:
         """Digest all that the module ``code`` makes something from."""
         if code not in self.digests:
-            self.digests[code] = code_digest(code, self.report)
+            self.digests[code] = self._digest_of(code)
         return digest_of([*inputs, self.digests[code]])
+
+    def _digest_of(self, module: Path) -> str:
+        """Digest a module with all that it imports, the files that they name, and packages."""
+        root = next(each for each in module.parents if (each / "report").is_dir())
+        code = self.code(root, self.report.root)
+        starts = (Path(__file__).resolve(), module)
+        closure = {file for start in starts for file in code.closure(str(start))}
+        sources = {code.name_of(file): code.source(file) for file in closure}
+        # No module imports the settings, which say what columns are.
+        named = {name for source in sources.values() for name in source.assets}
+        named.update(self.report.settings.sources)
+        paths = {name: self.report.root / name for name in named}
+        paths[macros.FILE.name] = macros.FILE
+        digests = {
+            name: code.digest(path) for name, path in paths.items() if path.is_file()
+        }
+        digests |= {name: source.digest for name, source in sources.items()}
+        return digest_of([installed(), digests])
 
     def value(
         self, name: str, code: Path, inputs: Sequence[str], make: Callable[[], Any]
@@ -56,28 +75,6 @@ class DerivedCache(Cache):
             kept = (make(),)  # which may be None
             self.put(name, key, kept)
         return kept[0]
-
-
-def code_digest(code: Path, report: Report) -> str:
-    """Digest a module with all that it imports, the files that they name, and packages."""
-    root = next(folder for folder in code.parents if (folder / "report").is_dir())
-    roots = [*roots_of(root), *roots_of(report.root)]
-    graph = files().graph(tuple(dict.fromkeys(roots)))
-    starts = (Path(__file__).resolve(), code)
-    closure = {file for start in starts for file in graph.closure(str(start))}
-    sources = {graph.name_of(file): graph.source(file) for file in closure}
-    # No module imports the settings, which say what columns are.
-    named = {name for source in sources.values() for name in source.assets}
-    named.update(report.settings.sources)
-    paths = {name: report.root / name for name in named}
-    paths[macros.FILE.name] = macros.FILE
-    digests = {
-        name: hashlib.sha256(path.read_bytes()).hexdigest()
-        for name, path in paths.items()
-        if path.is_file()
-    }
-    digests |= {name: source.digest for name, source in sources.items()}
-    return digest_of([installed(), digests])
 
 
 @functools.cache

@@ -6,7 +6,7 @@ from itertools import takewhile
 from typing import Any
 
 from measured_report.editions.status import State
-from measured_report.files.config import Page
+from measured_report.files.settings import Page
 from measured_report.findings.sections import PACKAGE, Outline, file_of
 from measured_report.parts.prose import Prose
 from measured_report.parts.section import Section

@@ -35,7 +35,7 @@ from measured_report.findings.sections import (
     outline_of,
 )
 from measured_report.parts.section import Section
-from measured_report.records.code import files, unchanged_files
+from measured_report.records.code import read_source
 from measured_report.records.identity import files_digest
 from measured_report.records.replicas import FOLDER
 from measured_report.values.evidence import Evidence
@@ -201,7 +201,7 @@ class Edition:
         if package:
             module_named("text_modules", package)
         file = file_of(package, name) if package else None
-        count = files().source(file, name).top.get("derive", 0) if file else 0
+        count = read_source(file, name).top.get("derive", 0) if file else 0
         if not (file and count):
             return Section()
         told = releases if count > 1 else {"": self.chapters}
@@ -266,7 +266,7 @@ def editions_of(
 ) -> dict[str, Edition]:
     """Derive what the results of every release make, oldest first; ``among``: of these alone."""
     cache = DerivedCache(project.root, project.report)
-    with project.report, unchanged_files():
+    with project.report:
         editions = {
             release: read_edition(project.of(release), cache)
             for release in among or project.releases

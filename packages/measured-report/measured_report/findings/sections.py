@@ -11,8 +11,7 @@ from measured_report.files.config import Page, Report
 from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
-from measured_report.records.code import files
-from measured_report.records.syntax import WORKED_OUT
+from measured_report.records.code import WORKED_OUT, read_source
 from measured_report.values.results import Results, ResultsError
 
 PACKAGE = "report.sections"
@@ -44,7 +43,7 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
         )
     is_folder = file.name == "__init__.py"
     name = file.relative_to(file.parents[3 if is_folder else 2]).as_posix()
-    facts = files().source(file, name).top
+    facts = read_source(file, name).top
     for fact in FACTS:
         if facts.get(fact) == WORKED_OUT:
             raise ReportError(

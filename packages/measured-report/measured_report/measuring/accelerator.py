@@ -4,7 +4,9 @@ from collections.abc import Mapping
 from types import ModuleType
 from typing import NamedTuple
 
-from measured_report.files.config import module_of
+from measured_report.files.config import Report
+from measured_report.files.config import report as current
+from measured_report.files.errors import UsageError
 
 KIND, NOUN = "", ""  # what DEVICE calls one beside `cpu`, and people do
 NONE: Mapping[str, str] = {}  # environment of a process that may use none
@@ -33,14 +35,22 @@ def driver() -> str | None:
 
 
 def accelerator() -> ModuleType:
-    return module_of("accelerator")
+    return current().accelerator
 
 
-def kinds() -> list[str]:
+def kinds(report: Report | None = None) -> list[str]:
     """List the kinds of devices that may be asked for."""
-    return [*filter(None, [accelerator().KIND]), "cpu"]
+    return [*filter(None, [(report or current()).accelerator.KIND]), "cpu"]
 
 
-def lacks() -> str:
+def read_device(kind: str, report: Report | None = None) -> str:
+    """Return a kind of device; UsageError if there is none of that name."""
+    if kind not in kinds(report):
+        raise UsageError(f"DEVICE={kind:.80} is no device; use one of: {', '.join(kinds(report))}")
+    return kind
+
+
+def lacks(report: Report | None = None) -> str:
     """Say that this machine has none."""
-    return f"this machine has no {accelerator().KIND.upper() or 'other'} device; DEVICE=cpu measures on its CPU"
+    kind = (report or current()).accelerator.KIND.upper() or "other"
+    return f"this machine has no {kind} device; DEVICE=cpu measures on its CPU"

@@ -20,8 +20,9 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from measured_report.files.atomic import locked
+from measured_report.files.config import Report
+from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
-from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine
 from measured_report.measuring.measurement import Measurement
 
@@ -63,8 +64,9 @@ class BatchError(Exception):
 
 def measure_batch(batch: Batch, device: str) -> Result:
     """Measure a batch in this process, on a kind of device; BatchError when it fails."""
+    report = current()
     try:
-        description = machine(device)
+        description = machine(device, report)
         gc.collect()  # frames take longer in a process that keeps simulations of earlier batches
         with device_lock(exclusive=batch.exclusive):
             started, start = now(), time.perf_counter()
@@ -74,15 +76,15 @@ def measure_batch(batch: Batch, device: str) -> Result:
         times = [time.isoformat(timespec="seconds") for time in (started, ended)]
         return Result(pickle.dumps(value), description, times[0], times[1], round(seconds, 1))
     except BaseException as error:  # sys.exit too: a fault of a section must not end the process
-        raise BatchError(reason_of(error)) from None
+        raise BatchError(reason_of(error, report)) from None
 
 
-def reason_of(error: BaseException) -> str:
+def reason_of(error: BaseException, report: Report) -> str:
     """Say why measuring failed, in one line, with what to do."""
     message = " ".join(str(error).split())
     if is_out_of_memory(error):
         return f"the memory is too small ({message:.200}); free some of it, or PROFILE=quick measures small grids"
-    if explained := host().explained(error):
+    if explained := report.host.explained(error):
         return explained
     if isinstance(error, OSError):
         message = error.strerror or message or type(error).__name__

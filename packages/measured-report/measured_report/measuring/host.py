@@ -6,7 +6,7 @@ words: what is timed is the same where these are, which ``make carry`` asks.
 
 from types import ModuleType
 
-from measured_report.files.config import module_of
+from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions
 
@@ -34,4 +34,4 @@ def explained(error: Exception) -> str:
 
 
 def host() -> ModuleType:
-    return module_of("host")
+    return current().host

@@ -5,39 +5,43 @@ import os
 import platform
 import re
 import subprocess
+from functools import cache
 from pathlib import Path
 
-from measured_report.files.config import cached_in_report, config, report
+from measured_report.editions.project import Project
+from measured_report.files.config import Report
+from measured_report.files.config import report as current
 from measured_report.files.errors import UsageError
-from measured_report.measuring.accelerator import accelerator, lacks
-from measured_report.measuring.host import host
-from measured_report.records.code import files, roots_of
+from measured_report.files.git import git
+from measured_report.measuring.accelerator import lacks
+from measured_report.records.code import Code
 from measured_report.records.record import Record
 
 KIND = ("device", "gpu", "driver", "cpu", "cores")  # what of a machine is the same for all batches of a section
 
 
-@cached_in_report
-def machine(kind: str) -> dict[str, str | None]:
+@cache
+def machine(kind: str, report: Report | None = None) -> dict[str, str | None]:
     """Return the machine that measures; host and card tell of two records whether they ran side by side."""
-    card, uuid = host().card(kind)
-    driver = None if kind == "cpu" else accelerator().driver()
+    report = report or current()
+    card, uuid = report.host.card(kind)
+    driver = None if kind == "cpu" else report.accelerator.driver()
     system = f"{platform.system()} {platform.machine()}"
     devices = {"device": kind, "gpu": card, "driver": driver, "cpu": cpu_name(), "cores": str(os.cpu_count())}
     return {
         **devices,
         "python": platform.python_version(),
-        "host": None if uuid else host_digest(),
+        "host": None if uuid else host_digest(report.settings.edition),
         "gpu_uuid": uuid,
         "system": system,
     }
 
 
-def host_digest() -> str | None:
+def host_digest(edition: str) -> str | None:
     """Return a digest of a number drawn by chance when this host was set up, or begun; a name would be guessed."""
     for path in map(Path, ("/etc/machine-id", "/proc/sys/kernel/random/boot_id")):
         if os.access(path, os.R_OK) and (number := path.read_text(encoding="utf-8").strip()):
-            return hashlib.sha256(f"{config().edition} {number}".encode()).hexdigest()[:12]
+            return hashlib.sha256(f"{edition} {number}".encode()).hexdigest()[:12]
     return None
 
 
@@ -47,44 +51,48 @@ def cpu_name() -> str:
     return named[1].strip() if named else platform.processor() or platform.machine()
 
 
-def commit() -> str | None:
+def commit(root: Path | None = None) -> str | None:
     """Return the commit that is checked out, marked where the tree differs; of a copy the environment's GIT_COMMIT."""
     if name := os.environ.get("GIT_COMMIT"):
         return name
-    name = said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
-    untracked = said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
+    root = root or current().root
+    name = git(root, "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
+    untracked = git(root, "ls-files", "--others", "--exclude-standard", "experiments", "assets")
     return f"{name.removesuffix('-dirty')}-dirty" if name and untracked else name or None
 
 
 def said(*command: str) -> str:
     """Return what a command prints; nothing when it fails or is not there."""
     try:
-        return subprocess.run(command, cwd=report().root, capture_output=True, text=True, check=False).stdout.strip()
+        return subprocess.run(command, cwd=current().root, capture_output=True, text=True, check=False).stdout.strip()
     except OSError:
         return ""
 
 
-def needs_device(section: str, root: Path) -> bool:
+def needs_device(section: str, project: Project) -> bool:
     """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with any."""
-    graph = files().graph(roots_of(root))
-    file = graph.module(f"experiments.{section}") or f"{root}/experiments/{section}.py"
-    return bool(graph.source(file).top.get("NEEDS_GPU", config().needs_device))
+    code = Code(project.root)
+    file = code.module(f"experiments.{section}") or f"{project.root}/experiments/{section}.py"
+    return bool(code.source(file).top.get("NEEDS_GPU", project.settings.needs_device))
 
 
-def measuring_device(device: str | None, profile: str) -> str | None:
+def measuring_device(device: str | None, profile: str, report: Report | None = None) -> str | None:
     """Choose the device to measure on; None where it has to be asked for: full measurements take hours on a CPU."""
-    if device == "cpu" or not (device or config().needs_device):
+    report = report or current()
+    if device == "cpu" or not (device or report.settings.needs_device):
         return "cpu"
-    if accelerator().accelerators():
-        return accelerator().KIND
+    if report.accelerator.accelerators():
+        return str(report.accelerator.KIND)
     if device:
-        raise UsageError(f"DEVICE={device}: {lacks()}")
+        raise UsageError(f"DEVICE={device}: {lacks(report)}")
     return "cpu" if profile == "quick" else None
 
 
-def machine_name(device: str) -> str:
+def machine_name(device: str, report: Report | None = None) -> str:
     """Name this machine for a label when it measures on ``device``: by its accelerator, or ``cpu``."""
-    return device if device == "cpu" else slug(next((card.name for card in accelerator().accelerators()), ""))
+    if device == "cpu":
+        return device
+    return slug(next((card.name for card in (report or current()).accelerator.accelerators()), ""))
 
 
 def machine_of(record: Record) -> str:

@@ -11,14 +11,17 @@ from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
 from measured_report.editions.environment import add_group, python_of
-from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
+from measured_report.editions.project import (
+    Manifest,
+    Project,
+    read_manifest,
+    write_manifest,
+)
 from measured_report.editions.release import Release, release_date
 from measured_report.editions.status import expected_packages, records_of
 from measured_report.files.atomic import locked
-from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import end_with_parent
-from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.machine import machine_name, machine_of, needs_device
 from measured_report.records.identity import sections as all_sections
 
@@ -31,7 +34,7 @@ def measure(
     project: Project, release: Release, sections: Sequence[str], device: str, cluster: str | None = None
 ) -> Project:
     """Measure the sections; return the report that has them, which is apart from that of another machine."""
-    machine, options = machine_name(device), ["--profile", project.profile, "--aside", project.aside]
+    machine, options = machine_name(device, project.report), ["--profile", project.profile, "--aside", project.aside]
     if cluster:
         add_group("cluster", project.root, python_of(release, expected_packages(project), project.root), "extra")
         options += ["--cluster", cluster]
@@ -40,7 +43,7 @@ def measure(
             add_group("cluster", project.root, kind="extra")
             from measured_report.measuring.cluster import card_of
 
-            machine = card_of(cluster)
+            machine = card_of(cluster, project.report)
         options += ["--processor", machine]
     edition = kept_by(project, machine, sections)
     edition.results.mkdir(parents=True, exist_ok=True)
@@ -68,8 +71,9 @@ def measure_headline(
 def batches_at_once(project: Project, device: str) -> int:
     """Return how many batches are measured at once: on a CPU quick ones and any that need no more."""
     if device != "cpu":
-        return next((accelerator().share_count(card) for card in accelerator().accelerators()), 1)
-    return (os.cpu_count() or 1) if project.profile == "quick" or not config().needs_device else 1
+        accelerator = project.report.accelerator
+        return next((accelerator.share_count(card) for card in accelerator.accelerators()), 1)
+    return (os.cpu_count() or 1) if project.profile == "quick" or not project.settings.needs_device else 1
 
 
 def _run(
@@ -78,7 +82,7 @@ def _run(
     python = python_of(release, expected_packages(project), project.root)
     command = [str(python), "-m", module, "--device", device, *options]
     env = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
-    env |= accelerator().NONE if device == "cpu" else {}
+    env |= project.report.accelerator.NONE if device == "cpu" else {}
     process = subprocess.Popen(command, cwd=project.root, env=env, preexec_fn=end_with_parent, start_new_session=True)
     try:
         done = beside() if beside else None
@@ -96,8 +100,8 @@ def _run(
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
     """Return the report for results of ``machine``: its own where others' are there that needed a device, as these."""
-    named, option = project.named, f"{config().option}={project.release}"
-    if not any(needs_device(section, project.root) for section in sections):
+    named, option = project.named, f"{project.settings.option}={project.release}"
+    if not any(needs_device(section, project) for section in sections):
         return project
     if named.machine not in ("", machine):
         raise UsageError(f"{option} has the results of {named.machine}, and this is {machine}")
@@ -110,7 +114,7 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
 
 def machines_besides(project: Project, machine: str) -> Iterator[str]:
     """Yield the other machines that the report has results of, which those of ``machine`` never replace, by section."""
-    records = (record for record in records_of(project) if needs_device(record.section, project.root))
+    records = (record for record in records_of(project) if needs_device(record.section, project))
     return filter(machine.__ne__, map(machine_of, records))
 
 
@@ -118,7 +122,7 @@ def _note_measured(project: Project, release: Release) -> None:
     """Note which sections have been measured, so that one that goes is missed."""
     with locked(project.results.parent):
         present = {section for section in all_sections(project.root) if project.record_path(section).exists()}
-        manifest = read_manifest(project.results)  # of a damaged one what it said is not lost unseen
+        manifest = read_manifest(project.results, project.settings)  # of a damaged one what it said is not lost unseen
         day = manifest.date if manifest else release_date(release)
         if names := sorted({*present, *(manifest.sections if manifest else ())}):
-            write_manifest(project.results, Manifest(release.asked, day, tuple(names)))
+            write_manifest(project.results, Manifest(release.asked, day, tuple(names)), project.settings)

@@ -11,9 +11,8 @@ from typing import Any
 
 from tqdm import tqdm
 
+from measured_report.files.config import report as current
 from measured_report.files.processes import begin, workers
-from measured_report.measuring.accelerator import accelerator
-from measured_report.measuring.host import host
 
 
 class HostPool:
@@ -33,17 +32,14 @@ class HostPool:
             self.pool = self._opened()
             return self.pool.submit(function, *arguments)
 
-    def check(self) -> None:
-        """Do nothing: a process of this host that is killed is noticed."""
-
     def _opened(self) -> Executor:
         return ProcessPoolExecutor(self.limit, get_context("fork"), begin, (self._begin,))
 
 
 @contextmanager
-def host_pools(count: int) -> Iterator[tuple[HostPool, HostPool]]:
-    """Open a pool for ``count`` batches that share this host, and one for what is exclusive."""
-    shared, exclusive = HostPool(count, {}), HostPool(1, accelerator().ALONE)
+def host_pools(count: int, alone: Mapping[str, str]) -> Iterator[tuple[HostPool, HostPool]]:
+    """Open a pool for ``count`` batches that share this host, and one for exclusive ones, with ``alone`` set."""
+    shared, exclusive = HostPool(count, {}), HostPool(1, alone)
     try:
         yield shared, exclusive
     finally:
@@ -69,4 +65,4 @@ def gather(waiting: Iterable[Future[Any]], title: str) -> list[Any]:
 
 def _begin(settings: Mapping[str, str]) -> None:
     os.environ.update(settings)
-    host().be_quiet()
+    current().host.be_quiet()

@@ -13,14 +13,19 @@ from typing import Any
 from tqdm import tqdm
 
 from measured_report.editions.project import Project
+from measured_report.files.columns import REASON, UNBELIEVED, Schema, is_number, plain
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of
-from measured_report.measuring.host import host
+from measured_report.measuring.batch import (
+    Batch,
+    BatchError,
+    Plan,
+    Result,
+    measure_batch,
+    reason_of,
+)
 from measured_report.measuring.machine import KIND, commit, needs_device
 from measured_report.measuring.measurement import Measurement
-from measured_report.records.columns import REASON, UNBELIEVED, column_of, is_number, number_problem, plain, units_of
-from measured_report.records.identity import Identity, identity_of
-from measured_report.records.record import NAME, Record, write_record
+from measured_report.records.record import NAME, Basis, Record
 from measured_report.records.traces import packed
 
 WHOLE = "whole"  # name of the one batch of a section that has declared none
@@ -33,7 +38,7 @@ class Section:
     name: str
     device: str
     plan: Plan
-    identity: Identity
+    basis: Basis
     stage: list[Batch] = field(default_factory=list)
     waiting: list[Batch] = field(default_factory=list)
     results: dict[str, Result] = field(default_factory=dict)
@@ -60,7 +65,7 @@ class Section:
                 if not names or len({*names, *self.results}) < len(names) + len(self.results):
                     raise ValueError(f"batches need names of their own: {', '.join(names)}")
         except Exception as error:  # a fault of the section must not cost the others
-            self.fail(reason_of(error))
+            self.fail(reason_of(error, self.project.report))
 
     def lose(self, batch: Batch) -> None:
         """Measure a batch whose process was killed again, alone, but no more than once."""
@@ -79,9 +84,10 @@ class Section:
 
     def _write(self, measurement: Measurement) -> None:
         results, path = list(self.results.values()), self.project.record_path(self.name)
+        columns = self.project.report.columns
         try:
-            rows = [believable(row) for row in measurement.rows]
-            traces = {case: packed(path, case, table) for case, table in measurement.traces.items()}
+            rows = [believable(row, columns) for row in measurement.rows]
+            traces = {case: packed(path, case, table, columns) for case, table in measurement.traces.items()}
         except (AttributeError, TypeError) as error:
             raise ReportError(f"it returned no Measurement of rows and traces: {error}") from None
         if not rows or not all("case" in row for row in rows):
@@ -92,9 +98,16 @@ class Section:
         machine = {name: ", ".join(sorted(values)) or None for name, values in names.items()}
         started, ended = min(result.started for result in results), max(result.ended for result in results)
         seconds = round(sum(result.seconds for result in results), 1)
-        measured: dict[str, Any] = {"date": ended, "started": started, "ended": ended, "commit": commit()}
+        measured: dict[str, Any] = {
+            "date": ended,
+            "started": started,
+            "ended": ended,
+            "commit": commit(self.project.report.root),
+        }
         measured |= {"command": self.project.rerun(self.name, results[0].machine["device"]), "seconds": seconds}
-        write_record(path, Record(self.name, self.identity, machine, measured, units_of(rows), rows), traces)
+        self.basis.write(
+            Record(self.name, self.basis.identity, machine, measured, columns.units_of(rows), rows), traces
+        )
         self.is_over = True
         tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {path.relative_to(self.project.root)}")
 
@@ -112,9 +125,7 @@ class Loop:
             section.advance()
         with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
             while self._submit():
-                if not (finished := wait(self.running, timeout=1.0, return_when=FIRST_COMPLETED).done):
-                    self.shared.check()
-                for future in finished:
+                for future in wait(self.running, return_when=FIRST_COMPLETED).done:
                     self._take(future, *self.running.pop(future))
                     bar.update()
         return any(section.has_failed for section in self.sections)
@@ -141,19 +152,20 @@ class Loop:
         except BatchError as error:
             section.fail(str(error) if batch.name == WHOLE else f"{batch.name}: {error}")
         except Exception as error:  # what it returns, or is given, can't travel
-            section.fail(f"{batch.name}: {reason_of(error)}")
+            section.fail(f"{batch.name}: {reason_of(error, section.project.report)}")
         else:
             section.advance()
 
 
-def section_of(project: Project, name: str, module: ModuleType, device: str) -> Section:
-    """Return the section that a module measures: where it declares no batches, all of it as one."""
-    device = device if needs_device(name, project.root) else "cpu"
+def section_of(project: Project, basis: Basis, module: ModuleType, device: str) -> Section:
+    """Return the section that a module measures, as one batch if it declares none."""
+    name = basis.section
+    device = device if needs_device(name, project) else "cpu"
     alias = "cpu" if device == "cpu" else f"{device}:0"  # of the only device of its kind that a process measures on
-    conditions = host().Conditions(device=alias, quick=project.profile == "quick")
+    conditions = project.report.host.Conditions(device=alias, quick=project.profile == "quick")
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return Section(project, name, device, plan, identity_of(name, project.profile, project.root))
+    return Section(project, name, device, plan, basis)
 
 
 def _as_one(batch: Batch) -> Plan:
@@ -161,11 +173,11 @@ def _as_one(batch: Batch) -> Plan:
     return measurement
 
 
-def believable(row: Mapping[str, object]) -> dict[str, object]:
+def believable(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
     """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
     row = {str(name): plain(value, str(name)) for name, value in row.items()}
     if wrong := [name for name in row if not re.fullmatch(NAME, name)]:
         raise ReportError(f"the column {wrong[0]!r} is not called in small letters, digits and _, as rebound_mm")
-    lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
-    lost += [name for name in row if row[name] is None and name + REASON not in row and column_of(name).unit != "1"]
+    lost = [name for name, value in row.items() if is_number(value) and columns.number_problem(name, value)]
+    lost += [name for name in row if row[name] is None and name + REASON not in row and columns[name].unit != "1"]
     return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]!s:.40}" for name in lost}

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from measured_report.editions.kind import Kind
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
-from measured_report.files.config import Page
+from measured_report.files.settings import Page
 from measured_report.files.errors import ReportError
 from measured_report.findings.chapters import Chapter, Releases, before
 from measured_report.findings.editions import Edition, editions_of

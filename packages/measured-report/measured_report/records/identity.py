@@ -5,7 +5,6 @@ import json
 import os
 import re
 import stat
-import subprocess
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -16,10 +15,11 @@ from urllib.parse import unquote, urlparse
 
 from msgspec import Meta
 
-from measured_report.files.config import cached_in_report, config, report
-from measured_report.files.errors import UsageError
-from measured_report.records.code import files, roots_of
-from measured_report.records.syntax import digest_of
+from measured_report.files.config import Config
+from measured_report.files.config import report as current
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.git import git
+from measured_report.records.code import GENERATOR, Code, digest_of
 
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
 FileName = Annotated[str, Meta(pattern=r"\A(?!.*\.\.)[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
@@ -30,34 +30,39 @@ Version = Annotated[str, Meta(pattern=r"\A(missing|[0-9]+(\.[0-9]+)*[a-z0-9.]*(\
 class Identity:
     """Holds digests of all that a measurement depends on, except the machine."""
 
-    code: Digest
-    config: Digest  # digest of the profile and of the assets that these name
+    code: Digest  # of the syntax of all files that the section's module imports
+    config: Digest  # of the profile and of the assets that these files name
     packages: Mapping[str, Version]
     profile: Annotated[str, Meta(pattern=r"\A(full|quick)\Z")] = "full"
-    files: Mapping[FileName, Digest] = field(default_factory=dict)
-    """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
+    files: Mapping[FileName, Digest] = field(default_factory=dict)  # each of these files, so that a change has a name
 
 
-def identity_of(section: str, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Identity:
-    """Return the identity that a section's ``measure`` has now, with ``packages`` or else those installed here."""
-    return identity_at(f"experiments.{section}.measure", profile, root, packages)
+def identity_of(
+    section: str, profile: str, root: Path, packages: Mapping[str, str] | None = None, code: Code | None = None
+) -> Identity:
+    """Return the identity that a record of a section has if it is measured now, with the packages installed here."""
+    return identity_at(f"experiments.{section}", profile, root, packages, code)
 
 
-def identity_at(name: str, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Identity:
-    """Return the identity of what has a dotted name, or of all that a module of that name has."""
-    digest, code, named = files().graph(roots_of(root)).summary(name)
-    existing = (asset for asset in named if (root / asset).is_file())
-    assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in existing}
-    named_digest = digest_of([profile, sorted(assets.values())])
+def identity_at(
+    module: str, profile: str, root: Path, packages: Mapping[str, str] | None = None, code: Code | None = None
+) -> Identity:
+    """Return the identity of what a module measures; ``code`` saves reading the files of ``root`` once more."""
+    code = code or Code(root)
+    if not (file := code.module(module)):
+        raise ReportError(f"There is no module {module}")
+    sources = {code.name_of(path): code.source(path) for path in code.closure(file, GENERATOR)}
+    digests = {name: source.digest for name, source in sorted(sources.items())}
+    named = sorted({asset for source in sources.values() for asset in source.assets})
+    assets = {asset: code.digest(root / asset) for asset in named if (root / asset).is_file()}
     versions = package_versions() if packages is None else packages
-    return Identity(digest, named_digest, versions, profile, dict(sorted({**code, **assets}.items())))
+    return Identity(digest_of(digests), digest_of([profile, assets]), versions, profile, {**digests, **assets})
 
 
 def changes(recorded: Identity, current: Identity) -> list[str]:
-    """Say what differs between two identities; nothing when the record is fresh."""
-    sides = recorded.files.items(), current.files.items()
-    common = {digest for _, digest in sides[0]} & {digest for _, digest in sides[1]}  # it may lie elsewhere now
-    changed = sorted({name for side in sides for name, digest in side if digest not in common})
+    """List what differs between two identities; nothing when the record is fresh."""
+    names = sorted({*recorded.files, *current.files})
+    changed = [name for name in names if recorded.files.get(name) != current.files.get(name)]
     differences = []
     if recorded.code != current.code:
         differences += [f"code: {name}" for name in changed if name.endswith(".py")] or ["code"]
@@ -71,7 +76,7 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 
 def sections(root: Path | None = None) -> list[str]:
     """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
-    folder = (root or report().root) / "report" / "sections"
+    folder = (root or current().root) / "report" / "sections"
     names = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
     shown = sorted(name for name in names if not name.startswith(("_", ".")))
     if wrong := [name for name in shown if not name.isidentifier()]:
@@ -83,16 +88,16 @@ SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"
 BYTE_LIMIT = 1 << 30  # of a file that is digested: wheels have hundreds of MiB
 
 
-def package_versions() -> dict[str, str]:
+def package_versions(settings: Config | None = None) -> dict[str, str]:
     """Return the version of each package here; of the first with its code, where that is not an index's."""
-    if not (versions := files().versions):
-        versions |= dict.fromkeys(config().packages, MISSING)
-        for package in versions:
-            with suppress(metadata.PackageNotFoundError):
-                versions[package] = full_version(metadata.version(package))
-        if versions[config().edition] != MISSING and (source := _source()):
-            versions[config().edition] += f"+{source}"
-    return dict(versions)
+    settings = settings or current().settings
+    versions = dict.fromkeys(settings.packages, MISSING)
+    for package in versions:
+        with suppress(metadata.PackageNotFoundError):
+            versions[package] = full_version(metadata.version(package))
+    if versions[settings.edition] != MISSING and (source := _source(settings.edition)):
+        versions[settings.edition] += f"+{source}"
+    return versions
 
 
 def full_version(version: str) -> str:
@@ -101,33 +106,35 @@ def full_version(version: str) -> str:
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
-    versions = {name: (before.get(name), after.get(name)) for name in config().packages}
+    versions = {name: (before.get(name), after.get(name)) for name in {**before, **after}}
     return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 
 
-def _source() -> str:
+def _source(package: str) -> str:
     """Return the part of a version that names the code installed here; empty for a package from an index."""
-    origin = json.loads(metadata.distribution(config().edition).read_text("direct_url.json") or "{}")
+    origin = json.loads(metadata.distribution(package).read_text("direct_url.json") or "{}")
     if "vcs_info" in origin:
         return f"g{origin['vcs_info']['commit_id'][:SHORT_COMMIT]}"
     address = origin.get("url", "")
     path = Path(unquote(urlparse(address).path))
     if "dir_info" in origin:
-        return checkout_source(path)
+        return checkout_source(path, package)
     return wheel_source(path) if address.startswith("file:") else ""
 
 
-def checkout_source(folder: Path) -> str:
-    """Name the commit that a checkout is at, with ``.edited.`` and the digest of its code if that differs."""
-    module, code = config().edition.replace("-", "_"), code_in(folder)
+def checkout_source(folder: Path, package: str) -> str:
+    """Name the commit that a package's checkout is at, with ``.edited.`` and the digest of its code if that differs."""
+    module = package.replace("-", "_")
+    code = code_in(folder, package)
     if not (commit := git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]):
         return f"x{code}"
     is_edited = git(folder, "status", "--porcelain", "--", module, f"src/{module}")
     return f"g{commit}{EDITED}.{code}" if is_edited else f"g{commit}"
 
 
-def code_in(folder: Path) -> str:
-    module = config().edition.replace("-", "_")
+def code_in(folder: Path, package: str) -> str:
+    """Digest the modules of a package in its checkout."""
+    module = package.replace("-", "_")
     paths = [path for parent in (folder, folder / "src") for path in (parent / module).rglob("*.py")]
     return files_digest(paths, folder)[:SHORT_COMMIT]
 
@@ -148,21 +155,5 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
     return digest.hexdigest()
 
 
-ORIGIN = re.compile(r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?")
-"""An address of git's origin that is one on the web too: host and path."""
-
-
-@cached_in_report
 def sources() -> str:
-    """Return the page of the sources on the web: as ``report.toml`` has it, or git's origin, without what opens it."""
-    origin = ORIGIN.fullmatch(git(report().root, "remote", "get-url", "origin"))
-    return config().repository or (f"https://{origin[1]}/{origin[2]}" if origin else "")
-
-
-def git(folder: Path, *command: str) -> str:
-    """Return what git says in a folder; nothing where it has nothing to say, as outside of a repository."""
-    try:
-        process = subprocess.run(["git", "-C", folder, *command], capture_output=True, text=True, check=False)
-    except FileNotFoundError:
-        raise UsageError("git is not installed, and a checkout takes it") from None
-    return process.stdout.strip() if process.returncode == 0 else ""
+    return current().sources

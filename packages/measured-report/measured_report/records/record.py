@@ -2,21 +2,29 @@
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta, timezone
-from functools import cached_property
+from functools import cached_property, partial
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from msgspec import Meta, Struct, convert, to_builtins
+from msgspec import field as renamed
 
-from measured_report.files.atomic import RecordError, put_record, read_own_file, short_path
-from measured_report.files.config import config
+from measured_report.files.atomic import (
+    RecordError,
+    locked,
+    read_file,
+    short_path,
+    write_files,
+)
+from measured_report.files.columns import is_number, text_problem
+from measured_report.files.config import Report
+from measured_report.files.config import report as current
 from measured_report.files.errors import UNPRINTABLE
-from measured_report.records.columns import is_number, refuse_mixed, text_problem
-from measured_report.records.identity import MISSING, Digest, Identity
+from measured_report.records.identity import MISSING, Digest, Identity, identity_of
 
 SCHEMA = 1
 BYTE_LIMIT = 32 << 20
@@ -44,7 +52,7 @@ class Origin:
     processor: str
 
     def __str__(self) -> str:
-        return f"{config().edition_name} {self.release} on {self.processor}"
+        return f"{current().settings.edition_name} {self.release} on {self.processor}"
 
 
 class Seal(Struct, frozen=True, forbid_unknown_fields=True):
@@ -52,21 +60,19 @@ class Seal(Struct, frozen=True, forbid_unknown_fields=True):
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
-class Carried(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """Tell of a change of code over which a record was carried, as quick runs of both gave the same."""
+class Carried(Struct, frozen=True, forbid_unknown_fields=True):
+    """Describes a change of code over which a record was carried."""
 
-    code: Digest  # of the identity that it had before
-    before: Line  # commits that were run
-    after: Line
+    code: Digest  # of the identity that the record had before
+    old: Line = renamed(name="from")  # the commit with that code, as the next with the code of the identity after it
+    new: Line = renamed(name="to")
     date: Time
-    row_count: Annotated[int, Meta(ge=1)]
-    cell_count: Annotated[int, Meta(ge=1)]
-    executed_in: Line = ""  # another release, whose runs executed what these did not, and gave the same
+    cells: Annotated[int, Meta(ge=1)]  # so many were compared
 
     def __str__(self) -> str:
-        runs = f"quick runs of both gave the same {self.row_count} rows, {self.cell_count} cells"
-        runs += f"; what is executed in {self.executed_in} alone was proven there" if self.executed_in else ""
-        return f"from the code of {self.before} to that of {self.after} on {self.date[:10]}: {runs}"
+        change = f"from the code of {self.old} to that of {self.new} on {self.date[:10]}"
+        same = f"{self.cells} cells, same bits in the quick profile"
+        return f"{change}: {same}; the full profile was not run again"
 
 
 class _Machine(Struct):
@@ -150,7 +156,7 @@ class Record:
 
     @property
     def origin(self) -> Origin:
-        return Origin(self.identity.packages.get(config().edition, MISSING), self.processor)
+        return Origin(next(iter(self.identity.packages.values()), MISSING), self.processor)
 
 
 def trace_path(record: Path, case: str) -> Path:
@@ -163,8 +169,13 @@ def traces_of(path: Path, record: Record) -> list[Path]:
     return [trace_path(path, case) for case in record.traces]
 
 
-def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
-    """Put ``record`` and its traces, by case, at ``path``; None: those there stay."""
+def write_record(
+    path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None, replacing: str | None = None
+) -> None:
+    """Write a record and its traces, by case, at ``path``; None: the traces there stay.
+
+    ``replacing`` is the digest of the file that may be replaced, as ``file_digest`` gives it; None: any file.
+    """
     if traces is not None:
         record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
     try:
@@ -172,11 +183,46 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
     except (TypeError, ValueError) as error:
         raise RecordError(f"{short_path(path)} cannot be written: {error}") from None
     read_record(content, path)
-    files = {trace_path(path, case).name: packed for case, (_, packed) in (traces or {}).items()}
-    put_record(path, {**files, path.name: content})
-    for trace in path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ():
-        if trace.name not in files:  # that of a case that is no more
-            trace.unlink()
+    packed = {trace_path(path, case): content for case, (_, content) in (traces or {}).items()}
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with locked(path.parent.parent):
+        if replacing not in (None, file_digest(path)):
+            raise RecordError(f"{short_path(path)} was written by another command meanwhile: nothing was changed")
+        write_files({path: content, **packed})
+        for trace in path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ():
+            if trace not in packed:  # of a case that is gone
+                trace.unlink()
+
+
+def file_digest(path: Path) -> str:
+    """Return the digest of a record's file; empty if there is none that can be read."""
+    try:
+        return sha256(read_file(path, BYTE_LIMIT)).hexdigest()
+    except RecordError:
+        return ""
+
+
+@dataclass(frozen=True)
+class Basis:
+    """Holds the code, and the record that is to be replaced, as they were before a section was measured."""
+
+    section: str
+    path: Path  # of the record
+    identify: Callable[[], Identity]
+    identity: Identity
+    replacing: str  # digest of the record's file; empty if there was none
+
+    def write(self, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
+        """Write a record unless the code or the record changed meanwhile, which is a RecordError."""
+        if self.identify() != self.identity:
+            raise RecordError(f"the code of {self.section} changed meanwhile: nothing was written")
+        write_record(self.path, record, traces, self.replacing)
+
+
+def basis_of(section: str, path: Path, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Basis:
+    """Return the basis of a measurement, whose modules may be imported after this."""
+    identify = partial(identity_of, section, profile, root, packages)
+    return Basis(section, path, identify, identify(), file_digest(path))
 
 
 def record_text(record: Record) -> str:
@@ -196,18 +242,19 @@ def _sealed(text: str) -> str:
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
-def load_record(path: Path) -> Record:
+def load_record(path: Path, report: Report | None = None) -> Record:
     """Read the record at ``path``; RecordError, one line, when it or a trace that it seals is damaged in any way."""
-    record = read_record(read_own_file(path, BYTE_LIMIT), path)
+    record = read_record(read_file(path, BYTE_LIMIT), path, report)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
-        if sha256(read_own_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
+        if sha256(read_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
             raise RecordError(f"{short_path(trace)} is not the trace that was measured with {path.name}")
     return record
 
 
-def read_record(content: bytes, path: Path) -> Record:
+def read_record(content: bytes, path: Path, report: Report | None = None) -> Record:
     """Make a record of what its file holds; RecordError unless each field is as it should be."""
+    report = report or current()
     try:
         text = content.decode("utf-8")
         data = json.loads(text, object_pairs_hook=_plain, parse_constant=_refuse)
@@ -218,7 +265,7 @@ def read_record(content: bytes, path: Path) -> Record:
             raise ValueError("it is not as it was sealed")  # one of before there were seals has none
         record = convert(data, Record)
         identity = data["identity"]
-        names = {*Record.__match_args__}, {*Identity.__match_args__}, {*config().packages}
+        names = {*Record.__match_args__}, {*Identity.__match_args__}, {*report.settings.packages}
         for table, allowed in zip((data, identity, identity["packages"]), names, strict=True):
             if unknown := table.keys() - allowed:
                 raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
@@ -231,7 +278,7 @@ def read_record(content: bytes, path: Path) -> Record:
             raise ValueError("it ended before it began, or will on a day to come")
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")
-        refuse_mixed(record.rows, record.units)
+        report.columns.refuse_mixed(record.rows, record.units)
     except (ValueError, OverflowError, RecursionError) as error:
         # In one line, without characters that could do anything to whoever reads it.
         message = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__

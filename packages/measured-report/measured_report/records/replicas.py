@@ -10,7 +10,7 @@ from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
-from measured_report.files.atomic import RecordError, read_own_file, short_path, sums
+from measured_report.files.atomic import RecordError, read_file, short_path, sums
 from measured_report.records.columns import column_of, is_cost
 from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
 
@@ -43,7 +43,7 @@ def read_replica(path: Path) -> Records:
     """Read a replica; RecordError, one line, when it is damaged in any way."""
     files = {}
     try:
-        with gzip.open(io.BytesIO(read_own_file(path, BYTE_LIMIT))) as file:
+        with gzip.open(io.BytesIO(read_file(path, BYTE_LIMIT))) as file:
             content = file.read(BYTE_LIMIT + 1)
         if len(content) > BYTE_LIMIT:
             raise RecordError(f"{short_path(path)} holds more than {BYTE_LIMIT >> 20} MiB")
@@ -65,7 +65,7 @@ def read_replica(path: Path) -> Records:
 
 def measurements_beside(path: Path, read: Callable[[Path], Records]) -> list[Record]:
     """Return the record at ``path``, and those of the replicas beside it, as ``read``, that measured the same."""
-    tracked = read_record(read_own_file(path, BYTE_LIMIT), path)
+    tracked = read_record(read_file(path, BYTE_LIMIT), path)
     replicas = (read(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
     alike = [record for record in replicas if record and not mismatch(tracked, record)]
     return [*filter(None, believed([tracked, *alike]))]

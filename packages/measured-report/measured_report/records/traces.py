@@ -12,8 +12,9 @@ from operator import gt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from measured_report.files.atomic import RecordError, read_own_file, short_path
-from measured_report.records.columns import PLAIN, column_of, is_number, number_problem, plain, text_problem
+from measured_report.files.atomic import RecordError, read_file, short_path
+from measured_report.files.columns import PLAIN, Schema, is_number, plain, text_problem
+from measured_report.files.config import report as current
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
@@ -26,14 +27,15 @@ CELL_LIMIT = 8_000_000  # more would take gigabytes to look at; traces that were
 NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
 
-def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, bytes]:
+def packed(record: Path, case: str, table: Mapping[str, Any], schema: Schema | None = None) -> tuple[Seal, bytes]:
     """Pack a trace as it is kept beside ``record``, with its seal, without pandas, which is not there."""
+    schema = schema or current().columns
     text, columns = io.StringIO(), {str(name): [plain(cell, name) for cell in cells] for name, cells in table.items()}
     try:
         for name, cells in columns.items():
-            cells[:] = [None if is_number(cell) and number_problem(name, cell) else cell for cell in cells]
+            cells[:] = [None if is_number(cell) and schema.number_problem(name, cell) else cell for cell in cells]
             texts = dict.fromkeys(cell for cell in cells if isinstance(cell, str))
-            _check_column(name, list(filter(is_number, cells)), texts)
+            _check_column(name, list(filter(is_number, cells)), texts, schema)
         if len({*map(len, columns.values())}) > 1:
             raise ValueError("its columns are not of one length")
         lines = list(zip(*columns.values(), strict=True))
@@ -47,11 +49,11 @@ def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, byt
     return Seal(sha256(content).hexdigest(), len(lines)), content
 
 
-def load_trace(path: Path) -> "pd.DataFrame":
+def load_trace(path: Path, schema: Schema | None = None) -> "pd.DataFrame":
     """Read the trace at ``path``; RecordError, one line with its release and file, when it is damaged in any way."""
     import pandas as pd
 
-    content = read_own_file(path, BYTE_LIMIT)
+    content = read_file(path, BYTE_LIMIT)
     try:
         unpacking = zlib.decompressobj(wbits=31)
         text = unpacking.decompress(content, UNPACKED_LIMIT)
@@ -65,7 +67,9 @@ def load_trace(path: Path) -> "pd.DataFrame":
             cells = frame[column].dropna()
             is_numeric = cells.dtype.kind in "iuf"
             numbers, texts = cells.tolist() if is_numeric else [], [] if is_numeric else cells.unique()
-            _check_column(column, numbers, [text for text in texts if isinstance(text, str)])
+            _check_column(
+                column, numbers, [text for text in texts if isinstance(text, str)], schema or current().columns
+            )
     except (ValueError, csv.Error, zlib.error) as error:
         raise RecordError(f"{short_path(path)} is no whole trace: {' '.join(str(error).split()):.300}") from None
     return frame
@@ -88,13 +92,13 @@ def _check_cells(lines: Iterator[list[str]]) -> None:
         raise ValueError("it has no rows")
 
 
-def _check_column(column: str, numbers: Sequence[float], texts: Collection[str]) -> None:
+def _check_column(column: str, numbers: Sequence[float], texts: Collection[str], schema: Schema) -> None:
     if not HEAD.fullmatch(column):
         raise ValueError(f"{column!r:.80} is no column name")
     problems = ["runs backwards"] if column == "time_s" and any(map(gt, numbers, numbers[1:])) else []
-    problems += ["is not all numbers"] if texts and (numbers or column_of(column).unit != PLAIN) else []
+    problems += ["is not all numbers"] if texts and (numbers or schema[column].unit != PLAIN) else []
     problems += [problem for text in texts if (problem := text_problem(text) or _number_problem(text))]
-    problems += [number_problem(column, end(numbers)) for end in (min, max) if numbers]
+    problems += [schema.number_problem(column, end(numbers)) for end in (min, max) if numbers]
     if problem := next(filter(None, problems), ""):
         raise ValueError(f"{column!r:.80} {problem}")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from measured_report.changes.query import blind_spots, gaps, idle_labels, idle_settings, refuse_unknown_names
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
-from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums
+from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums, write_file
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
@@ -16,7 +16,6 @@ from measured_report.findings.cache import installed
 from measured_report.findings.editions import Edition
 from measured_report.pages.prose import GENERATOR, Templates
 from measured_report.pages.wording import worded_editions
-from measured_report.records.code import unchanged_files
 from measured_report.records.identity import files_digest, package_versions, sections, sources
 from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
@@ -47,12 +46,11 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
-        with unchanged_files():
-            templates = Templates(project.templates, project.report)
-            editions = worded_editions(project, templates)
-            refuse_unknown_names(editions, editions.get(project.own_release or project.release))
-            Site(fresh, project.release, editions, templates, address).write()
-            (fresh / SUMS).write_text(sums(digests_below(fresh)), encoding="utf-8")
+        templates = Templates(project.templates, project.report)
+        editions = worded_editions(project, templates)
+        refuse_unknown_names(editions, editions.get(project.own_release or project.release))
+        Site(fresh, project.release, editions, templates, address).write()
+        write_file(fresh / SUMS, sums(digests_below(fresh)))
         replace(project.site, fresh)
         built = {}
         for release, edition in editions.items():

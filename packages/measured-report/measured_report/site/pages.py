@@ -13,6 +13,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.alarm import rate_values
+from measured_report.files.atomic import write_file
 from measured_report.files.config import Page, Report
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapter
@@ -277,11 +278,9 @@ class Site:
         self._write(local(file, self.shown), local(f"{text}\n", self.shown))
 
     def _write(self, name: str, content: str | bytes | Path) -> None:
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
         if isinstance(content, Path):
             content = content.read_bytes()
-        path.write_bytes(content.encode() if isinstance(content, str) else content)
+        write_file(self.folder / name, content)
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:

@@ -8,7 +8,7 @@ import pytest
 from measured_report.changes import query
 from measured_report.changes.bisect import answer_text, first_change
 from measured_report.changes.query import Query, blind_spots, history, points
-from measured_report.files.config import Changes, Config
+from measured_report.files.settings import Changes, Config
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
 from measured_report.values.quantities import Quantity
 

@@ -8,8 +8,9 @@ import pytest
 from toys import EXPERIMENT, MODULE, ROWS, SCENE
 
 from measured_report.changes import query
-from measured_report.files.config import Changes, Columns, Config, Page
+from measured_report.files.config import Config, Page, report
 from measured_report.files.errors import ReportError
+from measured_report.files.settings import Changes, Columns
 from measured_report.measuring.section import believable
 from measured_report.site.build import build
 
@@ -93,7 +94,7 @@ def test_repeats_of_no_case_stop_the_build(own):
 
 
 def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_site_is_built(toy):
-    nan = believable({"case": "firm", "slip_mm": float("nan"), "dropped": False})
+    nan = believable({"case": "firm", "slip_mm": float("nan"), "dropped": False}, report().columns)
     toy.measure((ROWS[0], nan, ROWS[1], {**ROWS[1], "slip_mm": 0.4}))
     assert build(toy.project)["1.4.0"].gaps == [
         "toy: several rows of case stiff, which nothing tells apart",

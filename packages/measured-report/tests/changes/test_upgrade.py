@@ -16,8 +16,9 @@ from measured_report.commands.new import SKELETON
 from measured_report.commands.upgrade import base_of, lacking
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
-from measured_report.files.config import Columns, config, report_in
+from measured_report.files.config import config, report_in
 from measured_report.files.errors import UsageError
+from measured_report.files.settings import Columns
 
 
 def test_progress_does_not_run_into_an_answer_for_a_program():
@@ -117,7 +118,7 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
     columns = [*config().columns, Columns(names=["damping"], kind="computed")]
     rules = replace(config(), changes=changed, columns=columns)
     with report_in(toy.project.root) as entered:
-        monkeypatch.setitem(vars(entered), "config", rules)
+        monkeypatch.setitem(vars(entered), "settings", rules)
         vars(entered).pop("columns", None)
         sides = [derived(side.project) for side in (toy, newer)]
         lines = upgrade.verdict(compare(*sides), lambda *claim: "", *sides)

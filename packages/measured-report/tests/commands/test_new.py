@@ -18,9 +18,9 @@ def test_a_report_on_another_package_names_no_other(tmp_path):
     for path, text in texts.items():
         assert not re.search("(?i)pendulum|numpy|@[A-Z]+@", text), path
     assert all(title in texts[folder / name] for name in ("README.md", "templates/front.md.j2"))
-    assert Report(folder).config.title == title and f"title: {json.dumps(title)}" in texts[folder / "CITATION.cff"]
+    assert Report(folder).settings.title == title and f"title: {json.dumps(title)}" in texts[folder / "CITATION.cff"]
     assert '"scikit-learn==1.5.0"' in texts[folder / "pyproject.toml"]
-    assert Report(folder).config.option == "SCIKIT_LEARN"
+    assert Report(folder).settings.option == "SCIKIT_LEARN"
     assert "steps.new.outputs.release" in texts[folder / ".github/workflows/upgrade.yml"]
     compiled = [compile(text, path, "exec") for path, text in texts.items() if path.suffix == ".py"]
     assert len(compiled) == 4

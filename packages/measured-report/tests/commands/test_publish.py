@@ -263,6 +263,6 @@ def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(toy, remote, t
     assert git(remote, "show", "gh-pages:CNAME") == "report.example"
     (remote / "hooks/post-update").write_text("#!/bin/sh\ngit update-ref -d refs/heads/gh-pages\n")
     (remote / "hooks/post-update").chmod(0o755)
-    monkeypatch.setenv("GIT_COMMITTER_DATE", "2030-01-01T00:00:00Z")  # another commit, though all is done in a second
+    monkeypatch.setattr(publishing, "SUBJECT", "Another commit, though all is done in a second")
     with pytest.raises(ReportError, match="not published: origin does not have it"):
         publish(toy.project.site, "")

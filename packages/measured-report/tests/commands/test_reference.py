@@ -7,8 +7,9 @@ import pytest
 
 from measured_report.commands.new import SKELETON
 from measured_report.commands.reference import reference
-from measured_report.files.config import Changes, Columns, ColumnTraits, Config, report
+from measured_report.files.config import report
 from measured_report.files.root import ROOT
+from measured_report.files.settings import Changes, Columns, ColumnTraits, Config
 from measured_report.records.columns import units
 
 TEXT = reference(report())

@@ -4,7 +4,13 @@ import io
 import json
 
 from measured_report.editions import release
-from measured_report.editions.release import full_version, read_label, release_date, releases_between, releases_of
+from measured_report.editions.release import (
+    full_version,
+    read_label,
+    release_date,
+    releases_between,
+    releases_of,
+)
 
 
 def test_versions_are_ordered_by_number_and_what_is_not_out_yet_stands_before_what_is():
@@ -21,11 +27,11 @@ def test_releases_between_two_are_neither_of_them_and_no_candidates(monkeypatch)
     files = [{"filename": name, "upload-time": "2026-11-11T12:00:00Z"} for name in (*names, "newton-1.7.0.tar.gz")]
     files += [{"filename": "newton-1.8.0-py3-none-any.whl", "yanked": "broken"}]
     answers = [json.dumps({"files": files}).encode()] * 4 + [b"<html>"]
-    monkeypatch.setattr(release.urllib.request, "urlopen", lambda *_, **__: io.BytesIO(answers.pop(0)))
+    monkeypatch.setattr("urllib.request.urlopen", lambda *_, **__: io.BytesIO(answers.pop(0)))
     monkeypatch.setattr(release, "_index_dates", release._index_dates.__wrapped__)
     assert [*map(str, releases_of("newton"))] == ["1.2.0", "1.9.0", "1.10.0", "1.11.0"]
     assert [*map(str, releases_between(read_label("1.2"), read_label("1.11")))] == ["1.9.0", "1.10.0"]
-    assert release_date.__wrapped__(read_label("1.9")) == "2026-11-11" != release_date.__wrapped__(read_label("1.8"))
+    assert release_date(read_label("1.9")) == "2026-11-11" != release_date(read_label("1.8"))
     assert releases_of("newton") == []
 
 

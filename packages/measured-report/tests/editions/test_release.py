@@ -52,11 +52,12 @@ def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
     clean = release_of(str(checkout))
     assert str(clean) == f"1.9.0.dev0+g{commit}" and clean.date
     (checkout / "newton/__init__.py").write_text("x = 2\n")
-    release_of.cache_clear()
-    edited, source = release_of(str(checkout)), identity.checkout_source(checkout)
+    edited, source = release_of(str(checkout)), identity.checkout_source(checkout, "newton")
     assert str(edited) == f"1.9.0.dev0+g{commit}.edited"
     (checkout / "newton/__init__.py").write_text("x = 3\n")
-    assert identity.checkout_source(checkout) != source and environment_of(edited, ROOT) == environment_of(clean, ROOT)
+    assert identity.checkout_source(checkout, "newton") != source and environment_of(edited, ROOT) == environment_of(
+        clean, ROOT
+    )
 
 
 def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
@@ -153,7 +154,6 @@ def test_a_measurement_refuses_what_is_not_installed():
 
 def test_edited_code_is_stale(toy, checkout):
     (checkout / "newton/__init__.py").write_text("x = 2\n")
-    release_of.cache_clear()
     release = release_of(str(checkout))
     edited = toy.of(str(release))
     edited.project.results.mkdir(parents=True)

@@ -42,7 +42,7 @@ TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
 def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
     (tmp_path / "report.toml").write_text(TEXT.replace(old, new, 1))
     with pytest.raises(ReportError, match=f"^report.toml: {said}") as error:
-        _ = Report(tmp_path).config
+        _ = Report(tmp_path).settings
     assert "\n" not in str(error.value)
 
 

@@ -5,7 +5,6 @@ import json
 import os
 import re
 import resource
-import shutil
 from argparse import Namespace
 
 import pytest
@@ -15,12 +14,12 @@ from measured_report.changes.compare import faults_of
 from measured_report.commands import page, status
 from measured_report.editions.project import Manifest, write_manifest
 from measured_report.editions.release import release_of
-from measured_report.files.atomic import RecordError, recover
+from measured_report.files.atomic import RecordError
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.findings.editions import derive_edition
 from measured_report.records import traces
-from measured_report.records.record import load_record, trace_path, write_record
+from measured_report.records.record import trace_path, write_record
 from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.records.traces import load_trace
 from measured_report.site.check import check_site
@@ -114,32 +113,6 @@ def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_i
     [line] = capsys.readouterr().err.splitlines()
     assert line.startswith("not shown: templates/front.md.j2:3: 'str object' has no attribute")
     assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page
-
-
-WHOLE_DAMAGES = {
-    "text": lambda whole: (whole / "toy.json").write_text("{"),
-    "deep": lambda whole: (whole / "toy.json").write_text("[" * 100_000),
-    "pipe": lambda whole: ((whole / "toy.json").unlink(), os.mkfifo(whole / "toy.json")),
-    "link": lambda whole: ((whole / "toy.json").unlink(), (whole / "toy.json").symlink_to(whole.parent / "toy.json")),
-    "other": lambda whole: (whole / "noise.json").write_text("{}"),
-    "trace": lambda whole: (whole / "toy.stiff.csv.gz").write_bytes(b"x"),
-    "empty": lambda whole: [path.unlink() for path in whole.iterdir()],
-}
-
-
-@pytest.mark.parametrize("damage_to", WHOLE_DAMAGES.values(), ids=WHOLE_DAMAGES)
-def test_finding_5_what_waits_to_be_put_in_place_is_read_before_it_is_believed(toy, damage_to):
-    folder = toy.record_path.parent
-    before = {path.name: path.read_bytes() for path in folder.iterdir()}
-    whole = folder / ".toy.whole"
-    shutil.copytree(folder, whole, ignore=shutil.ignore_patterns(".toy.whole"))
-    damage_to(whole)
-    [said] = recover(folder.parent, load_record)
-    assert said.startswith("damaged: ") and said.endswith("is at newton-1.4.0/.toy.damaged") and "\n" not in said
-    assert {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()} == before
-    assert recover(folder.parent, load_record) == []
-    write_record(toy.record_path, toy.record())
-    assert load_record(toy.record_path)
 
 
 ODD = {

@@ -18,10 +18,11 @@ pytest.importorskip("distributed", reason="make test installs the extra that has
 import dask
 from distributed import Client, Security
 
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.measuring import cluster, section
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.cluster import cluster_pools, connected
+from measured_report.measuring.cluster import cluster_pools, connected, digest_here
 from measured_report.measuring.section import Loop
 
 SCHEDULER = """
@@ -90,7 +91,7 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler,
     whole = section_of(toy, batches.plan(str(log), "abcdef", 0.2, exclusive="cf"))
     mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
     doomed = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed")
-    with cluster_pools(scheduler, "cpu", None, 1) as pools:
+    with cluster_pools(scheduler, "cpu", None, report(), 1) as pools:
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
     reason = "die: its process was killed, and once more when it was alone"
@@ -112,8 +113,8 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler,
 )
 def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, processor, reason):
     if not processor:
-        monkeypatch.setattr(cluster, "digest_here", lambda: "0" * 64)
-    with pytest.raises(ReportError, match=reason) as error, cluster_pools(scheduler, device, processor, 1):
+        monkeypatch.setattr(cluster, "digest_here", lambda report: "0" * 64)
+    with pytest.raises(ReportError, match=reason) as error, cluster_pools(scheduler, device, processor, report(), 1):
         pass
     assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
 
@@ -124,7 +125,7 @@ def test_a_worker_that_came_later_with_other_code_or_returns_garbage_costs_its_s
     assert scheduler.startswith("tls://")
     monkeypatch.setattr(section, "measure_batch", batches.garbage)
     names = [*map(str, range(len(batches.GARBAGE)))]
-    with cluster_pools(scheduler, "cpu", None, 1) as pools:
+    with cluster_pools(scheduler, "cpu", None, report(), 1) as pools:
         assert Loop([section_of(toy, batches.single(Batch(name, id)), f"s{name}") for name in names], *pools).run()
         pools[0]._digest = "0" * 64
         assert Loop([section_of(toy, batches.single(Batch("0", id)), "later")], *pools).run()
@@ -137,34 +138,34 @@ def test_a_worker_that_came_later_with_other_code_or_returns_garbage_costs_its_s
 def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
     none = {f"distributed.comm.tls.{name}": None for name in ("ca-file", "client.key", "client.cert")}
     refused = pytest.raises(ReportError, match=r"^CLUSTER=tls://127\.0\.0\.1:1: no workers [^\n]+TLS[^\n]+$")
-    with dask.config.set(none), refused, connected("tls://127.0.0.1:1", "cpu"):
+    with dask.config.set(none), refused, connected("tls://127.0.0.1:1", "cpu", report()):
         pass
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGSTOP])
-def test_a_scheduler_that_ends_or_answers_no_more_is_noticed(outside, toy, monkeypatch, stop, capfd):
-    monkeypatch.setattr(cluster, "SILENT_S", 5.0)
-    with started(outside, 1) as process:
+def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
+    settings = dask.config.set({"distributed.comm.timeouts.connect": "1s"})
+    with settings, started(outside, 1) as process:
         address = process.stdout.readline().strip()
         lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
-        with lacks, cluster_pools(address, "cpu", None, 1):
+        with lacks, cluster_pools(address, "cpu", None, report(), 1):
             pass
         gone = pytest.raises(ReportError, match="the scheduler is gone; what is finished is kept")
-        with gone, connected(address, "cpu") as client:
-            pools = [cluster.ClusterPool(client, resource) for resource in ("shared", "exclusive")]
-            Loop([section_of(toy, batches.single(Batch("end", os.kill, (process.pid, stop))))], *pools).run()
-        monkeypatch.setattr(cluster, "CONNECT_S", 0.5)
+        with gone, connected(address, "cpu", report()) as client:
+            pools = [
+                cluster.ClusterPool(client, resource, digest_here(report())) for resource in ("shared", "exclusive")
+            ]
+            batch = Batch("end", os.kill, (process.pid, signal.SIGKILL))
+            Loop([section_of(toy, batches.single(batch))], *pools).run()
         unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
-        with unreachable, connected(address, "cpu"):
+        with unreachable, connected(address, "cpu", report()):
             pass
-        process.kill()
         process.wait()
     assert not re.search("Traceback|ERROR", capfd.readouterr().err)
 
 
 def test_finding_6_only_who_has_the_key_of_the_run_is_let_in():
-    with connected("local", "cpu", 1) as client:
+    with connected("local", "cpu", report()) as client:
         client.wait_for_workers(2, timeout=30.0)
         assert client.submit(os.getpid, resources={"exclusive": 1}).result() != os.getpid()
         addresses = [client.scheduler.address, *client.nthreads()]

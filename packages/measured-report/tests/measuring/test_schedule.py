@@ -9,6 +9,7 @@ import pytest
 from batches import all_of, section_of
 
 from measured_report.editions.project import Project
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, Result
@@ -83,9 +84,9 @@ def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
     row = {"way_mm": 1e11, "pause_s": -1.0, "far_mm": np.float32("nan"), "pull_n": None, "ratio": None, "load_kg": 0.0}
     lost = ("way_mm", "pause_s", "far_mm", "pull_n")
     reasons = {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
-    assert believable(row) == {**row, **dict.fromkeys(lost), **reasons}
+    assert believable(row, report().columns) == {**row, **dict.fromkeys(lost), **reasons}
     with pytest.raises(ReportError, match=r"the column 'Way \[mm\]' is not called in small letters"):
-        believable({"Way [mm]": 1.0})
+        believable({"Way [mm]": 1.0}, report().columns)
 
 
 def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):

@@ -14,10 +14,12 @@ import batches
 import numpy as np
 import pytest
 from batches import begun, rows_of, running, section_of
+from toys import program
 
 from measured_report.files.errors import ReportError
 from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
+from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.run import section_module
 from measured_report.measuring.section import Loop
@@ -26,7 +28,7 @@ from measured_report.records.record import load_record
 
 def fails(*sections, count: int = 1) -> bool:
     """Measure sections; whether one fails."""
-    with host_pools(count) as pools:
+    with host_pools(count, {}) as pools:
         return Loop(sections, *pools).run()
 
 
@@ -139,13 +141,14 @@ from types import SimpleNamespace
 from measured_report.editions.project import Project
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.section import Loop
+from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 root, log = sys.argv[1:]
 toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
 slow = batches.single(Batch("slow", batches.work, (log, "slow", 600.0)))
-with host_pools(2) as pools:
+with host_pools(2, {}) as pools:
     Loop([batches.section_of(toy, batches.plan(log, "ab")), batches.section_of(toy, slow, "slow")], *pools).run()
 """
 
@@ -172,3 +175,40 @@ def test_a_section_that_cannot_be_imported_is_one_line(tmp_path, monkeypatch):
     monkeypatch.setattr(importlib.import_module("experiments"), "__path__", [str(tmp_path)])
     with pytest.raises(ReportError, match=r"^broken.py:2: ModuleNotFoundError: No module named 'nothing'$"):
         section_module("broken")
+
+
+MEANWHILE = """
+from dataclasses import replace
+from pathlib import Path
+
+from measured_report.measuring.measurement import Measurement
+from measured_report.records.record import load_record, write_record
+
+
+def measure(conditions):
+    {}
+    return Measurement([{{"case": "a", "slip_mm": 1.0}}])
+"""
+EDIT = 'Path(__file__).write_text(Path(__file__).read_text().replace("1.0", "2.0"))'
+IMPORT = 'scene = Path(__file__).with_name("scene.py"); scene.write_text(scene.read_text() + "LATER = 1")'
+NEWER = """path = Path("results/newton-1.4.0/toy.json").resolve()
+    write_record(path, replace(load_record(path), rows=[{"case": "newer", "slip_mm": 9.0}]))"""
+
+
+@pytest.mark.parametrize(
+    ("event", "reason", "case"),
+    [
+        (EDIT, "the code of toy changed meanwhile: nothing was written", "soft"),
+        (f"from experiments.scene import slip; {IMPORT}", "the code of toy changed meanwhile", "soft"),
+        (NEWER, "newton-1.4.0/toy.json was written by another command meanwhile", "newer"),
+    ],
+    ids=["its module", "a module that it imports", "a newer record"],
+)
+def test_what_changes_while_a_section_runs_is_seen_and_nothing_is_written(toy, event, reason, case):
+    toy.write("experiments/toy.py", MEANWHILE.format(event))
+    done = program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root)
+    assert done.returncode == 1 and reason in done.stderr and len(done.stderr.splitlines()) == 1
+    assert rows_of(toy)[0]["case"] == case
+    toy.write("experiments/toy.py", MEANWHILE.format("pass"))
+    assert program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root).returncode == 0
+    assert rows_of(toy)[0]["case"] == "a"

@@ -8,6 +8,7 @@ import pytest
 from damage import unsealed
 
 from measured_report.files.atomic import RecordError
+from measured_report.files.config import report
 from measured_report.measuring.section import believable
 from measured_report.records.columns import column_of, number_problem, units_of
 from measured_report.records.record import load_record, trace_path, write_record
@@ -75,7 +76,10 @@ def test_numbers_have_units_signs_and_reasons():
     assert number_problem("growth_per_s", -0.003) == number_problem("left_out_z_m_s", -0.1) == ""
     assert "from 0 to" in number_problem("cycles_per_s", -1.0)
     row = {"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}
-    assert believable(row) == row | {"growth_mm": None, "growth_mm_reason": "the measurement gave nan"}
+    assert believable(row, report().columns) == row | {
+        "growth_mm": None,
+        "growth_mm_reason": "the measurement gave nan",
+    }
 
 
 def test_traces_are_the_same_bytes_for_the_same_numbers_and_go_with_their_cases(toy):

@@ -1,0 +1,217 @@
+"""Columns: what is known of the numbers in a column: the end of its name is their unit, the rest in ``report.toml``."""
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import MISSING, dataclass, fields, is_dataclass
+from functools import cache, cached_property
+from itertools import chain
+from typing import Any, TypeGuard
+
+from measured_report.files.errors import UNPRINTABLE, ReportError
+from measured_report.files.settings import FILE, ColumnTraits, Config, module_named
+
+_LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
+_TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
+_OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "count": "1"}
+SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|cm|min|h|°C?|%|1|dB)[²³]?")
+"""A unit that nobody declares; several make one with ``/`` and ``·``. Numbers are never converted, so this is all."""
+PLAIN = "1"  # the unit of a number whose column names none
+LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}
+"""The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
+NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}  # units of numbers that have no sign
+REASON = "_reason"
+UNBELIEVED = "the measurement gave "  # begins the reason of a number that no record may hold, as one that is not finite
+TEXT_LIMIT = 4096
+
+
+@dataclass(frozen=True, kw_only=True)
+class Column(ColumnTraits):
+    """Describes a column; what ``report.toml`` says of it is told there."""
+
+    name: str
+    unit: str  # `1` where the name says none
+    words: str  # its name in words, without the unit
+    least: float  # of the numbers that are believed, as the next
+    largest: float
+    kinds: frozenset[str]
+
+    @cached_property
+    def is_setting(self) -> bool:
+        """Tell whether it was set before a run: a parameter of a case, or how much was run."""
+        return not self.kinds.isdisjoint(("parameter", "setting"))
+
+    @cached_property
+    def is_exact(self) -> bool:
+        """Tell whether it holds what was set, or made from that alone, and so has no noise."""
+        return self.is_setting or "computed" in self.kinds
+
+    @property
+    def is_cost(self) -> bool:
+        """Tell whether its numbers are of the machine: times, rates, bytes."""
+        return "cost" in self.kinds
+
+
+class Schema:
+    """Describes the columns of a report: ``schema["depth_mm"]`` is a `Column`.
+
+    Args:
+        settings: the settings of ``report.toml``, which declare what a name does not tell.
+        parameters: the parameters of a case with their defaults, ``MISSING`` for one that has none.
+    """
+
+    def __init__(self, settings: Config, parameters: Mapping[str, Any]):
+        self.settings = settings
+        self.parameters = parameters
+        self._columns: dict[str, Column] = {}
+        known = _LENGTHS | _TIMES | _OTHERS
+        for end, unit in settings.units.items():
+            if not unit or known.get(end, unit) != unit:
+                raise ReportError(f"{FILE}: units has {end}, which is {known.get(end, 'empty')}: take another end")
+        self.units: Mapping[str, str] = known | dict(settings.units)
+        """The unit by the end of a column's name; the longest end that fits counts."""
+
+    def __getitem__(self, name: str) -> Column:
+        if name not in self._columns:
+            self._columns[name] = self._column(name)
+        return self._columns[name]
+
+    def _column(self, name: str) -> Column:
+        declared = [
+            table for table in self.settings.columns if name in table.names or re.fullmatch(table.pattern, name)
+        ]
+        if len({table.better for table in declared if name in table.names} - {""}) > 1:
+            raise ReportError(f"{FILE}: column {name} is listed both as lower-is-better and as higher-is-better")
+        unit = self._unit(name)
+        largest = LARGEST.get(unit, 1e18)
+        signed = next((table.signed for table in declared if table.signed is not None), unit not in NEVER_NEGATIVE)
+        kinds = {table.kind for table in declared if table.kind}
+        if name in self.parameters:
+            kinds.add("parameter")
+        traits = {}
+        for table in reversed(declared):
+            for field in fields(ColumnTraits):
+                if value := getattr(table, field.name):
+                    traits[field.name] = value
+        return Column(
+            name=name,
+            unit=unit,
+            words=self._words(name, unit),
+            least=-largest if signed else 0.0,
+            largest=largest,
+            kinds=frozenset(kinds),
+            **traits,
+        )
+
+    def _unit(self, name: str) -> str:
+        """Return the unit that the longest known end of a name stands for, without an end like ``_p95``."""
+        pieces = re.sub("_p[0-9]+$", "", name).split("_")
+        ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
+        return next((self.units[end] for end in ends if end in self.units), PLAIN)
+
+    def _words(self, name: str, unit: str) -> str:
+        ends = [end for end in self.units if self.units[end] == unit != PLAIN and name.endswith(f"_{end}")]
+        return name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
+
+    def is_unit(self, text: str) -> bool:
+        """Tell whether a text is a unit: a known one, or known ones with ``/`` and ``·`` between them."""
+        unknown = {factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)}
+        declared = {factor for unit in self.units.values() for factor in (unit, *re.split("[/·]", unit))}
+        return unknown <= declared
+
+    def changed_parameters(self, row: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the parameters of a row's case that differ from their defaults."""
+        return {name: cell for name, cell in row.items() if self.parameters.get(name, MISSING) not in (MISSING, cell)}
+
+    def number_of(self, column: str, row: Mapping[str, Any]) -> Any:
+        """Return a cell of a row, None for a number that does not exist because the run failed."""
+        return None if row.get(self[column].unless) else row[column]
+
+    def units_of(self, rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
+        """Return the units of the columns that hold numbers, missing ones included."""
+        columns = columns_of(rows)
+        numeric = {name for row in rows for name, cell in row.items() if is_number(cell)}
+        names = [name for name in columns if name in numeric]
+        names += [name.removesuffix(REASON) for name in columns if name.endswith(REASON)]
+        return {name: self[name].unit for name in names}
+
+    def number_problem(self, name: str, value: int | float) -> str:
+        """Say what is wrong with a number in the column ``name``; empty when nothing is."""
+        column = self[name]
+        if column.least <= value <= column.largest:
+            return ""
+        return f"is {value!r:.20}, and no number from {column.least:g} to {column.largest:g}"
+
+    def refuse_mixed(self, rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]) -> None:
+        """Raise ValueError unless units are those of the columns' names, and a column holds one kind of thing."""
+        units = self.units_of(rows)
+        for name in sorted({*units, *noted}):
+            if noted.get(name) != units.get(name):
+                raise ValueError(
+                    f"the unit of {name} is given as {noted.get(name)}, and its name says {units.get(name)}"
+                )
+        for name in columns_of(rows):
+            holding = [row for row in rows if name in row]
+            types = {type(row[name]) for row in holding} - {int, float, type(None)}
+            if types and (name in units or self[name].unit != PLAIN):
+                raise ValueError(f"{name} is not all numbers")
+            if len(types) > 1:
+                raise ValueError(f"{name} is text in one row and yes or no in another")
+            if name not in units:
+                continue
+            if not all(row.get(name + REASON) for row in holding if row[name] is None):
+                raise ValueError(f"{name} is null without a {name}{REASON}")
+            numbers = [row[name] for row in holding if row[name] is not None]
+            for number in (min(numbers), max(numbers)) if numbers else ():
+                if problem := self.number_problem(name, number):
+                    raise ValueError(f"{name} {problem}")
+
+
+def case_parameters(settings: Config) -> Mapping[str, Any]:
+    """Return the fields of the dataclass that ``case`` names and their defaults, ``MISSING`` for one without."""
+    if not settings.case:
+        return {}
+    module, _, name = settings.case.partition(":")
+    case = getattr(module_named("case", module), name, None)
+    if not is_dataclass(case):
+        raise ReportError(f"{FILE}: case = {settings.case!r}: there is no such dataclass")
+    return {field.name: field.default for field in fields(case)}
+
+
+def unlike(units: Iterable[str]) -> list[str]:
+    """Return two units of one kind that are not the same, as ms and s are; nothing where there are none."""
+    kinds: dict[str, str] = {}
+    for unit in units:
+        kind = re.sub(r"(?<![^/·])[nµmkMGT](?=(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)(?![a-zA-Z]))", "", unit)
+        if kinds.setdefault(kind, unit) != unit:
+            return [kinds[kind], unit]
+    return []
+
+
+def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Name all columns, in the order in which the rows have them."""
+    return list(dict.fromkeys(chain.from_iterable(rows)))
+
+
+def is_number(value: Any) -> TypeGuard[int | float]:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def plain(cell: Any, name: str) -> Any:
+    """Return a cell as Python has it where it is NumPy's; ReportError for what no record may hold."""
+    value = cell.item() if getattr(cell, "ndim", None) == 0 else cell
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    raise ReportError(f"the column {name} has {value!r:.80}, which is no number, text, yes or no")
+
+
+def name_problem(text: str) -> str:
+    """Say what is wrong with a text that is printed as a part of a line; empty when nothing is."""
+    return text_problem(text) or ("has a tab or more than one line" if re.search(r"[\n\t]", text) else "")
+
+
+@cache
+def text_problem(text: str) -> str:
+    if len(text) > TEXT_LIMIT:
+        return f"is a text of more than {TEXT_LIMIT} characters"
+    match = UNPRINTABLE.search(text)
+    return f"has the character U+{ord(match[0][0]):04X}, which is no text" if match else ""

@@ -1,0 +1,63 @@
+"""Git: asked without the settings of a hook that may have started this program, and without running hooks itself."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+from measured_report.files.errors import UsageError
+
+KEPT = ("GIT_SSH", "GIT_SSH_COMMAND", "GIT_ASKPASS", "GIT_CONFIG_GLOBAL", "GIT_CONFIG_NOSYSTEM")
+"""Variables that say how a user reaches other hosts. All others that begin with GIT_ name a repository or its index."""
+ALONE = ("core.hooksPath=/dev/null", "core.fsmonitor=false")
+QUIET = {"GIT_OPTIONAL_LOCKS": "0", "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C"}
+
+
+ORIGIN = re.compile(r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?")
+"""An address of git's origin that is one on the web too: host and path."""
+
+
+class GitError(UsageError):
+    """Holds the first line of the message with which git failed."""
+
+
+def environment(**settings: str) -> dict[str, str]:
+    """Return the environment for git and for programs that call it."""
+    kept = {name: value for name, value in os.environ.items() if name in KEPT or not name.startswith("GIT_")}
+    return kept | QUIET | settings
+
+
+def run_git(folder: Path, *command: str, **settings: str) -> str:
+    """Return the output of git in a folder; GitError if it fails."""
+    options = [option for setting in ALONE for option in ("-c", setting)]
+    try:
+        process = subprocess.run(
+            ["git", "-C", folder, *options, *command],
+            input="",
+            capture_output=True,
+            text=True,
+            errors="replace",
+            env=environment(**settings),
+            check=False,
+        )
+    except FileNotFoundError:
+        raise GitError("git is not installed; install it") from None
+    if process.returncode:
+        lines = filter(None, map(str.strip, process.stderr.splitlines()))
+        message = next(lines, f"exit status {process.returncode}")
+        raise GitError(f"git: {message}")
+    return process.stdout.strip()
+
+
+def git(folder: Path, *command: str) -> str:
+    """Return the output of git in a folder; nothing if it fails, for example outside of a repository."""
+    try:
+        return run_git(folder, *command)
+    except GitError:
+        return ""
+
+
+def web_address(folder: Path) -> str:
+    """Return the page of a repository's origin on the web, without credentials; empty if it has none."""
+    origin = ORIGIN.fullmatch(git(folder, "remote", "get-url", "origin"))
+    return f"https://{origin[1]}/{origin[2]}" if origin else ""
