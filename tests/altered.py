@@ -20,11 +20,10 @@ from markupsafe import Markup
 
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
-from measured_report.findings.cache import DerivedCache
 from measured_report.findings.editions import Edition
-from measured_report.pages.editions import worded_editions
 from measured_report.pages.prose import Templates
-from measured_report.parts.section import Pictures
+from measured_report.pages.wording import worded_editions
+from measured_report.parts.macros import Picture
 from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.record import Record, load_record, record_text
 from measured_report.site.build import build
@@ -262,19 +261,14 @@ def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
     """What claims of the own release say in a scenario, and what a check of its site, without drawings, finds."""
     own = own_release()
     with project_of(scenario, [own, NEWEST] if scenario.name == CHECKED else [own]) as project:
-        derived = DerivedCache(project.root)
-        found = said_of(worded_editions(project, TEMPLATES, derived), own)
-        if scenario.name != CHECKED:
-            return found, []
-        derived.keep({})
-        with mock.patch("measured_report.site.pages.forked", _undrawn):  # most of the time goes into them
+        with mock.patch("measured_report.parts.figures.draw_svgs", _undrawn):  # most of the time goes into them
+            found = said_of(worded_editions(project, TEMPLATES), own)
+            if scenario.name != CHECKED:
+                return found, []
             editions = build(project)
         lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
         return found, [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)
 
 
-UNDRAWN = Markup('<svg class="broad" viewBox="0 0 1 1" role="img"></svg>')
-
-
-def _undrawn(_: Callable[[int], Pictures], count: int) -> list[Pictures]:
-    return [(UNDRAWN, UNDRAWN)] * count
+def _undrawn(draw: Callable[[], object], *, name: str) -> list[Picture]:
+    return [Picture(kind, "0 0 1 1", Markup("")) for kind in ("broad", "narrow")]

@@ -17,10 +17,10 @@ from measured_report.editions.project import Project, own_release
 from measured_report.files.atomic import replace, staging_folder
 from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
-from measured_report.findings.cache import DerivedCache
 from measured_report.findings.editions import Edition
-from measured_report.pages.editions import WordedEdition, worded_editions
-from measured_report.pages.prose import Prose, Templates
+from measured_report.pages.prose import Templates
+from measured_report.pages.wording import worded_editions
+from measured_report.parts.prose import Prose
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.identity import package_versions
@@ -97,11 +97,11 @@ def site(tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def editions(site) -> Mapping[str, WordedEdition]:
+def editions(site) -> Mapping[str, Edition]:
     """What the tracked results of every release make, as it was kept when their site was built."""
     project = Project(own_release(), root=site.parent)
     with cached_sources():
-        return worded_editions(project, Templates(project.templates), DerivedCache(project.root))
+        return worded_editions(project, Templates(project.templates))
 
 
 @pytest.fixture(scope="module")

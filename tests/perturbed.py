@@ -111,8 +111,8 @@ class Perturbation:
 
     def worded(self, section: Section, name: str) -> Section:
         """The same with all of its words, which take as long."""
-        text = self.templates.text(f"sections/{name}.md.j2")
-        return section.worded(name, text.name, text.words)
+        template = f"sections/{name}.md.j2"
+        return section.worded(name, template, self.templates.words(template))
 
     def says_before(self, release: str, section: str, claim: Claim) -> bool:
         """Whether a release that is told before this one answers so too: of the same numbers, in the same words."""

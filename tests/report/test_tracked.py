@@ -59,7 +59,7 @@ def test_every_outcome_of_every_claim_can_be_said(editions):
     """A wording that names a number it does not have would fail only when the claim flips."""
     chapters = {release: edition.chapters for release, edition in editions.items()}
     words = {
-        name: Templates(ROOT / "templates").text(f"{name}.md.j2").words
+        name: Templates(ROOT / "templates").words(f"{name}.md.j2")
         for name in ("story", "investigation")
     }
     for release in editions:

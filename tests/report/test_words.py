@@ -15,12 +15,11 @@ pytestmark = pytest.mark.words
 
 def test_what_is_stated_is_still_in_the_package():
     for name, reference in references(ROOT / "templates").items():
-        if reference.package and version(reference.package) == reference.version:
-            file = Path(find_spec(reference.package).origin).parent / reference.file
-            assert (
-                reference.excerpt
-                in file.read_text(encoding="utf-8").splitlines()[reference.line - 1]
-            ), name
+        package = reference["package"]
+        if package and version(package) == reference["version"]:
+            file = Path(find_spec(package).origin).parent / reference["file"]
+            lines = file.read_text(encoding="utf-8").splitlines()
+            assert reference["excerpt"] in lines[reference["line"] - 1], name
 
 
 FAILING = re.compile(

@@ -14,8 +14,8 @@ from toys import link
 from measured_report.editions.project import Project
 from measured_report.files.root import ROOT
 from measured_report.findings.editions import derive_edition
-from measured_report.pages.editions import give_words
 from measured_report.pages.prose import Templates
+from measured_report.pages.wording import give_words
 from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.media.packed import packed_runs
@@ -37,7 +37,8 @@ def project(poses_path) -> Project:
 @pytest.fixture(scope="module")
 def page(project) -> str:
     templates = Templates(project.templates)
-    edition = give_words(derive_edition(project), templates)
+    edition = derive_edition(project)
+    give_words(edition, templates)
     return replay_page(
         project, edition.chapters["poses"], Plugins(edition).replay, None, templates, ""
     )

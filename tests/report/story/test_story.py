@@ -327,7 +327,7 @@ def test_with_nothing_to_change_nothing_is_to_be_taken(editions, templates):
     found["reproduction"] = with_cells(
         found["reproduction"], "slip_mm", {"as-shipped": 0.05}
     )
-    words = templates.text("story.md.j2").words
+    words = templates.words("story.md.j2")
     for claim in advised(found):
         assert "take" not in replace(claim, wording=words["claim", claim.name]).text
 

@@ -97,7 +97,7 @@ def gaps(edition: Edition) -> list[str]:
             if not figure.sources:
                 lines.append(f"{name}: the figure {key} has no sources")
         for claim in chapter.section.claims:
-            for number in claim.unread:
+            for number in claim.unread(edition.report.columns):
                 lines.append(f"{name}.{claim.name} prints {number}, which its test has not read")
             outcome = claim.outcome
             is_near = outcome.is_inconclusive or outcome == WITHIN

@@ -8,7 +8,7 @@ from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.site.check_numbers import Data
 
-data_of = cache(Data)
+data_of = cache(lambda folder: Data(folder, report()))
 
 
 def main() -> int:

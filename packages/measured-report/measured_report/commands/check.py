@@ -6,7 +6,7 @@ from measured_report.commands.options import Arguments, refuse_unmeasured, share
 from measured_report.commands.page import say_damage
 from measured_report.editions.project import Project
 from measured_report.findings.editions import editions_of
-from measured_report.pages.editions import sentences_of
+from measured_report.pages.wording import sentences_of
 
 STRICT = {"action": "store_true", "help": "1: end with status 1 when anything can't be trusted"}
 OPTIONS = {**shared("edition", "profile", "format"), "strict": STRICT}

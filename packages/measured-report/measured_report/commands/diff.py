@@ -9,9 +9,8 @@ from measured_report.commands.options import (
     shared,
 )
 from measured_report.editions.project import Project
-from measured_report.findings.cache import DerivedCache
 from measured_report.findings.editions import derive_edition
-from measured_report.pages.editions import sentences_of
+from measured_report.pages.wording import sentences_of
 
 OPTIONS = shared("a", "b", "profile", "format")
 
@@ -23,9 +22,7 @@ def run(project: Project, arguments: Arguments) -> int:
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
     # Each by itself: what compares releases says nothing of one of them.
-    before, after = (
-        derive_edition(project.of(name), DerivedCache(project.root)) for name in names
-    )
+    before, after = (derive_edition(project.of(name)) for name in names)
     comparison = compare(before, after)
     rate = rate_of(before) + rate_of(after)
     print(diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project)))

@@ -16,9 +16,10 @@ from measured_report.commands import audit
 from measured_report.commands.reference import FILE, reference
 from measured_report.editions.release import VERSION, releases_of
 from measured_report.files.atomic import write_file
-from measured_report.files.config import Config
+from measured_report.files.config import report_in
 from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError
 from measured_report.files.git import git
+from measured_report.files.settings import Config
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
 # The folders below that a report has one of, and what it is then called.
@@ -61,7 +62,7 @@ def new(folder: Path, package: str = "", title: str = "") -> None:
     marks = {"@PACKAGE@": name, "@VERSION@": version, "@OPTION@": Config(edition=name).option}
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, kind, {**marks, "@TITLE@": title or KINDS[kind].format(name)})
-    write_file(folder / FILE, reference())
+    write_file(folder / FILE, reference(report_in(folder)))
     way = shlex.quote(os.path.relpath(folder))
     print(f"wrote {folder}; cd {way} && make report measures, and builds site/index.html")
 

@@ -5,9 +5,9 @@ import sys
 from collections.abc import Iterable
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
+from measured_report.editions.kind import Kind
 from measured_report.editions.project import Project
-from measured_report.editions.status import NOT_SHOWN, State
-from measured_report.measuring.accelerator import accelerator
+from measured_report.editions.status import State
 from measured_report.measuring.machine import needs_device
 from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections
@@ -27,8 +27,9 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     gc.disable()  # a build keeps what it makes, and is a tenth faster so
     releases = build(project, address)
     built, measurable = releases[project.release], sections(project.root)
-    missing = [state.section for state in built.left_out if state.kind == "missing"]
-    damaged = [state.section for state in built.left_out if state.kind not in ("missing", NOT_SHOWN)]
+    missing = [state.section for state in built.left_out if state.kind == Kind.MISSING]
+    whole = (Kind.MISSING, Kind.NOT_SHOWN)
+    damaged = [state.section for state in built.left_out if state.kind not in whole]
     lacking = [name for name in (*missing, *damaged, *built.stale) if name in measurable]
     for label, names in (("not measured", missing), ("stale", built.stale)):
         if names:
@@ -36,8 +37,9 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     if lacking:
         # A CPU's results never stand with those of an accelerator.
         takes_card = needs_device(lacking[0], project) and any(machines_besides(project, "cpu"))
-        on = f" on a {accelerator().NOUN}"
-        device = None if accelerator().accelerators() or takes_card else "cpu"
+        accelerator = project.report.accelerator
+        on = f" on a {accelerator.NOUN}"
+        device = None if accelerator.accelerators() or takes_card else "cpu"
         print(f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}")
     for note in (*built.gaps, *built.notes):
         print(note)
@@ -47,7 +49,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
 
 def say_damage(states: Iterable[State]) -> bool:
     """Name each record that can't be trusted, or not be shown; return whether there is one."""
-    faulty = [state for state in states if state.kind in ("damaged", NOT_SHOWN)]
+    faulty = [state for state in states if state.kind in (Kind.DAMAGED, Kind.NOT_SHOWN)]
     for state in faulty:
         print(f"{state.kind}: {state.words}", file=sys.stderr)
     return bool(faulty)

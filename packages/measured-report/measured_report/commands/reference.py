@@ -8,7 +8,7 @@ from typing import Any
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
 from measured_report.files.atomic import write_file
-from measured_report.records.columns import units
+from measured_report.files.config import Report
 
 FILE = "REFERENCE.md"
 GENERATOR = Path(__file__).parents[1]
@@ -29,12 +29,12 @@ HANDED = "values/"  # begins the modules whose classes a report is handed, so th
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    write_file(project.root / FILE, reference())
+    write_file(project.root / FILE, reference(project.report))
     print(f"wrote {FILE}")
     return 0
 
 
-def reference() -> str:
+def reference(report: Report) -> str:
     parts = ["# Reference", "Made from what the generator says of itself; `make reference` makes it anew."]
     for module, names in NAMES.items():
         text = (GENERATOR / f"{module}.py").read_text(encoding="utf-8")
@@ -42,7 +42,7 @@ def reference() -> str:
         title, _, description = (ast.get_docstring(tree) or "").partition("\n")
         entries = _entries(text.splitlines(), tree.body, names.split(), ast.FunctionDef if HANDED in module else ())
         parts += [f"## {title.rstrip('.')}", description.strip("\n"), *entries]
-    ends = ", ".join(f"`_{end}` {unit}" for end, unit in units().items())
+    ends = ", ".join(f"`_{end}` {unit}" for end, unit in report.columns.units.items())
     return "\n\n".join(filter(None, [*parts, "## Units by the end of a column's name", ends]))
 
 

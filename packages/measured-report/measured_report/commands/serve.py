@@ -16,7 +16,6 @@ from typing import Any
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import INPUTS, Project
-from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 
 PORT = {"type": int, "default": 8000, "help": "where to serve, 8000 if not given"}
@@ -27,7 +26,7 @@ def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     server = Server(project.site, arguments.port)
     print(f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True)
-    options = [f"--{config().flag}", arguments.release.asked, "--profile", project.profile]
+    options = [f"--{project.report.settings.flag}", arguments.release.asked, "--profile", project.profile]
     command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
     folders = [project.root / name for name in INPUTS]
     server.follow(folders, partial(subprocess.run, command, cwd=project.root, check=False))

@@ -30,7 +30,7 @@ from measured_report.findings.editions import Edition, derive_edition, editions_
 from measured_report.measuring.accelerator import lacks
 from measured_report.measuring.machine import machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
-from measured_report.pages.editions import sentences_of
+from measured_report.pages.wording import sentences_of
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import package_changes, sections
 from measured_report.records.replicas import FOLDER, archive_of

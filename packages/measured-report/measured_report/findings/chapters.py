@@ -1,11 +1,14 @@
-"""Chapters: what a section of one release makes of its record."""
+"""Chapters: one section of one edition, from its record to its words."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from itertools import takewhile
+from typing import Any
 
 from measured_report.editions.status import State
-from measured_report.files.config import Page
+from measured_report.files.settings import Page
+from measured_report.findings.sections import PACKAGE, Outline, file_of
+from measured_report.parts.prose import Prose
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import traces_of
@@ -14,20 +17,44 @@ from measured_report.values.results import Results
 
 @dataclass(frozen=True)
 class Chapter:
-    state: State
+    """Hold all of a section in one edition: each stage of a build adds its fields."""
+
+    state: State  # how its record stands to the code
+    outline: Outline
     results: Results
-    section: Section
-    page: Page
-    compares: bool  # set where it compares releases, so that what it derives is of one page alone
-    digest: str  # covers all that it was made from, where that is kept
+    key: str = ""  # digest of all that it is derived from
+    section: Section = field(default_factory=Section)  # what is derived
+    names: Mapping[str, Any] = field(default_factory=dict)  # what templates can name
+    prose: Prose | None = None  # its words, once they are said
 
     @property
     def name(self) -> str:
         return self.state.section
 
+    @property
+    def page(self) -> Page:
+        return self.outline.page
+
+    @property
+    def code(self) -> Iterator[tuple[str, int]]:
+        """Yield the file and the line of what measures it and of what derives it."""
+        packages = {"experiments": "measure", PACKAGE: "derive"}
+        for package, function in packages.items():
+            if file := file_of(package, self.name):
+                lines = file.read_text(encoding="utf-8").splitlines()
+                starts = [line.startswith(f"def {function}(") for line in lines]
+                parts = file.parts[-2 if file.name == "__init__.py" else -1 :]
+                name = "/".join([*package.split("."), *parts])
+                yield name, 1 + starts.index(True) if any(starts) else 1
+
+    @property
+    def compares(self) -> bool:
+        """Tell whether it compares releases, so that it is of one page alone."""
+        return self.outline.compares
+
 
 Chapters = Mapping[str, Chapter]
-Releases = Mapping[str, Chapters]  # the chapters of every release that has results, oldest first
+Releases = Mapping[str, Chapters]  # of every release that has results, oldest first
 
 
 def before(name: str, chapters: Chapters) -> Chapters:
@@ -35,11 +62,8 @@ def before(name: str, chapters: Chapters) -> Chapters:
     return dict(takewhile(lambda item: item[0] != name, chapters.items()))
 
 
-def digests_of(releases: Releases) -> list[str]:
-    """Name chapters by all that they were made from."""
-    return [f"{name} {chapter.name} {chapter.digest}" for name, group in releases.items() for chapter in group.values()]
-
-
 def results_digest(results: Results) -> str:
+    """Digest a record with its traces, and the edition that it is of."""
     folder = results.path.parent
-    return files_digest([results.path, *traces_of(results.path, results.record)], folder) + folder.name
+    files = [results.path, *traces_of(results.path, results.record)]
+    return files_digest(files, folder) + folder.name

@@ -1,25 +1,33 @@
-"""Editions: what every section of a release that has results comes to, without its words."""
+"""Editions: one release measured on one machine, read from disk once and derived."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
+from functools import cached_property, partial
+from importlib import import_module
+from typing import Any
 
+from measured_report.editions.kind import Kind
 from measured_report.editions.project import MANIFEST, Project, read_manifest
-from measured_report.editions.status import NOT_SHOWN, State, states_of
+from measured_report.editions.status import State, states_of
 from measured_report.files.atomic import RecordError, short_path
-from measured_report.files.config import config, module_of
+from measured_report.files.config import Page, Report, module_named
 from measured_report.files.errors import ReportError, bug_of
-from measured_report.findings.cache import Derivation, DerivedCache
+from measured_report.files.processes import forked
+from measured_report.findings.cache import DerivedCache
 from measured_report.findings.chapters import (
     Chapter,
     Chapters,
     Releases,
     before,
-    digests_of,
     results_digest,
 )
-from measured_report.findings.replicas import Measurements, measurements_of
+from measured_report.findings.replicas import (
+    Measurements,
+    measurements_of,
+    replica_files,
+)
 from measured_report.findings.sections import (
+    Outline,
     Read,
     derive_by,
     derive_section,
@@ -27,131 +35,308 @@ from measured_report.findings.sections import (
     outline_of,
 )
 from measured_report.parts.section import Section
-from measured_report.records.code import digest_of, read_source
+from measured_report.records.code import read_source
+from measured_report.records.identity import files_digest
 from measured_report.records.replicas import FOLDER
 from measured_report.values.evidence import Evidence
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, ResultsError
 
-Some = TypeVar("Some", bound="Edition")
+Derived = tuple[Section, Mapping[str, Value]]
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Edition:
-    """Hold what the results of one release make."""
+    """Hold what one release has on disk, and what is derived from it, stage by stage."""
 
     project: Project
-    chapters: Chapters
-    left_out: list[State]  # sections with results that are missing, damaged, or too old for what is derived or said
-    cache: DerivedCache = field(default_factory=DerivedCache)
+    cache: DerivedCache
+    draws: bool = False  # whether figures are drawn, and all that is derived is kept
+    root: str = ""  # the way from its pages to the root of the site
+    chapters: dict[str, Chapter] = field(default_factory=dict)  # in order
+    left_out: list[State] = field(default_factory=list)
+    """What has no record or can't be shown: sections, and replicas and texts as well."""
     measurements: Measurements = field(default_factory=Measurements)
 
+    @cached_property
+    def report(self) -> Report:
+        return self.project.report
+
     @property
-    def uncompared(self) -> Chapters:
-        """Return its chapters; of those that compare releases, and say what is so on one page alone, the results."""
-        compared = filter(lambda chapter: chapter.compares, self.chapters.values())
-        return {**self.chapters, **{chapter.name: replace(chapter, section=Section()) for chapter in compared}}
+    def folder(self) -> str:
+        """Return where its pages lie below the site."""
+        return f"{self.project.results.name}/" if self.root else ""
 
-    def with_chapters(
-        self: Some, make: Callable[[State, Chapters], Chapter], states: Iterable[State] | None = None
-    ) -> Some:
-        """Return the same with what ``make`` makes of sections, its own or others; one that it can't is left out."""
-        chapters, left_out = dict(self.chapters), list(self.left_out)
-        for state in [chapter.state for chapter in self.chapters.values()] if states is None else states:
+    @cached_property
+    def pages(self) -> dict[Page, list[Chapter]]:
+        """Return its pages with their chapters; the front page, and those that have any."""
+        chapters = list(self.chapters.values())
+        chapters.sort(key=lambda chapter: not chapter.outline.first)
+        pages = {}
+        for page in self.report.settings.pages:
+            members = [chapter for chapter in chapters if chapter.page == page]
+            if members or page == self.report.settings.front:
+                pages[page] = members
+        return pages
+
+    def address(self, page: Page) -> str:
+        """Return where its page of that name lies below the site, or else its front."""
+        shown = page if page in self.pages else self.report.settings.front
+        return self.folder + shown.file
+
+    @property
+    def measured_on(self) -> str:
+        """Return the day on which its newest record was measured; empty without any."""
+        records = (chapter.results.record for chapter in self.chapters.values())
+        return max((record.measured["date"][:10] for record in records), default="")
+
+    @cached_property
+    def plugins(self) -> Any:
+        """Return what the report shows of it besides its sections."""
+        return module_named("plugins", self.report.settings.plugins).Plugins(self)
+
+    def unmeasured(self, page: Page) -> list[State]:
+        """Return the sections of a page that have no record; of all for the front page."""
+        missing = [state for state in self.left_out if state.kind == Kind.MISSING]
+        if page == self.report.settings.front:
+            return missing
+        return [each for each in missing if self._outline_of(each.section).page == page]
+
+    @property
+    def uncompared(self) -> dict[str, Chapter]:
+        """Return its chapters, without what only one page says of all releases."""
+        return {
+            name: replace(chapter, section=Section()) if chapter.compares else chapter
+            for name, chapter in self.chapters.items()
+        }
+
+    def update(self, change: Callable[[Chapter], Chapter]) -> None:
+        """Let ``change`` make each chapter anew; one that it fails for is left out."""
+        for name, chapter in list(self.chapters.items()):
             try:
-                chapters[state.section] = make(state, chapters)
+                self.chapters[name] = change(chapter)
             except Exception as error:
-                left_out.append(_left_out(self.project, state, error))
-                chapters.pop(state.section, None)
-        return replace(self, chapters=chapters, left_out=left_out)
+                del self.chapters[name]
+                self.leave_out(chapter.state, error)
 
-    def derive(self, state: State, results: Results, chapters: Chapters, releases: Releases | None = None) -> Chapter:
-        """Derive a section of its results and of chapters before it that it reads; one that compares takes releases."""
-        outline = outline_of(state.section)
-        read = {name: chapters[name] for name in (chapters if outline.compares else outline.reads) if name in chapters}
-        others = Read(outline, {name: chapter.results for name, chapter in read.items()})
-        _ = [others.get(name) for name in outline.reads]  # which refuses one that stands after it, read or not
-        results = replace(results, others=others, label=outline.label, labels=outline.labels)
-        digest, section = results_digest(results) if self.cache.root else "", Section()
-        if releases or not outline.compares:
+    def leave_out(self, state: State, error: Exception) -> None:
+        """Note why a section can't be shown; raise what is wrong with code or words."""
+        is_fresh = state.kind == Kind.FRESH
+        is_of_record = isinstance(error, RecordError | ResultsError)
+        is_wrong = isinstance(error, ReportError) and not is_of_record
+        if is_wrong and is_fresh and self.project.is_own:
+            raise error
+        message = str(error) if isinstance(error, ReportError) else bug_of(error)
+        note = " ".join(message.split())
+        kind = Kind.NOT_SHOWN if is_fresh else state.kind
+        if isinstance(error, RecordError):
+            kind = Kind.DAMAGED
+        else:
+            path = short_path(self.project.record_path(state.section))
+            note = f"{path}: {note}"
+        self.left_out.append(replace(state, kind=kind, record=None, notes=(note,)))
 
-            def make() -> Derivation:
-                bare = replace(results, derived={})
-                return Derivation(derive_section(bare, releases or {}), bare.derived)
+    def set_keys(self, releases: Releases | None = None) -> None:
+        """Digest all that each section is derived from, those that compare by releases."""
 
-            noise = repr(results.evidence.repeats), self.measurements.digest
-            inputs = [digest, *noise, *digests_of({"": read, **(releases or {})})]
-            key = (self.project.profile, self.project.release, state.section)
-            derivation = self.cache.derived(key, outline.file, inputs, make)
-            results, section = replace(results, derived=dict(derivation.values)), derivation.section
-            digest = digest_of([derivation.digest, state.notes])
-        section = self.measurements.confirmed(state.section, section)
-        # Others read its claims, in whose outcomes replicas have a part.
-        outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
-        return Chapter(state, results, section, outline.page, outline.compares, digest_of([digest, outcomes]))
+        def with_key(chapter: Chapter) -> Chapter:
+            if releases is not None and not chapter.compares:
+                return chapter
+            read = {"": self._read_by(chapter), **(releases or {})}
+            inputs = [
+                results_digest(chapter.results),
+                self._measured,
+                *_digests_of(read),
+            ]
+            return replace(chapter, key=self.cache.key(chapter.outline.file, inputs))
+
+        self.update(with_key)
+
+    def lacks(self, *, compares: bool) -> bool:
+        """Tell whether a section that compares releases, or one of the others, isn't kept."""
+        return any(
+            chapter.compares == compares
+            and not self.cache.get(self._entry(name), chapter.key)
+            for name, chapter in self.chapters.items()
+        )
+
+    def derive(self, releases: Releases | None = None) -> None:
+        """Derive the sections that compare releases where these are given, else all others."""
+        if releases is None:
+            records = {name: each.results.record for name, each in self.chapters.items()}
+            self.measurements = measurements_of(self.project, records, self.cache)
+            for fault in self.measurements.damaged:
+                self.left_out.append(State(FOLDER, Kind.DAMAGED, notes=(fault,)))
+        self.update(partial(self._derived, releases=releases))
+
+    def _derived(self, chapter: Chapter, releases: Releases | None) -> Chapter:
+        name, outline = chapter.name, chapter.outline
+        if releases is not None and not outline.compares:
+            return chapter
+        others = {each.name: each.results for each in self._read_by(chapter).values()}
+        read = Read(outline, others)
+        for other in outline.reads:
+            if self._outline_of(other).order >= outline.order:
+                raise ReportError(
+                    f"{outline.source} reads {other}, which stands after it: "
+                    "give it a higher order"
+                )
+        evidence = self.measurements.evidence.get(name, Evidence())
+        results = replace(chapter.results, evidence=evidence, others=read, derived={})
+        chapter = replace(chapter, results=results)
+        if outline.compares and releases is None:
+            return chapter
+
+        def derive() -> Derived:
+            return derive_section(results, releases or {}), results.derived
+
+        section, values = self._kept(self._entry(name), chapter.key, name, derive)
+        results.derived.update(values)
+        section = self.measurements.confirmed(name, section)
+        return replace(chapter, section=section)
 
     def story(self, name: str, releases: Releases) -> Section:
-        """Return what ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
-        package = module_of("text_modules").__name__ if config().text_modules else ""
-        module, file = f"{package}.{name}", file_of(package, name) if package else None
-        arguments = read_source(file, name).top.get("derive", 0) if file else 0
-        if not (file and arguments):
+        """Derive what a text of a page tells: its module takes chapters or releases."""
+        package = self.report.settings.text_modules
+        if package:
+            module_named("text_modules", package)
+        file = file_of(package, name) if package else None
+        count = read_source(file, name).top.get("derive", 0) if file else 0
+        if not (file and count):
             return Section()
-        inputs = (releases, self.project.release) if arguments > 1 else (self.chapters,)
-        key = (self.project.profile, self.project.release, name)
-        digests = digests_of(releases if arguments > 1 else {"": self.chapters})
+        told = releases if count > 1 else {"": self.chapters}
+        inputs = (releases, self.project.release) if count > 1 else (self.chapters,)
+
+        def derive() -> Derived:
+            return derive_by(f"{package}.{name}", *inputs), {}
+
+        key = self.cache.key(file, _digests_of(told))
         try:
-            return self.cache.derived(key, file, digests, lambda: Derivation(derive_by(module, *inputs), {})).section
+            return self._kept(self._entry(f"{name}.text"), key, name, derive)[0]
         except Exception as error:
-            self.left_out.append(State(name, NOT_SHOWN, notes=(bug_of(error),)))
+            self.left_out.append(State(name, Kind.NOT_SHOWN, notes=(bug_of(error),)))
             return Section()
 
+    def _kept(
+        self, entry: str, key: str, anchor: str, derive: Callable[[], Derived]
+    ) -> Derived:
+        """Return a section and its values from the cache, or else derive and draw them."""
+        if kept := self.cache.get(entry, key):
+            return kept
+        section, values = derive()
+        if self.draws:
+            section = section.drawn(anchor, self.report.columns)
+            self.cache.put(entry, key, (section, values))
+        return section, values
 
-def editions_of(project: Project, cache: DerivedCache | None = None, among: Sequence[str] = ()) -> dict[str, Edition]:
+    def _entry(self, name: str) -> str:
+        return f"{self.project.profile}.{self.project.release}.{name}"
+
+    def _outline_of(self, section: str) -> Outline:
+        return outline_of(section, self.report)
+
+    def _read_by(self, chapter: Chapter) -> Chapters:
+        """Return the chapters whose results a chapter may read."""
+        others = before(chapter.name, self.chapters)
+        if chapter.compares:
+            return others
+        reads = chapter.outline.reads
+        return {name: other for name, other in others.items() if name in reads}
+
+    @cached_property
+    def _measured(self) -> str:
+        """Digest what says how noisy numbers are: replicas compare all sections."""
+        noise = self.report.settings.noise_section
+        paths = [self.project.record_path(noise)]
+        if replicas := replica_files(self.project):
+            paths += [*replicas, *map(self.project.record_path, self.chapters)]
+        return files_digest(paths, self.project.results)
+
+
+def _digests_of(releases: Releases) -> list[str]:
+    return [
+        f"{release} {chapter.name} {chapter.key} {chapter.state.notes}"
+        for release, chapters in releases.items()
+        for chapter in chapters.values()
+    ]
+
+
+def editions_of(
+    project: Project, among: Sequence[str] = (), *, draws: bool = False
+) -> dict[str, Edition]:
     """Derive what the results of every release make, oldest first; ``among``: of these alone."""
-    cache = cache or DerivedCache(project.root)
+    cache = DerivedCache(project.root, project.report)
     with project.report:
-        bare = {release: derive_edition(project.of(release), cache) for release in among or project.releases}
-        releases = {release: edition.chapters for release, edition in bare.items()}
-        return {release: _compared(edition, releases) for release, edition in bare.items()}
+        editions = {
+            release: read_edition(project.of(release), cache)
+            for release in among or project.releases
+        }
+        for release, edition in editions.items():
+            edition.draws = draws
+            edition.root = "" if release == project.release else "../"
+        _derive(editions)
+        chapters = {release: each.chapters for release, each in editions.items()}
+        _derive(editions, {name: dict(each) for name, each in chapters.items()})
+    return editions
+
+
+def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -> None:
+    """Derive editions: those of which something isn't kept side by side, which keeps it."""
+    for edition in editions.values():
+        edition.set_keys(releases)
+    lacking = [
+        edition
+        for edition in editions.values()
+        if edition.draws and edition.lacks(compares=releases is not None)
+    ]
+    lacking.sort(key=lambda edition: -len(edition.chapters))
+
+    def derive_copy(number: int) -> None:
+        edition = lacking[number]
+        copy = replace(edition, chapters=dict(edition.chapters), left_out=[])
+        copy.derive(releases)
+
+    if len(lacking) > 1:
+        for name in ("pandas", "measured_report.parts.figures"):
+            import_module(name)  # once, and not in each process
+        forked(derive_copy, len(lacking))
+    for edition in editions.values():
+        edition.derive(releases)
 
 
 def derive_edition(project: Project, cache: DerivedCache | None = None) -> Edition:
-    """Derive what the results of one release make by themselves: what compares releases has its results alone."""
-    states, cache = states_of(project), cache or DerivedCache()
-    left_out = [state for state in states if not state.record]
-    tracked = {state.section: state.record for state in states if state.record}
-    try:  # what a manifest that can't be read says is missed is missed unseen
+    """Derive one release by itself: what compares releases has its results alone."""
+    edition = read_edition(project, cache or DerivedCache(project.root, project.report))
+    edition.set_keys()
+    edition.derive()
+    return edition
+
+
+def read_edition(project: Project, cache: DerivedCache) -> Edition:
+    """Read the records of one release; those that are missing or damaged are left out."""
+    states = states_of(project)
+    edition = Edition(project, cache)
+    edition.left_out += [state for state in states if not state.record]
+    try:
         read_manifest(project.results)
     except RecordError as error:
-        left_out.append(State(MANIFEST, "damaged", notes=(str(error),)))
-    measurements = measurements_of(project, tracked, cache)
-    left_out += [State(FOLDER, "damaged", notes=(fault,)) for fault in measurements.damaged]
-    edition = Edition(project, {}, left_out, cache, measurements)
-
-    def derive(state: State, chapters: Chapters) -> Chapter:
-        assert state.record
-        evidence = measurements.evidence.get(state.section, Evidence())
-        path, columns = project.record_path(state.section), project.report.columns
-        results = Results(state.record, path, evidence=evidence, columns=columns)
-        return edition.derive(state, results, chapters)
-
-    measured = sorted(filter(lambda state: state.record, states), key=lambda state: outline_of(state.section).order)
-    return edition.with_chapters(derive, measured)
-
-
-def _compared(edition: Edition, releases: Releases) -> Edition:
-    def derive(state: State, chapters: Chapters) -> Chapter:
-        return edition.derive(state, chapters[state.section].results, before(state.section, chapters), releases)
-
-    return edition.with_chapters(derive, [chapter.state for chapter in edition.chapters.values() if chapter.compares])
-
-
-def _left_out(project: Project, state: State, error: Exception) -> State:
-    """Say why a section can't be shown; what is wrong with its code stops the build where the record is fresh."""
-    is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError)
-    if is_wrong and state.kind == "fresh" and project.is_own:
-        raise error
-    message = str(error) if isinstance(error, ReportError) else bug_of(error)
-    kind = "damaged" if isinstance(error, RecordError) else NOT_SHOWN if state.kind == "fresh" else state.kind
-    prefix = "" if isinstance(error, RecordError) else f"{short_path(project.record_path(state.section))}: "
-    return replace(state, kind=kind, record=None, notes=(prefix + " ".join(message.split()),))
+        edition.left_out.append(State(MANIFEST, Kind.DAMAGED, notes=(str(error),)))
+    chapters = []
+    for state in states:
+        if record := state.record:
+            try:
+                outline = outline_of(state.section, edition.report)
+            except ReportError as error:
+                edition.leave_out(state, error)
+                continue
+            results = Results(
+                record,
+                project.record_path(state.section),
+                label=outline.label,
+                labels=outline.labels,
+                columns=edition.report.columns,
+            )
+            chapters.append(Chapter(state, outline, results))
+    chapters.sort(key=lambda chapter: chapter.outline.order)
+    edition.chapters = {chapter.name: chapter for chapter in chapters}
+    return edition

@@ -1,4 +1,4 @@
-"""Section modules and the pages that they are on: a module is found, asked what it is, and given its results."""
+"""Section modules: each is found, read for what it says of itself, and given results."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -7,13 +7,15 @@ from pathlib import Path
 from typing import Any
 
 from measured_report.files.atomic import RecordError, short_path
-from measured_report.files.config import Page, config
+from measured_report.files.config import Page, Report
+from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
 from measured_report.records.code import WORKED_OUT, read_source
 from measured_report.values.results import Results, ResultsError
 
-SAYINGS = ("order", "page", "first", "label", "labels", "reads")  # what a module may say of its section
+PACKAGE = "report.sections"
+FACTS = ("order", "page", "first", "label", "labels", "reads")
 
 
 @dataclass(frozen=True)
@@ -33,44 +35,68 @@ class Outline:
     reads: tuple[str, ...]  # sections before it whose results it reads as well
 
 
-def outline_of(section: str) -> Outline:
-    """Read what a section's module says; ReportError, one line, where that is not what it must be, or there is none."""
-    if (file := file_of("report.sections", section)) is None:
-        raise ReportError(f"there is no report/sections/{section}.py, nor a folder of that name")
-    name = file.relative_to(file.parents[3 if file.name == "__init__.py" else 2]).as_posix()
-    says = read_source(file, name).top
-    if worked_out := [name for name in SAYINGS if says.get(name) == WORKED_OUT]:
-        raise ReportError(f"{name}: {worked_out[0]} is read without running it: write it out, and work nothing out")
-    if not isinstance(says.get("order"), int):
+def outline_of(section: str, report: Report | None = None) -> Outline:
+    """Read the facts of a section's module; ReportError, one line, where one is wrong."""
+    if (file := file_of(PACKAGE, section)) is None:
+        raise ReportError(
+            f"there is no report/sections/{section}.py, nor a folder of that name"
+        )
+    is_folder = file.name == "__init__.py"
+    name = file.relative_to(file.parents[3 if is_folder else 2]).as_posix()
+    facts = read_source(file, name).top
+    for fact in FACTS:
+        if facts.get(fact) == WORKED_OUT:
+            raise ReportError(
+                f"{name}: {fact} is read without running it: "
+                "write it out, and work nothing out"
+            )
+    if not isinstance(facts.get("order"), int):
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
-    if "derive" not in says:
+    if "derive" not in facts:
         raise ReportError(f"{name} has no function derive(results)")
-    pages = {page.name: page for page in config().pages[1:]}
-    page, label = says.get("page", next(iter(pages), "")), says.get("label", section.replace("_", " "))
+    settings = (report or current_report()).settings
+    pages = {page.name: page for page in settings.pages[1:]}
+    page = facts.get("page", next(iter(pages), ""))
     if page not in pages:
         raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
-    first, labels, reads = says.get("first", False), says.get("labels", {}), says.get("reads", ())
-    if not (isinstance(labels, Mapping) and isinstance(reads, tuple | list) and isinstance(label, str)):
-        hint = 'labels is a dict, as {"case": "words"}, and reads a tuple, as ("noise",), label text'
-        raise ReportError(f"{name}: {hint}")
-    if unknown := [read for read in reads if not file_of("report.sections", read)]:
-        raise ReportError(f"{name} reads {unknown[0]!r}, and there is no such section")
-    source, compares = name.removesuffix("__init__.py"), says["derive"] > 1
-    return Outline(file, source, says["order"], pages[page], compares, first, label, labels, tuple(reads))
+    label = facts.get("label", section.replace("_", " "))
+    labels = facts.get("labels", {})
+    reads = facts.get("reads", ())
+    expected = (label, str), (labels, Mapping), (reads, tuple | list)
+    if not all(isinstance(fact, kind) for fact, kind in expected):
+        raise ReportError(
+            f'{name}: labels is a dict, as {{"case": "words"}}, '
+            'and reads a tuple, as ("noise",), label text'
+        )
+    for read in reads:
+        if not file_of(PACKAGE, read):
+            raise ReportError(f"{name} reads {read!r}, and there is no such section")
+    return Outline(
+        file,
+        name.removesuffix("__init__.py"),
+        facts["order"],
+        pages[page],
+        compares=facts["derive"] > 1,
+        first=facts.get("first", False),
+        label=label,
+        labels=labels,
+        reads=tuple(reads),
+    )
 
 
 @dataclass(frozen=True)
 class Read(Mapping[str, Results]):
-    """Give the results that a section reads, where they were measured; ReportError for one that it does not name."""
+    """Give a section the results that it reads; ReportError for one that it does not name."""
 
     outline: Outline
     results: Mapping[str, Results]
 
     def __getitem__(self, name: str) -> Results:  # which ``in`` and ``get`` ask as well
         if name not in self.outline.reads and not self.outline.compares:
-            raise ReportError(f"{self.outline.source} reads {name}, which its line reads = (...) does not name")
-        if outline_of(name).order >= self.outline.order:
-            raise ReportError(f"{self.outline.source} reads {name}, which stands after it: give it a higher order")
+            raise ReportError(
+                f"{self.outline.source} reads {name}, "
+                "which its line reads = (...) does not name"
+            )
         return self.results[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -81,32 +107,40 @@ class Read(Mapping[str, Results]):
 
 
 def file_of(package: str, name: str) -> Path | None:
-    """Return the file of a module of a package, of which a folder may be made as well; None where there is none."""
-    folders = import_module(package).__path__
-    paths = (Path(folder) / path for folder in folders for path in (f"{name}/__init__.py", f"{name}.py"))
-    if len(modules := [path for path in paths if path.is_file()]) > 1 and modules[0].stem != modules[1].stem:
-        raise ReportError(f"{name} in {package.replace('.', '/')}/ is a file and a folder: one of them is never read")
-    return modules[0] if modules else None
+    """Return the file of a module, or of a folder of modules; None where there is none."""
+    found = []
+    for folder in import_module(package).__path__:
+        for path in (Path(folder, name, "__init__.py"), Path(folder, f"{name}.py")):
+            if path.is_file():
+                found.append(path)
+    if len({path.stem for path in found[:2]}) > 1:
+        place = package.replace(".", "/")
+        raise ReportError(
+            f"{name} in {place}/ is a file and a folder: one of them is never read"
+        )
+    return found[0] if found else None
 
 
 def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
-    """Derive a section of its results, its words not yet said; one that compares releases has them as well."""
+    """Derive a section from its results; one that compares releases has them as well."""
     name = results.record.section
-    return derive_by(f"report.sections.{name}", results, *([releases] if outline_of(name).compares else []))
+    compared = [releases] if outline_of(name).compares else []
+    return derive_by(f"{PACKAGE}.{name}", results, *compared)
 
 
 def derive_by(name: str, *inputs: Any) -> Section:
-    """Return what ``derive`` of the module ``name`` makes of what it is given, its claims checked."""
+    """Return what ``derive`` of the module ``name`` makes, its claims checked."""
     try:
         module = import_module(name)
         section = module.derive(*inputs)
     except RecordError:
         raise
-    except (ImportError, NameError) as error:  # whatever was measured, this is none of it
+    except (ImportError, NameError) as error:  # the code is wrong whatever was measured
         raise ReportError(bug_of(error)) from error
     except Exception as error:
         raise ResultsError(bug_of(error)) from error
     if not isinstance(section, Section):
+        place = short_path(Path(str(module.__file__)))
         kind = type(section).__name__
-        raise ReportError(f"{short_path(Path(str(module.__file__)))}: derive returns a {kind}, and not a Section")
+        raise ReportError(f"{place}: derive returns a {kind}, and not a Section")
     return replace(section, claims=[claim.checked() for claim in section.claims])

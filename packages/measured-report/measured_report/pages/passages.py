@@ -14,12 +14,10 @@ passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` 
 
 import re
 from collections.abc import Callable, Mapping
-from functools import partial
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
-from jinja2 import nodes, pass_context
-from jinja2.ext import Extension
+from jinja2 import Environment, nodes, pass_context
 from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from jinja2.runtime import Context
@@ -27,12 +25,11 @@ from markupsafe import Markup
 
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
-from measured_report.parts.words import token
-from measured_report.values.format import ABSENT
+from measured_report.parts.prose import token
+from measured_report.values.quantities import lost_reason
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
-LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')  # a number that is not there, as it is printed
-# Besides the sections that it needs; each says itself which number it is.
+# What a passage may name besides the sections that it needs: each is one number's own name.
 NAMED = {"cell", "value", "row", "release", "config"}
 
 
@@ -45,8 +42,12 @@ class Need(NamedTuple):
 
     def is_met(self, claim: Claim | None) -> bool:
         """Tell whether the claim, None where there is none, has this outcome."""
-        outcome = claim.outcome if claim else None
-        return bool(outcome and (outcome.is_opposite if self.outcome == "opposite" else outcome.name == self.outcome))
+        if claim is None:
+            return False
+        outcome = claim.outcome
+        if self.outcome == "opposite":
+            return outcome.is_opposite
+        return outcome.name == self.outcome
 
     def __str__(self) -> str:
         return f"{self.section}.{self.claim} {self.outcome}"
@@ -54,42 +55,47 @@ class Need(NamedTuple):
 
 def needs_of(text: str) -> list[Need]:
     """Read what a passage needs; ValueError for what is none."""
-    matches = [(entry.strip(), NEED.fullmatch(entry.strip())) for entry in text.split(",")]
-    if wrong := [entry for entry, need in matches if not need]:
-        raise ValueError(f"{wrong[0]!r} is no need of a passage; one is section.claim")
-    return [Need(need[1], need[2], (need[3] or "holds").strip()) for _, need in matches if need]
+    needs = []
+    for entry in map(str.strip, text.split(",")):
+        if not (need := NEED.fullmatch(entry)):
+            raise ValueError(f'needs: expects "section.claim", got {entry!r}')
+        needs.append(Need(need[1], need[2], (need[3] or "holds").strip()))
+    return needs
 
 
-class PassageTag(Extension):
-    """Add the tag; a template with one is given a ``passage``."""
-
-    tags = {"passage"}  # noqa: RUF012, as Jinja has it
-
-    def parse(self, parser: Parser) -> list[nodes.Node]:
-        line = next(parser.stream).lineno
-        text = _attribute(parser, "needs")
-        answer = _attribute(parser, "answer") if parser.stream.current.test("name:answer") else ""
-        try:
-            needs = needs_of(text)
-        except ValueError as error:
-            parser.fail(str(error), line)
-        body, otherwise = parser.parse_statements(("name:otherwise", "name:endpassage")), []
+def parse_passage(parser: Parser, environment: Environment) -> list[nodes.Node]:
+    """Parse a passage into a call of ``passage``, which decides what of it is said."""
+    line = next(parser.stream).lineno
+    text = _attribute(parser, "needs")
+    has_answer = parser.stream.current.test("name:answer")
+    answer = _attribute(parser, "answer") if has_answer else ""
+    try:
+        sections = sorted({need.section for need in needs_of(text)})
+    except ValueError as error:
+        parser.fail(str(error), line)
+    body = parser.parse_statements(("name:otherwise", "name:endpassage"))
+    otherwise: list[nodes.Node] = []
+    end = next(parser.stream)
+    if has_other := end.value == "otherwise":
+        otherwise = parser.parse_statements(("name:endpassage",))
         end = next(parser.stream)
-        if has_other := end.value == "otherwise":
-            otherwise = parser.parse_statements(("name:endpassage",))
-            end = next(parser.stream)
-        sections = sorted({need.section for need in needs})
-        template = nodes.Template(body)
-        template.set_environment(self.environment)
-        if strange := sorted(find_undeclared_variables(template) - {*sections, *NAMED, "passage"}):
-            parser.fail(f"the passage names {strange[0]}, which is no section that it needs", line)
-        name = f"otherwise_{line}_{end.lineno}"
-        macro = nodes.Macro(name, [], [], otherwise, lineno=line)
-        alternative = nodes.Name(name, "load") if has_other else nodes.Const(None)
-        call_arguments = [*map(nodes.Const, (text, answer, end.lineno == line)), alternative]
-        call = nodes.Call(nodes.Name("passage", "load"), call_arguments, [], None, None)
-        arguments = [nodes.Name(section, "param") for section in sections]
-        return [macro, nodes.CallBlock(call, arguments, [], body, lineno=line)]
+    template = nodes.Template(body)
+    template.set_environment(environment)
+    named = find_undeclared_variables(template)
+    if strange := sorted(named - {*sections, *NAMED, "passage"}):
+        parser.fail(
+            f"the passage names {strange[0]}, which is no section that it needs", line
+        )
+    name = f"otherwise_{line}_{end.lineno}"
+    macro = nodes.Macro(name, [], [], otherwise, lineno=line)
+    is_inline = end.lineno == line
+    arguments = [
+        *map(nodes.Const, (text, answer, is_inline)),
+        nodes.Name(name, "load") if has_other else nodes.Const(None),
+    ]
+    call = nodes.Call(nodes.Name("passage", "load"), arguments, [], None, None)
+    parameters = [nodes.Name(section, "param") for section in sections]
+    return [macro, nodes.CallBlock(call, parameters, [], body, lineno=line)]
 
 
 def _attribute(parser: Parser, name: str) -> str:
@@ -98,51 +104,59 @@ def _attribute(parser: Parser, name: str) -> str:
     return parser.stream.expect("string").value
 
 
-def teller(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
-    """Make what says the passages of a template of the claims that ``find`` finds by section and name."""
+def passages(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
+    """Return what says passages, by claims that ``find`` finds by section and name."""
 
     @pass_context
-    def passage(context: Context, text: str, answer: str, is_inline: bool, otherwise: Any, caller: Any) -> str:
-        printed, claims = context["printed"], {need: find(need.section, need.claim) for need in needs_of(text)}
+    def passage(
+        context: Context,
+        text: str,
+        answer: str,
+        is_inline: bool,
+        otherwise: Callable[[], str] | None,
+        caller: Callable[..., str],
+    ) -> str:
+        printed: list[Any] = context["printed"]
+        claims = {need: find(need.section, need.claim) for need in needs_of(text)}
         measured = {need: claim for need, claim in claims.items() if claim}
-        are_met = all(need.is_met(claim) for need, claim in claims.items())
-        body, is_measured = None, len(measured) == len(claims)
-        if is_measured:  # rendered as well where another story is told: with other numbers it is this
-            render = partial(caller, *_numbers(measured))
-            body = _rendered(render, printed, lambda items: are_met and not any(map(_is_lost, items)))
-        stands = body is not None
+        is_measured = len(measured) == len(claims)
+        stands = all(need.is_met(claim) for need, claim in claims.items())
+        start = len(printed)
+        body = ""
+        if is_measured:
+            # Said where it falls as well: with other numbers it stands, and must not err.
+            body = caller(*_numbers(measured))
+            stands &= not any(map(lost_reason, printed[start:]))
+        if not stands:
+            # Tokens are counted: what nobody sees may not stand among them.
+            del printed[start:]
+            body = ""
         if otherwise:
-            if (alternative := _rendered(otherwise, printed, lambda _: not stands)) is not None:
+            start = len(printed)
+            alternative = otherwise()
+            if not stands:
                 return alternative
-        elif is_measured and not stands:  # what was not measured is listed on the page: no other answer
-            sentences = [claim.html(need.section) for need, claim in measured.items()]
-            body = token(printed, Markup(" ").join([*sentences, macros().other_data()]))
+            del printed[start:]
+        elif is_measured and not stands:  # the page lists what was not measured
+            said = [claim.html(need.section) for need, claim in measured.items()]
+            body = token(printed, Markup(" ").join([*said, macros().other_data()]))
         if not body:
             return Markup("")
         element, edge = ("span", "") if is_inline else ("div", "\n\n")
-        opened = macros().passage(element, ", ".join(map(str, claims)), stands, answer)
-        before, behind = (token(printed, end) for end in (opened, Markup(f"</{element}>")))
-        return Markup(edge.join(["", before, body.strip(), behind, "" if is_inline else "\n"]))
+        needs = ", ".join(map(str, claims))
+        opening = macros().passage(element, needs, stands, answer)
+        before = token(printed, opening)
+        behind = token(printed, Markup(f"</{element}>"))
+        end = "" if is_inline else "\n"
+        return Markup(edge.join(["", before, body.strip(), behind, end]))
 
     return passage
 
 
-def _rendered(render: Callable[[], str], printed: list[Any], is_kept: Callable[[list[Any]], bool]) -> str | None:
-    """Render a text; None, with what it printed taken back, where that is not to be kept."""
-    start = len(printed)
-    text = render()
-    if is_kept(printed[start:]):
-        return text
-    del printed[start:]  # the places of tokens are counted: what nobody shows may not stand among them
-    return None
-
-
-def _is_lost(item: Any) -> bool:
-    return isinstance(item, Markup) and bool(LOST.search(item))
-
-
 def _numbers(claims: Mapping[Need, Claim]) -> list[SimpleNamespace]:
+    """Return what a passage can name of each section, by claim and number."""
     numbers: dict[str, dict[str, Any]] = {}
     for need, claim in claims.items():
-        numbers.setdefault(need.section, {})[need.claim] = SimpleNamespace(**claim.numbers)
+        named = SimpleNamespace(**claim.numbers)
+        numbers.setdefault(need.section, {})[need.claim] = named
     return [SimpleNamespace(**numbers[section]) for section in sorted(numbers)]

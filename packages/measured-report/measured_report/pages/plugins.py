@@ -2,10 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from types import ModuleType
 from typing import Any
-
-from measured_report.files.config import module_of
 
 
 class Plugins:
@@ -43,7 +40,3 @@ class Plugins:
 def scripts() -> Sequence[str]:
     """Return the texts of the scripts that a page may have in it; ``page.js`` lies beside the pages."""
     return ()
-
-
-def plugins() -> ModuleType:
-    return module_of("plugins")

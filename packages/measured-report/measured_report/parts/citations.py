@@ -8,12 +8,10 @@ package's files, with ``{version}``, ``{file}`` and ``{line}``. A page numbers i
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from jinja2 import nodes
-from jinja2.ext import Extension
+from jinja2 import Environment, nodes, pass_context
 from jinja2.parser import Parser
 from jinja2.runtime import Context
 from markupsafe import Markup
@@ -21,66 +19,48 @@ from markupsafe import Markup
 from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
-from measured_report.parts.words import token
+from measured_report.parts.prose import Mark, token
 
 NAME = "sources.toml"
+LINE = ("version", "file", "line", "excerpt")  # tell where in a package a statement is
+FIELDS = dict.fromkeys(("url", "title", "package", *LINE), "")
+
+References = Mapping[str, Mapping[str, Any]]
 
 
-@dataclass(frozen=True)
-class Reference:
-    """Lead to the source of a statement: an address, and for a package's file the line in it."""
-
-    url: str = ""
-    title: str = ""
-    package: str = ""
-    version: str = ""
-    file: str = ""
-    line: int = 0
-    excerpt: str = ""
-
-
-def references(templates: Path) -> Mapping[str, Reference]:
-    """Read the references of a folder of templates by name; ReportError, one line, for one that is not whole."""
+def references(templates: Path) -> References:
+    """Read the references of a folder of templates by name; ReportError for a wrong one."""
     path = templates / NAME  # which need not be there
     try:
         tables = read_toml(path) if path.is_file() else {}
         addresses = tables.pop("packages", {})
-        by_name = {name: Reference(**fields) for name, fields in tables.items()}
-    except (ValueError, TypeError) as error:
+        for name, table in tables.items():
+            if unknown := sorted(table.keys() - FIELDS.keys()):
+                raise ValueError(f"{name} has {unknown[0]}, which is no part of a source")
+            if table.get("package") in addresses and all(map(table.get, LINE)):
+                table["url"] = addresses[table["package"]].format(**table)
+            tables[name] = FIELDS | table
+            if not str(table.get("url")).startswith("http"):
+                raise ValueError(f"{name} needs url, or package, {', '.join(LINE)}")
+    except (ValueError, TypeError, AttributeError, LookupError) as error:
         raise ReportError(f"templates/{NAME}: {error}") from None
-    for name, reference in by_name.items():
-        if all((reference.package in addresses, reference.version, reference.file, reference.line, reference.excerpt)):
-            by_name[name] = reference = replace(reference, url=addresses[reference.package].format(**tables[name]))
-        if not str(reference.url).startswith("http"):
-            raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file, line and excerpt")
-    return by_name
+    return tables
 
 
-@dataclass(frozen=True)
-class Mark:
-    """Hold a place that only the page can fill: ``#id`` is a link to a part, ``source name`` numbers a citation."""
+def parse_stated(parser: Parser, environment: Environment) -> list[nodes.Node]:
+    """Parse a statement; ``environment.references`` has those that it may cite."""
+    line = next(parser.stream).lineno
+    name = parser.stream.expect("name").value
+    if name not in vars(environment)["references"]:
+        parser.fail(f"templates/{NAME} has no {name}", line)
+    body = parser.parse_statements(("name:endstated",), drop_needle=True)
+    call = nodes.Call(nodes.Name("stated", "load"), [nodes.Const(name)], [], None, None)
+    return [nodes.CallBlock(call, [], [], body, lineno=line)]
 
-    anchor: str
 
-    def __html__(self) -> str:
-        return self.anchor if self.anchor.startswith("#") else ""
-
-
-class StatedTag(Extension):
-    """Add the tag; an environment that has it has ``references`` among its globals."""
-
-    tags = {"stated"}  # noqa: RUF012, as Jinja has it
-
-    def parse(self, parser: Parser) -> nodes.Node:
-        line = next(parser.stream).lineno
-        name = parser.stream.expect("name").value
-        references: Any = self.environment.globals["references"]
-        if name not in references:
-            parser.fail(f"templates/{NAME} has no {name}", line)
-        body = parser.parse_statements(("name:endstated",), drop_needle=True)
-        call = self.call_method("_stated", [nodes.ContextReference(), nodes.Const(name)])
-        return nodes.CallBlock(call, [], [], body).set_lineno(line)
-
-    def _stated(self, context: Context, name: str, caller: Callable[[], str]) -> Markup:
-        statement = Markup(" ".join(caller().split()))
-        return macros().stated(statement, token(context["printed"], Mark(f"source {name}"))) + "\n"
+@pass_context
+def stated(context: Context, name: str, caller: Callable[[], str]) -> Markup:
+    """Write a statement with the mark of its source, whose number only the page knows."""
+    statement = Markup(" ".join(caller().split()))
+    mark = token(context["printed"], Mark(f"source {name}"))
+    return macros().stated(statement, mark) + "\n"

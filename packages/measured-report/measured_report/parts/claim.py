@@ -4,32 +4,25 @@ import math
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import accumulate, groupby
 from typing import Any
 
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
-from measured_report.records.columns import column_of
-from measured_report.values.quantities import VALUES_FILE, Quantity, combined, mixed
+from measured_report.records.columns import Schema
+from measured_report.values.quantities import (
+    VALUES_FILE,
+    Quantity,
+    Value,
+    combined,
+    mixed,
+)
 
 NEAR_NOISE = 2.0  # chosen: up to so many times the noise a difference can't tell: some other pair may differ more
-
-
-@dataclass(frozen=True)
-class Bound(Quantity):
-    """Bound one test by a number that was chosen for it, and that no words name."""
-
-    why: str = ""
-
-    def __str__(self) -> str:
-        return f"{super().__str__()} ({self.why})"
-
-    def __html__(self) -> Markup:
-        return escape(super().__str__())
 
 
 Number = Quantity | float  # a test compares quantities, and numbers that were chosen in their unit, `why` in words
@@ -49,8 +42,7 @@ class Outcome:
     def having_read(self, *quantities: Quantity) -> "Outcome":
         """Return the same, for a test that looked at these as well."""
         reads = self.reads.union(*(quantity.reads for quantity in quantities))
-        chosen = [str(quantity) for quantity in quantities if isinstance(quantity, Bound)]
-        return replace(self, reads=reads, bounds=tuple(dict.fromkeys((*self.bounds, *chosen))))
+        return replace(self, reads=reads)
 
     @property
     def answer(self) -> str:
@@ -97,16 +89,18 @@ class Claim:
             return self
         return replace(self, outcome=replace(self.outcome, name="unknown", reason=lost.reason, is_opposite=False))
 
-    @property
-    def unread(self) -> Iterator[str]:
+    def unread(self, columns: Schema) -> Iterator[str]:
         """Yield the numbers it may print of which its test read neither themselves nor all that makes them."""
-        reads, names = self.outcome.reads, self.wording.names if self.wording else frozenset()
-        for name in sorted(names & self.numbers.keys()) if self.outcome.name != "unknown" else ():
-            sources = self.numbers[name].reads if isinstance(self.numbers[name], Quantity) else ()
-            leaves = (source for source in sources if VALUES_FILE not in source)
-            measured = {leaf for leaf in leaves if not column_of(leaf.rpartition("/")[2]).is_setting}
-            if not (measured <= reads or self.numbers[name].source in reads):
-                yield name
+        names = self.wording.names if self.wording else ()
+        for name in sorted(names) if self.outcome.name != "unknown" else ():
+            number = self.numbers.get(name)
+            if not isinstance(number, Quantity) or number.source in self.outcome.reads:
+                continue
+            for leaf in number.reads - self.outcome.reads:
+                column = leaf.rpartition("/")[2]
+                if VALUES_FILE not in leaf and not columns[column].is_setting:
+                    yield name
+                    break
 
     @property
     def text(self) -> str:
@@ -141,7 +135,7 @@ def _bounded(a: Quantity, bound: Number, why: str, keeps: Callable[[float, float
     def judge(a: Quantity, bound: Quantity) -> Outcome:
         # Where they are less apart than their noise, measured again it may be on the other side.
         if abs(a.number - bound.number) < math.hypot(a.noise or 0.0, bound.noise or 0.0):
-            reason = Markup("what was measured is nearer to the bound of {} than its noise").format(bound)
+            reason = Markup("what was measured is nearer to the bound of {} than its noise").format(_said(bound))
             return Outcome("unknown", reason, is_inconclusive=True)
         return HOLDS if keeps(a.number, bound.number) else FAILS
 
@@ -209,24 +203,44 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
         assert noise.number >= 0, f"{noise} is no noise, which is never below 0"
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
         reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
-        near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_inconclusive=True)
+        near = Outcome("unknown", reason.format(_said(noise), NEAR_NOISE), is_inconclusive=True)
         outcome = OPPOSITE if abs(difference.number) > NEAR_NOISE * noise.number else near
     return outcome.having_read(difference, noise)
 
 
-def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "", compares: bool = True) -> Outcome:
+def _judged(
+    judge: Callable[..., Outcome],
+    *numbers: Number,
+    why: str = "",
+    compares: bool = True,
+) -> Outcome:
     """Return what ``judge`` says of them where all may be compared; a plain number was chosen for ``why``."""
-    unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
-    plain = [number for number in numbers if not isinstance(number, Quantity)]
-    if strange := [number for number in plain if not (why.strip() and hasattr(number, "__float__"))]:
-        raise ReportError(f'{strange[0]!r:.80} was not measured: a chosen number takes why="…", or a name by chosen(…)')
-    chosen = partial(Bound, unit=unit, source="", noise=0.0, why=why)
-    quantities = [number if isinstance(number, Quantity) else chosen(number) for number in numbers]
+    measured = [number for number in numbers if isinstance(number, Quantity)]
+    unit = measured[0].unit if measured else "1"
+    quantities = []
+    bounds = []
+    for number in numbers:
+        if not isinstance(number, Quantity):
+            if not (why.strip() and hasattr(number, "__float__")):
+                raise ReportError(
+                    f"{number!r:.80} was not measured: "
+                    'a chosen number takes why="…", or a name by chosen(…)'
+                )
+            number = Quantity(number, unit, "", noise=0.0)
+            bounds.append(f"{number} ({why})")
+        quantities.append(number)
     if compares:
         _refuse_units(*quantities)
     reason = mixed(*(quantity.origins for quantity in quantities))
-    outcome = _absent(*quantities) or (Outcome("unknown", reason) if reason else judge(*quantities))
-    return outcome.having_read(*quantities)
+    if not (outcome := _absent(*quantities)):
+        outcome = Outcome("unknown", reason) if reason else judge(*quantities)
+    bounds = list(dict.fromkeys((*outcome.bounds, *bounds)))
+    return replace(outcome.having_read(*quantities), bounds=tuple(bounds))
+
+
+def _said(bound: Quantity) -> Quantity | str:
+    """Return a bound as a reason prints it: one that was chosen has no source."""
+    return bound if bound.source or isinstance(bound, Value) else str(bound)
 
 
 def _refuse_units(*quantities: Quantity) -> None:

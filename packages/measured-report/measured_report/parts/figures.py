@@ -4,10 +4,8 @@ import io
 import math
 import re
 import textwrap
-from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from contextvars import ContextVar, copy_context
-from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
@@ -75,15 +73,9 @@ UNWANTED = re.compile(r'(?s)<metadata>.*?</metadata>|<style.*?</style>|^.*?(?=<s
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
-@dataclass(frozen=True)
-class Screen:
-    """Tells for what a figure is drawn, and of its numbers, as they are written, where each is from, in their order."""
-
-    kind: str = "broad"  # or `narrow`
-    sources: defaultdict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
-
-
-_screen = ContextVar("screen", default=Screen())  # noqa: B039, of what is drawn for no page
+_kind = ContextVar("kind", default="broad")  # of the screen that is drawn for
+_sources: ContextVar[dict[str, list[str]]] = ContextVar("sources")
+"""Where each number is from that a drawing has, in order, by how it is written."""
 
 
 class LogLabels(ticker.LogFormatter):
@@ -107,8 +99,8 @@ def plain_labels(*, digits: int = 6) -> ticker.FuncFormatter:
 def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """Write a number, if ``is_short`` in four characters, for the figure being drawn, which says where it is from."""
     text = format_short(quantity.number) if is_short else quantity.written
-    if quantity.source:
-        _screen.get().sources[text].append(quantity.source)
+    if quantity.source and (sources := _sources.get(None)) is not None:
+        sources.setdefault(text, []).append(quantity.source)
     return text
 
 
@@ -145,7 +137,7 @@ def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) ->
 
 
 def is_narrow() -> bool:
-    return _screen.get().kind == "narrow"
+    return _kind.get() == "narrow"
 
 
 class _Drawing(Drawing):
@@ -192,16 +184,21 @@ def fold(text: str, longest: int = LONGEST_LINE) -> str:
 
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
     """Draw the figure for broad and for narrow screens in SVG whose ids begin with ``name``: always the same bytes."""
-    return [copy_context().run(_picture, draw, Screen(kind), name) for kind in ("broad", "narrow")]
+    return [
+        copy_context().run(_picture, draw, kind, name) for kind in ("broad", "narrow")
+    ]
 
 
-def _picture(draw: Callable[[], Drawing], screen: Screen, name: str) -> Picture:
-    _screen.set(screen)
-    with style.context(["default", {**STYLE, "svg.hashsalt": name}]):  # the user's own counts for nothing
+def _picture(draw: Callable[[], Drawing], kind: str, name: str) -> Picture:
+    _kind.set(kind)
+    _sources.set({})
+    # The user's own style counts for nothing.
+    with style.context(["default", {**STYLE, "svg.hashsalt": name}]):
         drawing = _trimmed(draw())
         if is_narrow():
             _fit_narrow(drawing)
-        return _svg(drawing, screen, f"narrow-{name}" if is_narrow() else name)
+            name = f"narrow-{name}"
+        return _svg(drawing, name)
 
 
 class _Vectors(RendererSVG):
@@ -219,7 +216,7 @@ class _Vectors(RendererSVG):
         return scale * metrics["sTypoAscender"], -scale * metrics["sTypoDescender"], scale * metrics["sTypoLineGap"]
 
 
-def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
+def _svg(drawing: Drawing, name: str) -> Picture:
     buffer = io.StringIO()
     drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
     inches, dpi = drawing.get_size_inches(), rcParams["figure.dpi"]
@@ -229,7 +226,7 @@ def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     setattr(FigureCanvasSVG(drawing), "get_renderer", lambda: renderer)  # noqa: B010, else a layout has one of its own
     drawing.draw(renderer)
     renderer.finalize()
-    svg = PIECE.sub(_Links(drawing, screen.sources).linked, UNWANTED.sub("", buffer.getvalue()))
+    svg = _linked(UNWANTED.sub("", buffer.getvalue()), drawing)
     used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
     svg = re.sub(r' id="([^"]+)"', lambda match: match[0] if match[1] in used else "", svg)
     svg = re.sub(r"\s*\n\s*", "\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
@@ -237,7 +234,7 @@ def _svg(drawing: Drawing, screen: Screen, name: str) -> Picture:
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     _, view, content = OPENING.split(svg, maxsplit=1)
-    return Picture(screen.kind, view, Markup(content.rstrip().removesuffix("</svg>")))
+    return Picture(_kind.get(), view, Markup(content.rstrip().removesuffix("</svg>")))
 
 
 def _trimmed(drawing: Drawing) -> Drawing:
@@ -258,45 +255,53 @@ def _trimmed(drawing: Drawing) -> Drawing:
     return drawing
 
 
-class _Links:
-    """Makes texts of a drawing say where their numbers are from, marks their own, and ticks what they are."""
+def _linked(svg: str, drawing: Drawing) -> str:
+    """Let texts of a drawing say where their numbers are from, and marks what they show."""
+    # The longest first: a shorter number may be a part of it.
+    sources = dict(sorted(_sources.get().items(), key=lambda item: -len(item[0])))
+    patterns = {text: number_pattern(escape(text)) for text in sources}
+    scales = cache(_scales)
+    drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
+    axes = drawing.axes[0]
+    groups: list[str] = []  # those that are open, the innermost last
 
-    def __init__(self, drawing: Drawing, sources: Mapping[str, list[str]]):
-        # The longest first: a shorter number may be a part of it.
-        self.sources = {text: [*sources[text]] for text in sorted(sources, key=len, reverse=True)}
-        self.patterns = {text: number_pattern(escape(text)) for text in sources}
-        self.drawn = iter(sorted(drawing.axes, key=Axes.get_zorder))
-        self.axes, self.scales = drawing.axes[0], cache(_scales)
-        self.groups: list[str] = []  # those that are open, the innermost last
-
-    def linked(self, piece: re.Match[str]) -> str:
-        """Return a piece with what it says, in the order of the drawing."""
-        if piece["mark"]:
-            is_datum = "axes" in self.groups and self.axes.axison and not {"tick", "legend"} & {*self.groups}
-            title = _title(self.axes, self.scales(self.axes), piece) if is_datum else ""
-            return f"{piece['mark']}><title>{title}</title></use>" if is_datum else piece[0]
-        if piece["close"]:
-            self.groups.pop()
-        elif piece["tick"]:
-            self.groups.append("tick")
+    def piece(match: re.Match[str]) -> str:
+        nonlocal axes
+        if match["close"]:
+            groups.pop()
+        elif match["tick"]:
+            groups.append("tick")
             return '<g class="tick">'
-        elif piece["open"]:
-            self.groups.append(piece["id"] or "")
-            self.axes = next(self.drawn) if piece["id"] == "axes" else self.axes
+        elif match["open"]:
+            groups.append(match["id"] or "")
+            if match["id"] == "axes":
+                axes = next(drawn)
+        elif match["mark"]:
+            is_datum = "axes" in groups and not {"tick", "legend"} & {*groups}
+            if is_datum and axes.axison:
+                title = _title(axes, scales(axes), match)
+                return f"{match['mark']}><title>{title}</title></use>"
         else:
-            return self._text(piece[0])
-        return piece[0]
+            return text(match[0])
+        return match[0]
 
-    def _text(self, element: str) -> str:
-        opening, _, text = element.removesuffix("</text>").partition(">")
-        if "tick" in self.groups and not re.search(r"[^\W\d_]", text):
+    def text(element: str) -> str:
+        opening, _, words = element.removesuffix("</text>").partition(">")
+        if "tick" in groups and not re.search(r"[^\W\d_]", words):
             return element  # a number of an axis
-        pointers, remainder = [], text
-        for number, sources in self.sources.items():
-            remainder, count = self.patterns[number].subn("", remainder)
+        pointers = []
+        remainder = words
+        for number, places in sources.items():
+            remainder, count = patterns[number].subn("", remainder)
             # Each is used up, unless it is the last.
-            pointers += [sources.pop(0) if len(sources) > 1 else sources[0] for _ in range(count)]
-        return f'<text data-src="{escape(" ".join(pointers))}"{opening[5:]}>{text}</text>' if pointers else element
+            for _ in range(count):
+                pointers.append(places.pop(0) if len(places) > 1 else places[0])
+        if not pointers:
+            return element
+        source = escape(" ".join(pointers))
+        return f'<text data-src="{source}"{opening[5:]}>{words}</text>'
+
+    return PIECE.sub(piece, svg)
 
 
 Scale = tuple[Mapping[float, str], str, str]  # the names of an axis's ticks, and what its numbers are of, with the unit

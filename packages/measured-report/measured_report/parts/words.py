@@ -18,39 +18,52 @@ template of a section has ``row["north"].lean_mm``, ``rows``, ``value.lean`` as 
 """
 
 import re
-import secrets
-from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
-from jinja2.ext import Extension
 from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from markupsafe import Markup
 
 from measured_report.files.errors import ReportError
 
-# The parts of each kind; `caption` is what follows the opening tag, the others have a tag of their own.
-CLAIM = ("holds", "fails", "opposite", "asks", "because")
-PARTS = {"claim": CLAIM, "figure": ("caption", "alt"), "table": ("caption",)}
-# The token has a part that nobody can know before, so that no text of a record can be one.
-OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
-
-TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
+# The parts of each kind; `caption` follows the opening tag, the others have a tag each.
+PARTS = {
+    "claim": ("holds", "fails", "opposite", "asks", "because"),
+    "figure": ("caption", "alt"),
+    "table": ("caption",),
+}
+TAGS = re.compile(
+    r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL
+)
 TYPED = re.compile(
-    r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?"
-    r"(?:[nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?|[mk][AV]|min|times|[%°×x])(?!\w)"
-)  # a number with the unit of one that is measured
+    r"""
+    (?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?
+    (?:
+        [nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?
+        |[mk][AV]|min|times|[%°×x]
+    )(?!\w)
+    """,
+    re.VERBOSE,
+)
+"""A number with a unit, as one that was measured has it."""
 MARKDOWN = re.compile(r"\*\*|(?<![\w*])\*\w|`|\]\(")
-FORMULA = re.compile(TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL)  # in TeX; none in code
+FORMULA = re.compile(
+    TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL
+)
+"""A formula in TeX; there is none in tags and code."""
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
-    "more than|less than": (".most", ".least"),  # which of them depends on what the sentence denies
-}  # words that bound the number behind them, and how it is rounded there
-CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))  # which Jinja has for itself
+    # Which of them depends on what the sentence denies.
+    "more than|less than": (".most", ".least"),
+}
+"""Words that bound the number behind them, and how it is rounded there."""
+CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
+"""Names that Jinja has for itself."""
 
 
 @dataclass(frozen=True)
@@ -58,87 +71,119 @@ class Wording:
     """Hold what a template says of one claim, figure or table."""
 
     source: str
-    blocks: Mapping[str, str]
+    blocks: Mapping[str, str]  # names of the template's blocks, by part
     names: frozenset[str]
-    render: Callable[[str, Mapping[str, Any]], Markup] | None = None  # a block; None until the template is compiled
+    render: Callable[[str, Mapping[str, Any]], Markup]  # renders a block
 
     def __call__(self, part: str, numbers: Mapping[str, Any]) -> Markup:
-        """Return a part with its numbers; empty where the template has no such part."""
-        assert self.render, f"{self.source}: the words can't be rendered yet"
-        return self.render(self.blocks[part], numbers) if part in self.blocks else Markup("")
+        """Return a part with its numbers; empty if the template has no such part."""
+        if part not in self.blocks:
+            return Markup("")
+        return self.render(self.blocks[part], numbers)
 
-    def refuse_unknown(self, item: str, numbers: Mapping[str, Any]) -> None:
-        """Refuse a wording that names something that it is not given, or could not name what it is given."""
+    def check(self, item: str, numbers: Mapping[str, Any]) -> None:
+        """Refuse names that it is not given, or can't name; and say every part once."""
         if name := min(CONSTANTS & set(numbers), default=""):
-            raise ReportError(f"{self.source}: {item} is given {name}, which is a constant in a template: rename it")
+            raise ReportError(
+                f"{self.source}: {item} is given {name}, "
+                "which is a constant in a template: rename it"
+            )
         if unknown := sorted(self.names - set(numbers)):
             names = ", ".join(sorted(numbers)) or "none"
-            raise ReportError(f"{self.source}: {item} names {unknown[0]}, which it is not given; it is given: {names}")
+            raise ReportError(
+                f"{self.source}: {item} names {unknown[0]}, "
+                f"which it is not given; it is given: {names}"
+            )
+        for part in self.blocks:  # with other numbers another one is said
+            self(part, numbers)
 
 
-class WordTags(Extension):
-    """Add the tags: each part becomes a block, and the whole a call; ``wordings`` has them by template, kind, name."""
+def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:
+    """Parse a claim, figure or table: its parts become blocks, and the whole a call.
 
-    tags = set(PARTS)  # noqa: RUF012, as Jinja has it
+    What the template says of it is kept in ``environment.wordings``, by template, kind
+    and name, and takes only what renders its blocks.
+    """
+    tag = next(parser.stream)
+    kind, name = tag.value, parser.stream.expect("name").value
+    wordings = vars(parser).setdefault("wordings", {})
+    vars(environment)["wordings"][parser.name] = wordings
+    if (kind, name) in wordings:
+        parser.fail(f"{kind} {name} is worded twice", tag.lineno)
+    blocks = _parse_parts(parser, kind, name, tag.lineno)
+    optional = {"opposite", "because"} | ({"fails"} if "opposite" in blocks else set())
+    for part in PARTS[kind]:
+        if part not in optional | blocks.keys():
+            parser.fail(f"{kind} {name} has no {{% {part} %}}", tag.lineno)
+    tree = nodes.Template([node for block in blocks.values() for node in block.body])
+    tree.set_environment(environment)
+    if any(MARKDOWN.search(text.data) for text in tree.find_all(nodes.TemplateData)):
+        parser.fail(
+            f"{kind} {name} has Markdown, and its words are HTML, as <em>", tag.lineno
+        )
+    line = min(block.lineno for block in blocks.values())
+    wordings[kind, name] = partial(
+        Wording,
+        f"templates/{parser.name}:{line}",
+        {part: block.name for part, block in blocks.items()},
+        frozenset(find_undeclared_variables(tree)),
+    )
+    call = nodes.Call(nodes.Name(kind, "load"), [nodes.Const(name)], [], None, None)
+    # The line behind the last tag ends there, and no sentence runs into the next.
+    output = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
+    # Jinja keeps every block of a template, those as well that are never reached.
+    never = nodes.If(
+        nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno
+    )
+    return [never, output]
 
-    def __init__(self, environment: Environment):
-        super().__init__(environment)
-        environment.extend(wordings=defaultdict(dict))
 
-    def parse(self, parser: Parser) -> list[nodes.Node]:
-        tag = next(parser.stream)
-        kind, name, parts = tag.value, parser.stream.expect("name").value, PARTS[tag.value]
-        ends = [*(part for part in parts if part != "caption"), f"end{kind}"]
-        part, line, blocks = "caption", tag.lineno, {}
-        if (kind, name) in (worded := vars(parser).setdefault("worded", set())):
+def _parse_parts(
+    parser: Parser, kind: str, name: str, line: int
+) -> dict[str, nodes.Block]:
+    """Parse all up to the end tag into a block for each part."""
+    parts, end = PARTS[kind], f"end{kind}"
+    tags = [f"name:{tag}" for tag in (*parts, end) if tag != "caption"]
+    blocks: dict[str, nodes.Block] = {}
+    part = "caption"
+    while part != end:
+        body = parser.parse_statements(tuple(tags))
+        if part in blocks:
             parser.fail(f"{kind} {name} is worded twice", line)
-        worded.add((kind, name))
-        while part != ends[-1]:
-            body = parser.parse_statements(tuple(f"name:{end}" for end in ends))
-            if part in blocks:
-                parser.fail(f"{kind} {name} is worded twice", line)
-            if part in parts:
-                blocks[part] = nodes.Block(f"{kind}__{name}__{part}", body, False, False, lineno=line)
-            elif not _is_blank(body):
-                parser.fail(f"{kind} {name}: what it says belongs behind one of its tags", line)
-            token = next(parser.stream)
-            part, line = token.value, token.lineno
-        optional = {"opposite", "because"} | ({"fails"} if "opposite" in blocks else set())
-        if missing := [part for part in parts if part not in optional | blocks.keys()]:
-            parser.fail(f"{kind} {name} has no {{% {missing[0]} %}}", tag.lineno)
-        if any(MARKDOWN.search(text.data) for block in blocks.values() for text in block.find_all(nodes.TemplateData)):
-            parser.fail(f"{kind} {name} has Markdown, and its words are HTML, as <em>", tag.lineno)
-        tree = nodes.Template([node for block in blocks.values() for node in block.body])
-        tree.set_environment(self.environment)
-        source = f"templates/{parser.name}:{min(block.lineno for block in blocks.values())}"
-        named = {part: block.name for part, block in blocks.items()}
-        wordings: Any = self.environment
-        wordings.wordings[parser.name][kind, name] = Wording(source, named, frozenset(find_undeclared_variables(tree)))
-        call = nodes.Call(nodes.Name(kind, "load"), [nodes.Const(name)], [], None, None)
-        # Jinja keeps every block of a template, those as well that are never reached where they stand.
-        # The line behind the last tag ends there, and a sentence must not run into the next.
-        output = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
-        return [nodes.If(nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno), output]
+        if part in parts:
+            block = f"{kind}__{name}__{part}"
+            blocks[part] = nodes.Block(block, body, False, False, lineno=line)
+        elif not _is_blank(body):
+            parser.fail(
+                f"{kind} {name}: what it says belongs behind one of its tags", line
+            )
+        tag = next(parser.stream)
+        part, line = tag.value, tag.lineno
+    return blocks
 
 
 def refuse_numbers(source: str) -> None:
-    """Refuse numbers that are typed where measured ones belong, and bounds that rounding could move past theirs."""
+    """Refuse numbers that are typed, and bounds that rounding could move past theirs."""
     prose = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
     if match := TYPED.search(prose):
-        line = prose.count("\n", 0, match.start()) + 1
         number = " ".join(match[0].split())
-        raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
-    for bound, ends in BOUNDS.items():
-        spaced = bound.replace(" ", r"\s+")
+        raise TemplateSyntaxError(
+            f"{number} is typed; name one that was measured, or of results.chosen(…)",
+            _line_of(match),
+        )
+    for words, ends in BOUNDS.items():
+        spaced = words.replace(" ", r"\s+")
         bounded = rf"\b(?:{spaced})\s+(?:a factor of\s+)?\{{\{{\s*(.*?)\s*\}}\}}"
         for match in re.finditer(bounded, source, re.IGNORECASE):
             if not match[1].endswith(ends):
-                line = source.count("\n", 0, match.start()) + 1
-                raise TemplateSyntaxError(f"{' '.join(match[0].split())} takes {' or '.join(ends)}", line)
+                bound = " ".join(match[0].split())
+                raise TemplateSyntaxError(
+                    f"{bound} takes {' or '.join(ends)}", _line_of(match)
+                )
 
 
 def with_formulas(source: str) -> str:
-    """Write as MathML what a template has in TeX between dollars, and between two of them what is set apart."""
+    """Write as MathML what stands in TeX between dollars, or on its own between two."""
 
     def written(match: re.Match[str]) -> str:
         if not (tex := match[1] or match[2]):
@@ -150,21 +195,25 @@ def with_formulas(source: str) -> str:
         except Exception:  # it has no one error, and no words for any
             formula = "\\"
         if "\\" in formula:
-            line = source.count("\n", 0, match.start()) + 1
-            raise TemplateSyntaxError(f"{tex:.60} is no TeX that is known here", line)
+            raise TemplateSyntaxError(
+                f"{tex:.60} is no TeX that is known here", _line_of(match)
+            )
         return f"<span>{formula}</span>"
 
-    if "$$" in TAGS.sub("", text := FORMULA.sub(written, source)):
-        raise TemplateSyntaxError("$$ begins a formula that no $$ ends", source.count("\n", 0, source.rfind("$$")) + 1)
+    text = FORMULA.sub(written, source)
+    if "$$" in TAGS.sub("", text):
+        line = source.count("\n", 0, source.rfind("$$")) + 1
+        raise TemplateSyntaxError("$$ begins a formula that no $$ ends", line)
     return text
 
 
-def token(printed: list[Any], item: Any) -> Markup:
-    """Return what stands in a text for a thing that is printed, which is kept for the time after Markdown."""
-    printed.append(item)
-    return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
+def _line_of(match: re.Match[str]) -> int:
+    return match.string.count("\n", 0, match.start()) + 1
 
 
 def _is_blank(body: list[nodes.Node]) -> bool:
     children = [node for output in body for node in getattr(output, "nodes", [output])]
-    return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in children)
+    return all(
+        isinstance(node, nodes.TemplateData) and not node.data.strip()
+        for node in children
+    )

@@ -22,12 +22,12 @@ from measured_report.files.atomic import (
     write_file,
 )
 from measured_report.files.cache import Cache
-from measured_report.files.config import FILE, config, report
+from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
-from measured_report.findings.cache import DerivedCache, installed
-from measured_report.pages.editions import WordedEdition, worded_editions
-from measured_report.pages.passages import LOST
-from measured_report.pages.prose import LAYOUT, Templates
+from measured_report.findings.cache import installed
+from measured_report.findings.editions import Edition
+from measured_report.pages.prose import GENERATOR, Templates
+from measured_report.pages.wording import worded_editions
 from measured_report.records.identity import (
     files_digest,
     package_versions,
@@ -37,6 +37,7 @@ from measured_report.records.identity import (
 from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site
+from measured_report.values.quantities import lost_reason
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)  # files that the site is made from, besides the folders
 BUILT = "site"  # what is kept of the last build
@@ -62,10 +63,10 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
-        derived, templates = DerivedCache(project.root), Templates(project.templates)
-        editions = worded_editions(project, templates, derived)
+        templates = Templates(project.templates, project.report)
+        editions = worded_editions(project, templates)
         refuse_unknown_names(editions, editions.get(project.own_release or project.release))
-        Site(fresh, project.release, editions, templates, address, derived).write()
+        Site(fresh, project.release, editions, templates, address).write()
         write_file(fresh / SUMS, sums(digests_below(fresh)))
         replace(project.site, fresh)
         built = {}
@@ -77,19 +78,22 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     return built
 
 
-def _notes(edition: WordedEdition) -> tuple[list[str], list[str]]:
+def _notes(edition: Edition) -> tuple[list[str], list[str]]:
     """Say what of an edition is no answer, and what is of nothing, or can't be told."""
-    printed = ((name, item) for name, chapter in edition.chapters.items() for item in chapter.prose.printed)
-    matches = [(name, LOST.match(item)) for name, item in printed if isinstance(item, str)]
-    lost = [f"{name}: its words print what is not there: {match[1]}" for name, match in matches if match]
+    lost = [
+        f"{name}: its words print what is not there: {reason}"
+        for name, chapter in edition.chapters.items()
+        for item in (chapter.prose.printed if chapter.prose else ())
+        if (reason := lost_reason(item))
+    ]
     idle = _records_of_nothing(edition) + idle_settings(edition)
     return gaps(edition) + lost, blind_spots(edition) + idle
 
 
-def _records_of_nothing(edition: WordedEdition) -> list[str]:
+def _records_of_nothing(edition: Edition) -> list[str]:
     """Say which records are of no section, as those of one that was renamed, which traces of none, and so on."""
     results, known = edition.project.results, sections(edition.project.root)
-    editions = map(config().edition_folder, edition.project.releases)
+    editions = map(edition.report.settings.edition_folder, edition.project.releases)
     strange = sorted({path.parent.name for path in results.parent.glob("*/*.json")}.difference(editions))
     paths = (path for path in sorted(results.glob("*.json")) if path not in edition.plugins.data)
     lines = [f"results/{name} is of no edition" for name in strange]
@@ -102,7 +106,7 @@ def _records_of_nothing(edition: WordedEdition) -> list[str]:
 
 def inputs_digest(project: Project, address: str = "") -> str:
     # The last two are often the same, but for the results.
-    roots = {LAYOUT.parent: ["."], report().root: INPUTS[:-1], project.root: INPUTS}
+    roots = {GENERATOR: ["."], project.report.root: INPUTS[:-1], project.root: INPUTS}
     digests = [sources(), *(files_digest(_inputs(root, folders), root) for root, folders in roots.items())]
     selection = (project.release, project.profile, project.own_release)  # and not where the folder lies
     # A checkout may be edited, and lie elsewhere.

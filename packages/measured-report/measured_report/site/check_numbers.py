@@ -9,9 +9,8 @@ from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.config import config, report
+from measured_report.files.config import Report
 from measured_report.findings.sections import file_of, outline_of
-from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.cells import evidence_of
 from measured_report.values.evidence import Evidence, Repeated, repeats_of
@@ -41,6 +40,20 @@ class Element:
     around: list[str]  # tags of the elements that it is in; `tick` for one at an axis, where numbers are places
     text: str = ""  # its own; of a cell all in it but numbers and code
 
+    @property
+    def is_active(self) -> bool:
+        """Tell whether it may run what is neither judged by its text nor a file of the site."""
+        names = self.attributes.keys()
+        if any(name.startswith("on") or name == "srcdoc" for name in names):
+            return True
+        if self.tag == "meta":
+            return "refresh" in self.attributes.get("http-equiv", "").lower()
+        if self.tag != "script" or not names:
+            return self.tag in ACTIVE - {"script"}
+        # A file's bytes are checked where they lie, so that it need only be one of the site.
+        is_file = self.attributes.get("src", "").endswith(".js")
+        return not is_file or not names <= {"src", "defer"} or bool(self.text.strip())
+
 
 class PageReader(HTMLParser):
     """Reads a page or a drawing as a list of elements, and of what they lead to, fetch and run."""
@@ -50,52 +63,53 @@ class PageReader(HTMLParser):
         self.elements: list[Element] = []
         self._open: list[Element] = []
         self.feed(html)
-        attributes = [(element.tag, *pair) for element in self.elements for pair in element.attributes.items()]
-        self.ids = [value for _, name, value in attributes if name == "id"]
-        self.links = [value for tag, name, value in attributes if (tag, name) == ("a", "href")]
-        self.fetched = [value for _, name, value in attributes if name in FETCHING]
-        tags = [element.attributes for element in self.elements if element.tag != "a"]
-        links = [tag for tag in tags if tag.get("rel") not in ("canonical", "alternate")]
-        self.fetched += [link["href"] for link in links if "href" in link]
-        styles = [value for _, name, value in attributes if name == "style"]
-        self.styles = "".join([*styles, *(element.text for element in self.of("style"))])
-        self.scripts = [element.tag for element in self.elements if _is_active(element)]
-        self.inline = [element.text for element in self.of("script") if not element.attributes]
-        self.faults = [f"{unit} stands twice behind a number" for unit in DOUBLED.findall(html)]
-        self.faults += [f"<{tag}> is not closed" for tag in INLINE if len(self.of(tag)) != html.count(f"</{tag}>")]
-        self.claims = [element.attributes for element in self.elements if "data-claim" in element.attributes]
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.fetched: list[str] = []
+        self.styles = "".join(element.text for element in self.of("style"))
+        for element in self.elements:
+            is_named = element.attributes.get("rel") in ("canonical", "alternate")
+            for name, value in element.attributes.items():
+                if name == "id":
+                    self.ids.append(value)
+                elif name == "style":
+                    self.styles += value
+                elif name == "href" and element.tag == "a":
+                    self.links.append(value)
+                elif name in FETCHING or (name == "href" and not is_named):
+                    self.fetched.append(value)
+        self.active = [element.tag for element in self.elements if element.is_active]
+        scripts = self.of("script")
+        self.inline = [script.text for script in scripts if not script.attributes]
+        claims = [element.attributes for element in self.elements]
+        self.claims = [claim for claim in claims if "data-claim" in claim]
+        units = DOUBLED.findall(html)
+        self.faults = [f"{unit} stands twice behind a number" for unit in units]
+        for tag in INLINE:
+            if len(self.of(tag)) != html.count(f"</{tag}>"):
+                self.faults.append(f"<{tag}> is not closed")
 
     def of(self, tag: str) -> list[Element]:
         return [element for element in self.elements if element.tag == tag]
 
     def handle_starttag(self, tag: str, attrs: Sequence[tuple[str, str | None]]) -> None:
-        around = ["tick" if element.attributes.get("class") == "tick" else element.tag for element in self._open]
-        self._open.append(Element(tag, {name: value or "" for name, value in attrs}, around))
+        around = [
+            "tick" if element.attributes.get("class") == "tick" else element.tag
+            for element in self._open
+        ]
+        attributes = {name: value or "" for name, value in attrs}
+        self._open.append(Element(tag, attributes, around))
         self.elements.append(self._open[-1])
 
     def handle_data(self, data: str) -> None:
-        tags = {element.tag for element in self._open}
+        is_plain = {"data", "code"}.isdisjoint(element.tag for element in self._open)
         for element in self._open:
-            if element is self._open[-1] or (element.tag == "td" and not tags & {"data", "code"}):
+            if element is self._open[-1] or (element.tag == "td" and is_plain):
                 element.text += data
 
     def handle_endtag(self, tag: str) -> None:
         while self._open and self._open.pop().tag != tag:
             pass
-
-
-def _is_active(element: Element) -> bool:
-    """Tell whether an element may run what is neither judged by what it holds nor a file of the site."""
-    attributes = element.attributes
-    if any(name.startswith("on") or name == "srcdoc" for name in attributes):
-        return True
-    if element.tag == "meta":
-        return "refresh" in attributes.get("http-equiv", "").lower()
-    if element.tag != "script":
-        return element.tag in ACTIVE
-    # A file's bytes are checked where they lie, so that it need only be one of the site.
-    is_file = attributes.get("src", "").endswith(".js") and attributes.keys() <= {"src", "defer"}
-    return bool(attributes) and not (is_file and not element.text.strip())
 
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
@@ -105,8 +119,8 @@ RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 class Data:
     """Read the data that a page's numbers point into."""
 
-    def __init__(self, folder: Path):
-        self.folder = folder
+    def __init__(self, folder: Path, report: Report):
+        self.folder, self.report = folder, report
         self.file, self._evidence, self._repeats = cache(self._read), cache(self._evidence_of), cache(self._repeats_in)
         self._replica = cache(read_replica)  # which is of all sections
 
@@ -123,23 +137,26 @@ class Data:
             return cell, None
         row_pointer, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), row_pointer)
-        cell = number_of(column, row)
-        estimate = self._evidence(name).estimate(column, row, report().columns)
+        cell = self.report.columns.number_of(column, row)
+        estimate = self._evidence(name).estimate(column, row, self.report.columns)
         return cell, estimate.written_noise if estimate else None
 
     def _evidence_of(self, name: str) -> Evidence:
         records = measurements_beside(self.folder / name, self._replica)
-        return evidence_of({name: records}, self._repeats(Path(name).parent), report().columns)[name]
+        return evidence_of({name: records}, self._repeats(Path(name).parent), self.report.columns)[name]
 
     def _repeats_in(self, folder: Path) -> Repeated:
-        noise = folder / f"{config().noise_section}.json"
-        return repeats_of(self.file(str(noise))["rows"], report().columns) if (self.folder / noise).is_file() else {}
+        noise = folder / f"{self.report.settings.noise_section}.json"
+        if not (self.folder / noise).is_file():
+            return {}
+        return repeats_of(self.file(str(noise))["rows"], self.report.columns)
 
     @cached_property
     def typed(self) -> re.Pattern[str]:
         """Match numbers in drawings and in their words that are names and formulas."""
-        edition = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
-        return re.compile("|".join([*config().formulas, *edition]) or "(?!)")
+        settings = self.report.settings
+        edition = [re.escape(settings.edition_name) + RELEASE] if settings.edition_name else []
+        return re.compile("|".join([*settings.formulas, *edition]) or "(?!)")
 
     @cached_property
     def names(self) -> re.Pattern[str]:
@@ -148,7 +165,7 @@ class Data:
         for path in self.folder.glob("*/*.json"):
             if path.name != VALUES_FILE:
                 rows = self.file(str(path.relative_to(self.folder)))["rows"]
-                labels = outline_of(path.stem).labels if file_of("report.sections", path.stem) else {}
+                labels = outline_of(path.stem, self.report).labels if file_of("report.sections", path.stem) else {}
                 names |= {" ".join(cell.split()) for row in rows for cell in row.values() if isinstance(cell, str)}
                 for label in (label_of(row["case"], labels) for row in rows if "case" in row):
                     names |= {label, *label.split(", ")}

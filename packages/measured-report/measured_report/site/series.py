@@ -8,8 +8,9 @@ from markupsafe import Markup
 from measured_report.changes.query import Point, Query, points, schema_of
 from measured_report.files.config import Page
 from measured_report.findings.chapters import Releases
-from measured_report.pages.prose import Prose, Templates
+from measured_report.pages.prose import Templates
 from measured_report.parts.macros import macros
+from measured_report.parts.prose import Prose
 from measured_report.values.format import unit_label
 
 PAGE = Page("history")
@@ -32,7 +33,7 @@ def series_page(releases: Releases, templates: Templates) -> Prose | None:
         return None
     box = Markup(f'viewBox="0 0 {WIDTH:g} {HEIGHT:g}"')
     table = macros().series(series, columns.settings, box, HEIGHT, list(releases))
-    return templates.text("series.md.j2").prose(PAGE.name, {"table": table}, level=1)
+    return templates.prose("series.md.j2", PAGE.name, {"table": table}, level=1)
 
 
 def _series(

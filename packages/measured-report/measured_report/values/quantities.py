@@ -61,6 +61,23 @@ class Pointer:
         return (int(match[1]), match[2]) if match else None
 
 
+class Lost(Markup):
+    """Write a number that is not there."""
+
+    reason = ""
+
+    @classmethod
+    def because(cls, html: Markup, reason: str) -> "Lost":
+        written = cls(html)
+        written.reason = reason or "no reason is known"
+        return written
+
+
+def lost_reason(printed: Any) -> str:
+    """Return why a number that is printed is not there; empty for anything else."""
+    return printed.reason if isinstance(printed, Lost) else ""
+
+
 @dataclass(frozen=True)
 class Quantity:
     """Holds a measured number, shown with a pointer to the file that holds it.
@@ -136,13 +153,15 @@ class Quantity:
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         if not self.source:
-            return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
+            absent = Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
+            return Lost.because(absent, self.reason)
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
         hint = self.reason or "; ".join(filter(None, (self.formula, self._uncertainty)))
         attributes |= {name: text for name, text in (("data-as", written_as), ("title", hint)) if text}
         # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
         written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
-        return Markup(f"<data{written}>{escape(text)}</data>")
+        html = Markup(f"<data{written}>{escape(text)}</data>")
+        return Lost.because(html, self.reason) if self.value is None else html
 
     @property
     def _uncertainty(self) -> str:
@@ -158,7 +177,7 @@ class Quantity:
 
     def _in_words(self, way: str = "") -> Markup:
         number = self._written(WRITES[way](self.value, noise=self.noise), way)
-        return number + (Markup("&nbsp;") + self._label if self._label else "")
+        return number + Markup("&nbsp;") + self._label if self._label else number
 
     def __str__(self) -> str:
         return f"{self.written} {self._label}".rstrip()

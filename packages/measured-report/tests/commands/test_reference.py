@@ -7,11 +7,12 @@ import pytest
 
 from measured_report.commands.new import SKELETON
 from measured_report.commands.reference import reference
+from measured_report.files.config import Report
 from measured_report.files.root import ROOT
 from measured_report.files.settings import Changes, Columns, ColumnTraits, Config
 from measured_report.records.columns import units
 
-TEXT = reference()
+TEXT = reference(Report(SKELETON / "pendulum"))
 
 
 @pytest.mark.parametrize("kind", [Config, Changes, Columns, ColumnTraits])

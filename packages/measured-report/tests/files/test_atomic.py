@@ -131,8 +131,8 @@ def test_text_of_a_record_is_never_a_token_of_the_page(toy):
     with pytest.raises(RecordError, match=r"U\+E000"):
         toy.measure([{**row, "slip_mm_reason": FORGED}, ROWS[1]])
     toy.write("templates/forged.md.j2", "# Title\n\n{{ text }} {{ other }}\n")
-    text = Templates(toy.project.templates).text("forged.md.j2")
-    html = text.prose("forged", {"text": Markup(FORGED), "other": FORGED}).html({})
+    templates = Templates(toy.project.templates)
+    html = templates.prose("forged.md.j2", "forged", {"text": Markup(FORGED), "other": FORGED}).html({})
     assert "href" not in html and "<img" not in html
 
 

@@ -6,12 +6,16 @@ import sys
 import pytest
 
 from measured_report.commands.new import SKELETON
-from measured_report.files.config import Report
+from measured_report.files.config import Report, module_named, report
 from measured_report.files.errors import ReportError
 from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.host import host
-from measured_report.pages.plugins import plugins
 from measured_report.records.columns import parameters, units
+
+
+def plugins():
+    return module_named("plugins", report().settings.plugins)
+
 
 TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
 

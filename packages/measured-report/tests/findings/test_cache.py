@@ -10,8 +10,9 @@ from toys import MODULE, REPORT, ROWS, TEMPLATE, Toy, program
 
 from measured_report.files.cache import Cache, _is_ours
 from measured_report.findings import cache as derived
-from measured_report.findings.editions import editions_of
+from measured_report.findings.editions import derive_edition, editions_of
 from measured_report.records.record import write_record
+from measured_report.records.replicas import FOLDER
 
 SECTION = """
 from measured_report.parts.section import Section
@@ -137,6 +138,30 @@ def test_only_what_reads_a_record_is_derived_again(toy):
     toy.measure()
     assert derived() == ["reader"]
     assert files(toy.project.site) == from_nothing(toy)
+
+
+def test_editions_that_are_derived_side_by_side_make_the_same_site(toy, monkeypatch):
+    toy.of("1.8.0").measure()
+    toy.build()
+    side_by_side = from_nothing(toy)
+    monkeypatch.setattr("os.sched_getaffinity", lambda _: {0})
+    assert from_nothing(toy) == side_by_side
+
+
+def test_where_an_edition_has_replicas_every_record_says_how_noisy_all_are(toy):
+    with_readers(toy)
+    replica = toy.project.results / FOLDER / "a.tgz"
+
+    def key() -> str:
+        return derive_edition(toy.project).chapters["toy"].key
+
+    for is_replicated in (False, True):
+        if is_replicated:
+            replica.parent.mkdir()
+            replica.write_bytes(b"damaged")
+        before = key()
+        measure(toy, "alone", 3.0 + is_replicated)
+        assert (key() != before) == is_replicated
 
 
 def left_out(toy: Toy) -> dict[str, str]:

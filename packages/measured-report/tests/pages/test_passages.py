@@ -54,7 +54,7 @@ def test_a_passage_falls_with_a_number_that_is_not_there(toy):
     ("old", "new", "message"),
     [
         ("needs=", "need=", r"front.md.j2:3"),
-        ('"toy.helps"', '"toy helps"', r"front.md.j2:3: 'toy helps' is no need of a passage"),
+        ('"toy.helps"', '"toy helps"', r"front.md.j2:3: needs: expects \"section.claim\", got 'toy helps'"),
         ('"toy.helps"', '"toy.hepls"', "toy has no claim 'hepls'; it has: helps"),
         (PLAIN, PLAIN.replace("toy", "top"), "there is no report/sections/top.py"),
         ("toy.helps.gain", "toy.helps.bound", "has no attribute 'bound'"),

@@ -7,6 +7,7 @@ import pytest
 from matplotlib import ticker
 from matplotlib.text import Text
 
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.parts import figures
 from measured_report.parts.figures import LogLabels, draw_svgs, fold, new_figure
@@ -40,9 +41,9 @@ def test_numbers_of_a_column_stand_with_their_points_below_each_other():
 
 def test_a_figure_is_there_where_anything_of_it_is_and_says_why_it_is_not_drawn_where_something_lacks():
     assert [Figure(None, [*map(mm, values)]).is_there for values in ((None, 1.0), (None,), ())] == [True, False, False]
-    assert "division by zero" in Figure(lambda: 1 / 0, [mm(1.0), mm(None)]).drawn()[0]
+    assert "division by zero" in Figure(lambda: 1 / 0, [mm(1.0), mm(None)]).drawn("a", report().columns).fault
     with pytest.raises(ReportError, match="division by zero"):
-        Figure(lambda: 1 / 0, [mm(1.0)]).drawn()
+        Figure(lambda: 1 / 0, [mm(1.0)]).drawn("a", report().columns)
 
 
 def axis(low, high):

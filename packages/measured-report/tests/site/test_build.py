@@ -13,8 +13,7 @@ from toys import MODULE, ROWS, TEMPLATE
 from measured_report.files.config import config, report
 from measured_report.files.errors import ReportError
 from measured_report.pages import prose
-from measured_report.pages.prose import Prose
-from measured_report.parts.words import CLOSE, OPEN
+from measured_report.parts.prose import CLOSE, OPEN, Prose
 from measured_report.records.record import write_record
 from measured_report.site.build import build
 from measured_report.site.check import check_site
@@ -97,7 +96,7 @@ END = "{% endtable %}\n"
             (END, f"{END}It is {number} so.", f"{number} is typed")
             for number in ("37 %", "3.7 times", "2 m/s", "5 kg/m³")
         ),
-        ("It does not.", "It does not, by {{ 3.5 }}.", "toy.md.j2 prints 3.5, which says nothing"),
+        ("It does not.", "It does not, by {{ 3.5 }}.", r"toy.md.j2:\d+: it prints 3.5, which says nothing"),
         (END, END + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}', "prints 3.5, which"),
         ("order = 1", "order = 'x'", "toy.py has no line such as order = 125"),
         ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: cause"),

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from measured_report.files.config import report
 from measured_report.site.check_numbers import Data, PageReader, check_numbers
 from measured_report.values.noise import Estimate
 
@@ -37,7 +38,7 @@ WRONG |= {"<svg><g class='tick'></g><text>5</text></svg>": "the number 5 leads n
 def test_a_number_is_written_as_its_source_and_noise_have_it(tmp_path, html, said):
     values = {name: {"value": value, "noise": noise} for name, (value, noise) in VALUES.items()}
     (tmp_path / "values.json").write_text(json.dumps(values))
-    found = check_numbers(PageReader(html), Data(tmp_path))
+    found = check_numbers(PageReader(html), Data(tmp_path, report()))
     assert bool(found) == bool(said) and said in "".join(found), found
 
 
@@ -45,9 +46,9 @@ def test_a_number_is_written_as_its_source_and_noise_have_it(tmp_path, html, sai
     ("known", "noise"), [(None, None), (Estimate(0.3124), 0.0), (Estimate(0.3124, least=0.1), 0.1)]
 )
 def test_the_noise_of_a_row_is_what_its_measurements_say(toy, known, noise):
-    data = Data(toy.record_path.parents[1])
+    data = Data(toy.record_path.parents[1], report())
     data._evidence = lambda _: SimpleNamespace(estimate=lambda *_: known)
     assert data.number("newton-1.4.0/toy.json#/rows/1/slip_mm") == (0.3124, noise)
     assert data.number("newton-1.4.0/toy.json#/measured/seconds") == (1.5, None)
     toy.measure([{"case": "soft", "slip_mm": 6.0, "dropped": True}])
-    assert Data(data.folder).number("newton-1.4.0/toy.json#/rows/0/slip_mm")[0] is None
+    assert Data(data.folder, report()).number("newton-1.4.0/toy.json#/rows/0/slip_mm")[0] is None

@@ -1,0 +1,206 @@
+"""Words: what an edition's sections and pages say, as their templates have it."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache, partial
+from typing import Any
+
+from markupsafe import Markup
+
+from measured_report.editions.kind import Kind
+from measured_report.editions.project import Project
+from measured_report.editions.status import State
+from measured_report.files.errors import ReportError
+from measured_report.files.settings import Page
+from measured_report.findings.chapters import Chapter, Releases, before
+from measured_report.findings.editions import Edition, editions_of
+from measured_report.findings.sections import outline_of
+from measured_report.pages.passages import passages
+from measured_report.pages.prose import Templates
+from measured_report.parts.claim import HOLDS, Claim
+from measured_report.parts.prose import Prose
+from measured_report.parts.section import Section
+from measured_report.values.results import ResultsError
+
+Sections = Mapping[str, Section]
+Names = Mapping[str, Any]
+
+
+def worded_editions(project: Project, templates: Templates) -> dict[str, Edition]:
+    """Derive what the results of every release make, drawn, and put it into words."""
+    editions = editions_of(project, draws=True)
+    for edition in editions.values():
+        give_words(edition, templates)
+    releases = {release: dict(each.chapters) for release, each in editions.items()}
+    for edition in editions.values():
+        edition.update(partial(_say, edition, releases, templates))
+    return editions
+
+
+def give_words(edition: Edition, templates: Templates) -> None:
+    """Give the claims, figures and tables of an edition their words, which are not yet said."""
+
+    def worded(chapter: Chapter) -> Chapter:
+        template = template_of(chapter.name)
+        words = templates.words(template)
+        section = chapter.section.worded(chapter.name, template, words)
+        return replace(chapter, section=section)
+
+    edition.update(worded)
+
+
+def template_of(section: str) -> str:
+    return f"sections/{section}.md.j2"
+
+
+def sentences_of(project: Project) -> Callable[[str, Claim], str]:
+    """Return what says a claim of a section; templates are parsed when one is said."""
+    templates = cache(lambda: Templates(project.templates, project.report))
+
+    def say(section: str, claim: Claim) -> str:
+        template = template_of(section)
+        words = templates().words(template)
+        alone = Section(claims=[claim], unmeasured=[name for _, name in words])
+        return alone.worded(section, template, words).claims[0].text
+
+    return say
+
+
+def _say(
+    edition: Edition, releases: Releases, templates: Templates, chapter: Chapter
+) -> Chapter:
+    """Say a section, which may rest on claims of those before it, or of all releases."""
+    name, results = chapter.name, chapter.results
+    is_whole = chapter.compares
+    chapters = edition.chapters if is_whole else before(name, edition.chapters)
+    tables = {
+        key: table.of(releases) if hasattr(table, "of") else table
+        for key, table in chapter.section.tables.items()
+    }
+    section = replace(chapter.section, tables=tables)
+    others = {key: other.section for key, other in chapters.items()}
+    names = {
+        "release": results.record.origin.release,
+        "row": results.row,
+        "rows": results.rows,
+        "value": results.derived,
+        **_names_of(name, section, {name: section, **others}),
+    }
+    prose = templates.prose(template_of(name), name, names)
+    return replace(chapter, section=section, names=names, prose=prose)
+
+
+def texts_of(
+    edition: Edition,
+    page: Page,
+    releases: Releases,
+    templates: Templates,
+    names: Names,
+) -> list[Prose]:
+    """Say a page's own texts; one that can't be said is said as if nothing was measured."""
+    files = {file.rpartition("/")[2].partition(".")[0]: file for file in page.texts}
+    stories = {}
+    for anchor, file in files.items():
+        story = edition.story(anchor, releases)
+        stories[anchor] = _worded(anchor, file, story, templates)
+    texts: list[Prose] = []
+    for anchor, file in files.items():
+        level = 2 if texts else 1
+        try:
+            told = {**_text_names(edition, anchor, stories), **names}
+            prose = templates.prose(file, anchor, told, level)
+        except ReportError as error:
+            lacking = (Kind.DAMAGED, Kind.NOT_SHOWN)
+            is_lacking = any(state.kind in lacking for state in edition.left_out)
+            if not (is_lacking or isinstance(error, ResultsError)):
+                raise
+            if all(state.section != anchor for state in edition.left_out):
+                state = State(anchor, Kind.NOT_SHOWN, notes=(str(error),))
+                edition.left_out.append(state)
+            bare = replace(edition, chapters={})
+            untold = _worded(anchor, file, Section(), templates)
+            told = {**_text_names(bare, anchor, {**stories, anchor: untold}), **names}
+            prose = templates.prose(file, anchor, told, level)
+        texts.append(prose)
+    return texts
+
+
+def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
+    """Return what a text can name: its own story, sections, and what plugins have."""
+    story = stories[anchor]
+    chapters = edition.chapters
+    # A text that tells nothing of its own is no stand-in for the section of its name.
+    sections = {
+        name: section
+        for name, section in stories.items()
+        if section.claims or section.unmeasured
+    }
+    sections |= {name: chapter.section for name, chapter in chapters.items()}
+    return {
+        "release": edition.project.release,
+        "sections": _Names({name: each.names for name, each in chapters.items()}),
+        **_names_of(anchor, story, sections),
+        **edition.plugins.names(story),
+    }
+
+
+def _worded(
+    anchor: str, template: str, section: Section, templates: Templates
+) -> Section:
+    """Give what a text tells its words; where nothing was measured it tells nothing."""
+    words = templates.words(template)
+    if not section.claims:
+        section = replace(section, unmeasured=[name for _, name in words])
+    return section.worded(anchor, template, words)
+
+
+class _Names(dict[str, Names]):
+    """Hold what each section's words can name; one that wasn't measured says nothing."""
+
+    def __missing__(self, name: str) -> Names:
+        outline_of(name)  # refuses a name that no section has
+        kinds = ("claim", "table", "figure", "download")
+        return dict.fromkeys(kinds, lambda thing: Markup(""))
+
+
+def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
+    """Return what finds the parts of a section, and says what rests on claims of others."""
+    # Words that only another record has are said as nothing.
+    claims = dict.fromkeys(section.unmeasured, Markup(""))
+    claims |= {claim.name: claim.html(anchor) for claim in section.claims}
+    parts = {
+        "claim": claims,
+        "table": section.tables,
+        "figure": section.figures,
+        "download": {download.name: download for download in section.downloads},
+    }
+
+    def find(name: str, claim: str) -> Claim | None:
+        if name not in sections:
+            outline_of(name)  # refuses a name that no section has
+            return None
+        claims = {item.name: item for item in sections[name].claims}
+        if claim not in claims and claim not in sections[name].unmeasured:
+            present = ", ".join(claims) or "none"
+            raise ReportError(f"{name} has no claim {claim!r}; it has: {present}")
+        return claims.get(claim)
+
+    def holds(query: str) -> bool:
+        name, _, claim = query.rpartition(".")
+        needed = find(name or anchor, claim)
+        return needed is not None and needed.outcome == HOLDS
+
+    finders = {kind: _finder(anchor, kind, named) for kind, named in parts.items()}
+    return {"holds": holds, "passage": passages(find), **finders}
+
+
+def _finder(section: str, kind: str, parts: Mapping[str, Any]) -> Callable[[str], Any]:
+    """Return what finds a part of a section by its name."""
+
+    def find(name: str) -> Any:
+        if name not in parts:
+            present = ", ".join(parts) or "none"
+            raise ReportError(f"{section} has no {kind} {name!r}; it has: {present}")
+        return parts[name]
+
+    return find
