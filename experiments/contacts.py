@@ -15,7 +15,12 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.facts.trace import ContactRows, Trace
 from experiments.simulation.budget import contact_timeconst_s
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, grasp_columns, summarize
+from experiments.simulation.measurement import (
+    SETUP_FRAME_COUNT,
+    Conditions,
+    grasp_columns,
+    summarize,
+)
 from experiments.simulation.simulation import Simulation
 from measured_report.measuring.measurement import Measurement, absent
 from measured_report.measuring.pool import gather, processes, start

@@ -9,7 +9,12 @@ import newton
 from newton.solvers import SolverMuJoCo
 
 from experiments.facts.case import AS_SHIPPED, Case
-from experiments.simulation.measurement import Conditions, Measurement, numbers_of, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    numbers_of,
+    summarize,
+)
 
 NEEDS_GPU = False
 """Read by ``measured_report.measuring.machine``: options are the same on any machine, and the run is one on a CPU."""

@@ -14,7 +14,12 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, POSITIONS, Case
 from experiments.simulation.budget import Watched, friction_timeconst_s, softness
 from experiments.simulation.limits import step_s
-from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    absent,
+    summarize,
+)
 from measured_report.measuring.pool import gather, processes, start
 
 PREDICTED = ("left_out_mm_s", "step_mm_s", "damping_mm_s", "creep_mm_s", "predicted_drift_mm_s")

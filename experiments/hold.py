@@ -11,7 +11,12 @@ import warp as wp
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
 from experiments.facts.trace import Trace
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, displacement_table, summarize
+from experiments.simulation.measurement import (
+    SETUP_FRAME_COUNT,
+    Conditions,
+    displacement_table,
+    summarize,
+)
 from experiments.simulation.reference import ENGINES_AGREE
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE

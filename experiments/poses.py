@@ -10,7 +10,13 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
 from experiments.facts.kept import CUBE_PLACE, CUBE_TURN, JOINTS
 from experiments.facts.trace import Trace
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
+from experiments.simulation.measurement import (
+    SETUP_FRAME_COUNT,
+    Conditions,
+    Measurement,
+    absent,
+    summarize,
+)
 from experiments.simulation.scene import ROBOT_POSITION
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE

@@ -3,7 +3,12 @@
 from dataclasses import replace
 
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS
-from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    displacement_table,
+    summarize,
+)
 from experiments.simulation.timing import wall_time
 from measured_report.measuring.batch import Batch, Plan
 

@@ -4,7 +4,12 @@ from dataclasses import replace
 from importlib import metadata
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
+from experiments.simulation.measurement import (
+    SHAKE_COLUMNS,
+    Conditions,
+    Measurement,
+    absent,
+)
 from experiments.simulation.stepper_c import has_noslip
 
 CASES = (

@@ -5,7 +5,12 @@ from dataclasses import replace
 import numpy as np
 
 from experiments.facts.case import AS_SHIPPED, Case
-from experiments.simulation.measurement import Conditions, Measurement, grasp_columns, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    grasp_columns,
+    summarize,
+)
 
 CRITICAL = ((2.5e3, 1e2), (2.5e4, 3e2), (2.5e5, 1e3), (2.5e6, 3e3))  # ke and kd that keep the damping ratio near 1
 SWEEP = {"full": np.logspace(2, 8, 40), "quick": np.logspace(2, 8, 7)}

@@ -8,7 +8,13 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
 from experiments.facts.trace import ContactRows
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, grasp_columns, numbers_of, summarize
+from experiments.simulation.measurement import (
+    SHAKE_COLUMNS,
+    Conditions,
+    grasp_columns,
+    numbers_of,
+    summarize,
+)
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
 from measured_report.measuring.measurement import Measurement, absent

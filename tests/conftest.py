@@ -11,7 +11,17 @@ from pathlib import Path
 import pytest
 import warp as wp
 from markupsafe import Markup
-from toys import HERE, KEPT, REPORT, Toy, forget_sections, lay_out, link, made_once, program
+from toys import (
+    HERE,
+    KEPT,
+    REPORT,
+    Toy,
+    forget_sections,
+    lay_out,
+    link,
+    made_once,
+    program,
+)
 
 from measured_report.editions.project import Project, own_release
 from measured_report.files.atomic import replace, staging_folder
@@ -139,7 +149,9 @@ def poses_path(tmp_path_factory) -> Path:
 
 def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
     """How far a tracked run had slipped after so many frames."""
-    from experiments.simulation.measurement import SETUP_FRAME_COUNT  # most tests need no simulator
+    from experiments.simulation.measurement import (
+        SETUP_FRAME_COUNT,  # most tests need no simulator
+    )
 
     moved = load_trace(folder / f"reproduction.{case}.csv.gz")[["x_mm", "y_mm", "z_mm"]]
     return float((moved.loc[frame_count - SETUP_FRAME_COUNT - 1] ** 2).sum() ** 0.5)

@@ -7,10 +7,22 @@ from itertools import product
 import numpy as np
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, IMPRATIO, POSITIONS, STIFF_PADS, TERMS, Case
+from experiments.facts.case import (
+    AS_SHIPPED,
+    IMPRATIO,
+    POSITIONS,
+    STIFF_PADS,
+    TERMS,
+    Case,
+)
 from experiments.facts.trace import Trace
 from experiments.simulation.budget import Motion, measure_motion, predicted_mm
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, absent, summarize
+from experiments.simulation.measurement import (
+    SHAKE_COLUMNS,
+    Conditions,
+    absent,
+    summarize,
+)
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.newton_models.compat import kf_is_read
 

@@ -7,7 +7,13 @@ from experiments.facts.classes import STABLE, classify
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import Conditions
 from experiments.stability import families
-from experiments.stability.families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, SHAKE_FRAME_COUNT, Probe
+from experiments.stability.families import (
+    DAMPING,
+    GRID_KE,
+    HOLD_FRAME_COUNT,
+    SHAKE_FRAME_COUNT,
+    Probe,
+)
 
 ON_STIFF_PADS = {"firm": FIRM, "firm-euler": FIRM | {"integrator": "euler"}}
 VARIANTS = {"plain": {}, "term": TERMS["term"], "best": BEST, **ON_STIFF_PADS}  # type: dict[str, dict]

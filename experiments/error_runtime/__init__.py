@@ -9,18 +9,41 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from experiments.error_runtime.settings import FRAME_COUNT, PADS, Setting, native_of, reference_of, settings
+from experiments.error_runtime.settings import (
+    FRAME_COUNT,
+    PADS,
+    Setting,
+    native_of,
+    reference_of,
+    settings,
+)
 from experiments.facts import metrics
 from experiments.facts.case import FIXED, Case, differences
 from experiments.facts.trace import Trace
 from experiments.simulation import frame_benchmark
-from experiments.simulation.frame_benchmark import Frames, WarmState, build_frames, untimed, warm_state
+from experiments.simulation.frame_benchmark import (
+    Frames,
+    WarmState,
+    build_frames,
+    untimed,
+    warm_state,
+)
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.paired_timing import PairedTimes, time_in_turn
-from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
+from experiments.simulation.reference import (
+    NativeShake,
+    Start,
+    pilot_at_shake,
+    starts_of,
+)
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
-from experiments.simulation.timing import WARMUP_COUNT, elapsed_ms, invalid_reason, put_in_state_of
+from experiments.simulation.timing import (
+    WARMUP_COUNT,
+    elapsed_ms,
+    invalid_reason,
+    put_in_state_of,
+)
 from measured_report.measuring.batch import Batch, Plan
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}

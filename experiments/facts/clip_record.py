@@ -8,7 +8,12 @@ from pathlib import Path
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.files.atomic import RecordError, read_own_file, short_path
-from measured_report.records.identity import Identity, changes, files_digest, identity_at
+from measured_report.records.identity import (
+    Identity,
+    changes,
+    files_digest,
+    identity_at,
+)
 from measured_report.records.record import Record, load_record, trace_path
 
 CLIPS = "clips"

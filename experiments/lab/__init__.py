@@ -16,7 +16,12 @@ from experiments.facts.case import FIXED, LEAN, Case
 from experiments.facts.classes import classify, creep_mm_s
 from experiments.facts.trace import Trace
 from experiments.lab.mjcf import mjcf_of
-from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    displacement_table,
+    summarize,
+)
 from experiments.simulation.reference import DoubleShake
 from experiments.simulation.simulation import Simulation
 

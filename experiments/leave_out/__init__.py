@@ -11,7 +11,12 @@ from experiments.facts.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
 from experiments.facts.trace import Trace
 from experiments.leave_out.audit import audit, audit_rows
 from experiments.simulation.frame_benchmark import TIMED, time_cases
-from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    absent,
+    summarize,
+)
 from experiments.simulation.simulation import Simulation, simulate
 from measured_report.measuring.batch import Batch, Plan
 

@@ -4,14 +4,12 @@ from collections.abc import Sequence
 
 import warp as wp
 
-from experiments.drivers.newton_solver import STEEL, Variant
 from experiments.facts.case import Case
+from experiments.newton_solvers.box import STEEL, Variant
 from experiments.newton_solvers.stepper import SolverRecorder, SolverStepper
 from experiments.simulation.scene import Scene
 
-ROWS = {
-    "articulation_constraint_max": 256
-}  # in place of 32: rows that do not fit are dropped
+ROWS = {"articulation_constraint_max": 256}  # in place of 32: rows that do not fit are dropped
 LIMIT_GAP = 1e-3  # distance [rad, m] from a joint's limit at which it gets a row
 VARIANTS = (  # one thing changed at a time; the last has as many rows as the solver comes with
     Variant("steel"),
@@ -25,24 +23,13 @@ VARIANTS = (  # one thing changed at a time; the last has as many rows as the so
 class SteelStepper(SolverStepper):
     """Steps the shake with Steel, which may count the rows that it is asked for."""
 
-    def __init__(
-        self,
-        variant: Variant,
-        scene: Scene,
-        cases: Sequence[Case],
-        *,
-        is_counting: bool = False,
-    ):
+    def __init__(self, variant: Variant, scene: Scene, cases: Sequence[Case], *, is_counting: bool = False):
         self.is_counting = is_counting
         super().__init__(variant, scene, cases)
 
     def row_peak(self) -> dict[str, object]:
         """Return it of all its worlds: those that had room, and those that asked for it."""
-        return {
-            "peak_constraint_count": self.solver.constraint_row_watermarks()[
-                "articulation_raw_high_water"
-            ]
-        }
+        return {"peak_constraint_count": self.solver.constraint_row_watermarks()["articulation_raw_high_water"]}
 
     def _build_recorder(self, frame_count: int) -> SolverRecorder:
         self.observed = self._observe()
@@ -60,9 +47,7 @@ class SteelStepper(SolverStepper):
 
 
 @wp.kernel
-def watch_overflow(
-    cursor: wp.array[int], is_over: wp.array[wp.bool], first: wp.array[int]
-):
+def watch_overflow(cursor: wp.array[int], is_over: wp.array[wp.bool], first: wp.array[int]):
     world = wp.tid()
     if is_over[world]:
         first[world] = wp.min(first[world], cursor[world])
@@ -75,8 +60,5 @@ class SteelRecorder(SolverRecorder):
         super().watch_substep()
         is_over = self.solver.constraint_overflow
         wp.launch(
-            watch_overflow,
-            dim=self.cursor.shape,
-            inputs=[self.cursor, is_over],
-            outputs=[self.constraint_overflow],
+            watch_overflow, dim=self.cursor.shape, inputs=[self.cursor, is_over], outputs=[self.constraint_overflow]
         )

@@ -12,8 +12,8 @@ import warp as wp
 from newton import CollisionPipeline, Contacts, Model, solvers
 from newton.solvers import SolverBase
 
-from experiments.drivers.newton_solver import OPTIONS, Variant
 from experiments.facts.case import Case
+from experiments.newton_solvers.box import OPTIONS, Variant
 from experiments.simulation.recorder import (
     CONE,
     COUNT,
@@ -49,16 +49,11 @@ class SolverStepper(Stepper):
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
         """Queue a substep; an even number of them ends where it began."""
-        last, between = (
-            self.case.substeps - 1,
-            self.variant.steps_between_contacts or self.case.substeps,
-        )
+        last, between = self.case.substeps - 1, self.variant.steps_between_contacts or self.case.substeps
         state_in, state_out = self.states[:: 1 - 2 * (substep % 2)]
         if substep % between == 0:
             self.pipeline.collide(state_in, self.contacts)
-        options = (
-            {"observables": self.observed} if self.observed and substep == last else {}
-        )
+        options = {"observables": self.observed} if self.observed and substep == last else {}
         self.solver.step(state_in, state_out, control, self.contacts, step_s, **options)
 
     def row_peak(self) -> dict[str, object]:
@@ -67,17 +62,12 @@ class SolverStepper(Stepper):
     def _build_collision(self) -> tuple[CollisionPipeline, Contacts]:
         most = self.world_count * (self.case.contact_max or CONTACT_MAX)
         pipeline = CollisionPipeline(
-            self.model,
-            broad_phase=self.case.broad_phase,
-            rigid_contact_max=most,
-            **self.variant.pipeline,
+            self.model, broad_phase=self.case.broad_phase, rigid_contact_max=most, **self.variant.pipeline
         )
         return pipeline, pipeline.contacts()
 
     def _build_solver(self) -> SolverBase:
-        wp.copy(
-            self.model.body_q, self.state.body_q
-        )  # where bodies come from, for a solver that keeps it
+        wp.copy(self.model.body_q, self.state.body_q)  # where bodies come from, for a solver that keeps it
         self.model.body_color_groups = colours_of(self.model)
         return getattr(solvers, self.variant.solver)(self.model, **self._options())
 
@@ -99,9 +89,7 @@ def weight_of_the_arm(stepper: Stepper) -> wp.array:
     """Return forces that carry the weight of each moving link of the arms [N, N m], shape [bodies]."""
     model, cube = stepper.model, stepper.scene.links["cube"].body
     names = [label.rsplit("/", 1)[-1] for label in model.body_label]
-    carried = np.array([name not in FIXED_BODIES for name in names]).reshape(
-        stepper.world_count, -1
-    )
+    carried = np.array([name not in FIXED_BODIES for name in names]).reshape(stepper.world_count, -1)
     carried[:, cube] = False
     gravity = np.array([case.gravity_m_s2 for case in stepper.cases])[:, None]
     forces = np.zeros((model.body_count, 6))
@@ -112,15 +100,10 @@ def weight_of_the_arm(stepper: Stepper) -> wp.array:
 def colours_of(model: Model) -> list[wp.array]:
     """Return two groups of bodies, in neither of which two are joined; VBD moves those of a group at once."""
     depth = {-1: 0}
-    for parent, child in zip(
-        model.joint_parent.numpy(), model.joint_child.numpy(), strict=True
-    ):
+    for parent, child in zip(model.joint_parent.numpy(), model.joint_child.numpy(), strict=True):
         depth[child] = depth[parent] + 1
     is_odd = np.array([depth[body] % 2 for body in range(model.body_count)], dtype=bool)
-    return [
-        wp.array(np.flatnonzero(group), dtype=int, device=model.device)
-        for group in (is_odd, ~is_odd)
-    ]
+    return [wp.array(np.flatnonzero(group), dtype=int, device=model.device) for group in (is_odd, ~is_odd)]
 
 
 @wp.func
@@ -183,17 +166,9 @@ class SolverRecorder(Recorder):
     """Records of contacts what is recorded of MuJoCo's, but for how fast they slide."""
 
     def __init__(self, stepper: SolverStepper, frame_count: int):
-        super().__init__(
-            stepper.scene,
-            stepper.solver,
-            stepper.contacts,
-            stepper.world_count,
-            frame_count,
-        )
+        super().__init__(stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
         self.stepper = stepper
-        self.no_rows = wp.zeros(
-            stepper.world_count, dtype=int, device=stepper.model.device
-        )
+        self.no_rows = wp.zeros(stepper.world_count, dtype=int, device=stepper.model.device)
 
     def watch_substep(self) -> None:
         """Watch Newton's buffer of contacts, which may have lost some as soon as it is full."""
@@ -201,51 +176,20 @@ class SolverRecorder(Recorder):
         wp.launch(
             watch_substep,
             dim=self.cursor.shape,
-            inputs=[
-                self.cursor,
-                found.rigid_contact_count,
-                found.rigid_contact_max - 1,
-                self.no_rows,
-                0,
-                self.no_rows,
-            ],
-            outputs=[
-                self.peak_constraint,
-                self.peak_iteration,
-                self.contact_overflow,
-                self.constraint_overflow,
-            ],
+            inputs=[self.cursor, found.rigid_contact_count, found.rigid_contact_max - 1, self.no_rows, 0, self.no_rows],
+            outputs=[self.peak_constraint, self.peak_iteration, self.contact_overflow, self.constraint_overflow],
         )
 
     def record_contacts(self) -> None:
         model: Model = self.stepper.model
         pairs, observed = self.contacts_in, self.stepper.observed
-        forces = (
-            observed.contact_f
-            if observed
-            else wp.empty(0, dtype=wp.spatial_vector, device=model.device)
-        )
+        forces = observed.contact_f if observed else wp.empty(0, dtype=wp.spatial_vector, device=model.device)
         wp.launch(
             record_contacts,
             dim=pairs.rigid_contact_max,
-            inputs=[
-                self.cursor,
-                pairs.rigid_contact_count,
-                pairs.rigid_contact_shape0,
-                pairs.rigid_contact_shape1,
-            ]
+            inputs=[self.cursor, pairs.rigid_contact_count, pairs.rigid_contact_shape0, pairs.rigid_contact_shape1]
             + [pairs.rigid_contact_point0, pairs.rigid_contact_point1]
-            + [
-                pairs.rigid_contact_margin0,
-                pairs.rigid_contact_margin1,
-                pairs.rigid_contact_normal,
-                forces,
-            ]
-            + [
-                model.shape_world,
-                model.shape_body,
-                self.stepper.state.body_q,
-                model.shape_material_mu,
-            ],
+            + [pairs.rigid_contact_margin0, pairs.rigid_contact_margin1, pairs.rigid_contact_normal, forces]
+            + [model.shape_world, model.shape_body, self.stepper.state.body_q, model.shape_material_mu],
             outputs=[self.contacts],
         )

@@ -18,7 +18,13 @@ import warp as wp
 
 from experiments.facts.case import LEAN
 from experiments.lab import scene_mjcf
-from experiments.simulation.frame_benchmark import EngineSteps, build_frames, time_columns, warm_state, world_rate
+from experiments.simulation.frame_benchmark import (
+    EngineSteps,
+    build_frames,
+    time_columns,
+    warm_state,
+    world_rate,
+)
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, captured

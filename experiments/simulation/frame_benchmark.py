@@ -12,7 +12,13 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, build_key
 from experiments.simulation.measurement import absent
-from experiments.simulation.paired_timing import BATCH_COUNT, CAP_S, PairedTimes, pool_builds, time_in_turn
+from experiments.simulation.paired_timing import (
+    BATCH_COUNT,
+    CAP_S,
+    PairedTimes,
+    pool_builds,
+    time_in_turn,
+)
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.timing import (
     ENGINE_ARRAYS,

@@ -5,7 +5,13 @@ import warp as wp
 from newton import Contacts
 from newton.solvers import SolverMuJoCo
 
-from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_failure
+from experiments.facts.trace import (
+    FRAME_COLUMNS,
+    ContactRows,
+    Failure,
+    Trace,
+    first_failure,
+)
 from experiments.simulation.scene import TRACKED_BODIES, Scene
 from experiments.simulation.task import FRAME_RATE
 

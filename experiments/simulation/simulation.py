@@ -17,7 +17,12 @@ from experiments.facts.case import RUN_TIME_FIELDS, Case, CaseError, build_key
 from experiments.facts.trace import Trace
 from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
 from experiments.simulation.stepper import Stepper
-from experiments.simulation.stepper_c import MuJoCoStepper, batches, device_of, update_data_interval
+from experiments.simulation.stepper_c import (
+    MuJoCoStepper,
+    batches,
+    device_of,
+    update_data_interval,
+)
 from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
 

@@ -5,7 +5,13 @@ import warp as wp
 
 from experiments.facts.case import Case
 from experiments.simulation.arm_ik import ArmSolver
-from experiments.simulation.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Scene
+from experiments.simulation.scene import (
+    ARM_DOF_COUNT,
+    CUBE_IN_HAND,
+    READY_POSE,
+    ROBOT_DOF_COUNT,
+    Scene,
+)
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)

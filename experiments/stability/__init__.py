@@ -8,15 +8,33 @@ import numpy as np
 
 from experiments.facts import metrics
 from experiments.facts.case import Case
-from experiments.facts.classes import CLASSES, STABLE, classify, creep_mm_s, cycle_increments, is_exploded, is_finite
+from experiments.facts.classes import (
+    CLASSES,
+    STABLE,
+    classify,
+    creep_mm_s,
+    cycle_increments,
+    is_exploded,
+    is_finite,
+)
 from experiments.facts.trace import Trace
-from experiments.simulation.limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
+from experiments.simulation.limits import (
+    demand_m_s2,
+    exit_bound_m_s,
+    friction_load,
+    step_s,
+)
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.scene import cube_start
 from experiments.simulation.simulation import simulate
 from experiments.simulation.task import FRAME_RATE
 from experiments.stability import families as stability_families
-from experiments.stability.families import HOLD_FRAME_COUNT, REFERENCE_SUBSTEPS, SHAKE_FRAME_COUNT, Probe
+from experiments.stability.families import (
+    HOLD_FRAME_COUNT,
+    REFERENCE_SUBSTEPS,
+    SHAKE_FRAME_COUNT,
+    Probe,
+)
 from measured_report.measuring.batch import Batch, Plan
 
 OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}  # starts of the repeats: the cube's shift in the hand

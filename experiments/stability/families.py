@@ -7,7 +7,12 @@ from typing import Any
 import numpy as np
 
 from experiments.facts.case import AS_SHIPPED, LEAN, STIFF_PADS, Case
-from experiments.simulation.limits import cube_mass_kg, is_clamped, step_s, target_demand_m_s2
+from experiments.simulation.limits import (
+    cube_mass_kg,
+    is_clamped,
+    step_s,
+    target_demand_m_s2,
+)
 from experiments.simulation.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
 
 HOLD_FRAME_COUNT = 91  # frames in which a cube that starts in the hand is held still

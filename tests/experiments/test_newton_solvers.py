@@ -7,8 +7,8 @@ import pytest
 import warp as wp
 from newton import solvers
 
-from experiments.drivers import newton_solver
 from experiments.facts.trace import FRAME_COLUMNS
+from experiments.newton_solvers import box
 from experiments.newton_solvers.steel import watch_overflow
 from experiments.newton_solvers.stepper import colours_of, record_contacts
 
@@ -72,11 +72,11 @@ def test_a_world_that_drops_rows_has_failed_from_the_first_frame_on_in_which_it_
 def test_a_solver_that_a_release_adds_is_measured_unless_it_is_excused(monkeypatch):
     monkeypatch.setattr(solvers, "SolverNew", type("SolverNew", (solvers.SolverBase,), {}), raising=False)
     monkeypatch.setattr(solvers, "__all__", [*solvers.__all__, "SolverNew"])
-    names = {variant.solver: variant.name for variant in newton_solver.variants()}
+    names = {variant.solver: variant.name for variant in box.variants()}
     assert (names["SolverNew"], names["SolverMuJoCo"], names["SolverSemiImplicit"]) == (
         "new",
         "mujoco",
         "semi-implicit",
     )
-    assert set(newton_solver.solver_classes()) == {*names, *newton_solver.EXCUSED}
+    assert set(box.solver_classes()) == {*names, *box.EXCUSED}
     assert "SolverBase" not in names and "SolverNotifyFlags" not in names

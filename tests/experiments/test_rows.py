@@ -8,7 +8,16 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import contacts, error_runtime, hold, leave_out, newton_solvers, poses, stability, stiffness
+from experiments import (
+    contacts,
+    error_runtime,
+    hold,
+    leave_out,
+    newton_solvers,
+    poses,
+    stability,
+    stiffness,
+)
 from experiments.cure import bodies, combinations, controls, turntable
 from experiments.drivers import newton_solver
 from experiments.drivers.apart import apart

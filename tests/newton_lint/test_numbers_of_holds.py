@@ -13,7 +13,16 @@ import pytest
 from newton_lint.command import main
 from newton_lint.grip import _grip_findings, _is_between, gripped
 from newton_lint.law import DISCRETE
-from newton_lint.prescribe import Setting, _rank, along, candidates, measured, prescribed, with_setting, within
+from newton_lint.prescribe import (
+    Setting,
+    _rank,
+    along,
+    candidates,
+    measured,
+    prescribed,
+    with_setting,
+    within,
+)
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
 from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold

@@ -12,7 +12,15 @@ import numpy as np
 from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Advice, Finding
 from newton_lint.scene import ELLIPTIC, Scene, changed
-from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, predicted_hold, touches_of
+from newton_lint.settle import (
+    READ_SHARE,
+    SETTLE_S,
+    Hold,
+    Touch,
+    Work,
+    predicted_hold,
+    touches_of,
+)
 from newton_lint.stepped import Run, Start, contact_forces, free_joints
 
 SLIP_MM_S = 1.0

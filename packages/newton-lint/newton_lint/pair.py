@@ -8,7 +8,14 @@ import numpy as np
 
 from newton_lint.combined import Contacts
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of
-from newton_lint.law import M, clamped, normal_damping, response_of, settled_depth_m, stiffness
+from newton_lint.law import (
+    M,
+    clamped,
+    normal_damping,
+    response_of,
+    settled_depth_m,
+    stiffness,
+)
 from newton_lint.output import printable
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene

@@ -15,7 +15,14 @@ from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import ELLIPTIC, Scene, changed
-from newton_lint.settle import Hold, Work, predicted_hold, settled, settled_hold, started
+from newton_lint.settle import (
+    Hold,
+    Work,
+    predicted_hold,
+    settled,
+    settled_hold,
+    started,
+)
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1

@@ -11,7 +11,13 @@ import numpy as np
 from mujoco import MjData, MjModel
 
 from newton_lint.findings import Advice, Finding
-from newton_lint.law import M, Response, response_of, settled_impedance, shared_slide_m_s
+from newton_lint.law import (
+    M,
+    Response,
+    response_of,
+    settled_impedance,
+    shared_slide_m_s,
+)
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 

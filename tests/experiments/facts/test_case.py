@@ -10,7 +10,17 @@ import numpy as np
 import pytest
 
 from experiments.facts import case as cases
-from experiments.facts.case import AS_SHIPPED, FIXED, HOLD, LEAN, STIFF_PADS, UNTRIMMED, Case, CaseError, differences
+from experiments.facts.case import (
+    AS_SHIPPED,
+    FIXED,
+    HOLD,
+    LEAN,
+    STIFF_PADS,
+    UNTRIMMED,
+    Case,
+    CaseError,
+    differences,
+)
 from experiments.facts.fix_files import FIXED_SCENE
 from experiments.facts.metrics import DROP_DISTANCE
 from experiments.simulation import scene, stepper_c, task

@@ -7,7 +7,13 @@ import pytest
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED
-from experiments.facts.classes import classify, creep_mm_s, cycle_increments, drive_peak_m_s, excess_energy
+from experiments.facts.classes import (
+    classify,
+    creep_mm_s,
+    cycle_increments,
+    drive_peak_m_s,
+    excess_energy,
+)
 from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
 
 FRAME_DT = 1.0 / 60.0

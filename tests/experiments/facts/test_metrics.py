@@ -6,7 +6,13 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import linregress
 
 from experiments.facts import metrics
-from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_failure
+from experiments.facts.trace import (
+    FRAME_COLUMNS,
+    ContactRows,
+    Failure,
+    Trace,
+    first_failure,
+)
 
 FRAME_DT = 1.0 / 60.0
 TOOL_DOWN = (1.0, 0.0, 0.0, 0.0)

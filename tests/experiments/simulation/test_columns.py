@@ -13,7 +13,14 @@ from experiments.drivers.contacts import Contacts
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Failure, Trace
-from experiments.simulation import frame_benchmark, measurement, recorder, stepper_c, stepper_warp, timing
+from experiments.simulation import (
+    frame_benchmark,
+    measurement,
+    recorder,
+    stepper_c,
+    stepper_warp,
+    timing,
+)
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.paired_timing import PairedTimes
 from experiments.simulation.task import SHAKE

@@ -9,7 +9,12 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.simulation import frame_benchmark
-from experiments.simulation.frame_benchmark import TIMED, WarmState, time_cases, warm_state
+from experiments.simulation.frame_benchmark import (
+    TIMED,
+    WarmState,
+    time_cases,
+    warm_state,
+)
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import batch_invalid_reason
 

@@ -7,7 +7,13 @@ import pytest
 from scipy import stats
 
 from experiments.simulation import paired_timing
-from experiments.simulation.paired_timing import BATCH_COUNT, LOOK_COUNT, PairedTimes, pool_builds, time_in_turn
+from experiments.simulation.paired_timing import (
+    BATCH_COUNT,
+    LOOK_COUNT,
+    PairedTimes,
+    pool_builds,
+    time_in_turn,
+)
 
 RUN_COUNT = 200
 RATIO = 1.02

@@ -6,7 +6,12 @@ from typing import Any
 
 from measured_report.changes.query import Answer, Query
 from measured_report.editions.project import Project
-from measured_report.editions.release import Release, folder_at, release_of, releases_between
+from measured_report.editions.release import (
+    Release,
+    folder_at,
+    release_of,
+    releases_between,
+)
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError, suggestion

@@ -28,7 +28,13 @@ from measured_report.measuring.batch import now
 from measured_report.measuring.machine import commit as commit_here
 from measured_report.measuring.measure import MODULE
 from measured_report.records.code import Graph, roots_of
-from measured_report.records.columns import REASON, column_of, columns_of, is_cost, is_number
+from measured_report.records.columns import (
+    REASON,
+    column_of,
+    columns_of,
+    is_cost,
+    is_number,
+)
 from measured_report.records.identity import git, identity_of
 from measured_report.records.proof import TIMED, UNEXECUTED, Code, Place
 from measured_report.records.record import Carried, Record, load_record, write_record

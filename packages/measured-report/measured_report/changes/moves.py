@@ -12,7 +12,14 @@ from measured_report.findings.chapters import Chapter
 from measured_report.records.columns import REASON, column_of, is_number, parameters
 from measured_report.records.record import Record
 from measured_report.values.evidence import EDGES, Cells, is_absolute, is_lost, key_of
-from measured_report.values.noise import FALSE_SHARE, ROUNDED_SHARE, Estimate, chance_of, t_quantile, welch
+from measured_report.values.noise import (
+    FALSE_SHARE,
+    ROUNDED_SHARE,
+    Estimate,
+    chance_of,
+    t_quantile,
+    welch,
+)
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 

@@ -23,7 +23,13 @@ from measured_report.findings.editions import Edition
 from measured_report.findings.sections import file_of, outline_of
 from measured_report.parts.claim import WITHIN, Claim
 from measured_report.records.code import CARRIED, files, roots_of
-from measured_report.records.columns import REASON, UNBELIEVED, column_of, columns_of, parameters
+from measured_report.records.columns import (
+    REASON,
+    UNBELIEVED,
+    column_of,
+    columns_of,
+    parameters,
+)
 from measured_report.records.identity import package_versions, sections
 from measured_report.values.format import format_share, label_of
 from measured_report.values.noise import FALSE_SHARE, LEAST_RUNS, NORMAL, TINY, Z

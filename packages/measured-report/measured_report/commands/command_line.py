@@ -19,7 +19,13 @@ from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import release_of
 from measured_report.files.atomic import recover
 from measured_report.files.config import config, report
-from measured_report.files.errors import UNPRINTABLE, ReportError, UsageError, suggestion, without_secrets
+from measured_report.files.errors import (
+    UNPRINTABLE,
+    ReportError,
+    UsageError,
+    suggestion,
+    without_secrets,
+)
 from measured_report.records.code import cached_sources
 from measured_report.records.record import load_record
 

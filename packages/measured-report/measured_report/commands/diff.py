@@ -2,7 +2,12 @@
 
 from measured_report.changes.alarm import diff_text, rate_of, rate_text
 from measured_report.changes.compare import compare
-from measured_report.commands.options import Arguments, refuse_itself, refuse_unmeasured, shared
+from measured_report.commands.options import (
+    Arguments,
+    refuse_itself,
+    refuse_unmeasured,
+    shared,
+)
 from measured_report.editions.project import Project
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.editions import derive_edition

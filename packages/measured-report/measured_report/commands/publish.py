@@ -11,7 +11,13 @@ from pathlib import Path
 from measured_report.commands.options import Arguments, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
-from measured_report.files.atomic import digests_below, locked, replace, staging_folder, sums
+from measured_report.files.atomic import (
+    digests_below,
+    locked,
+    replace,
+    staging_folder,
+    sums,
+)
 from measured_report.files.errors import ReportError, UsageError, without_secrets
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site

@@ -5,7 +5,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
 from measured_report.changes.query import Query
-from measured_report.commands.options import SHARED, Arguments, refuse_unmeasured, shared
+from measured_report.commands.options import (
+    SHARED,
+    Arguments,
+    refuse_unmeasured,
+    shared,
+)
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError, suggestion
@@ -13,7 +18,13 @@ from measured_report.findings.chapters import Chapter
 from measured_report.findings.editions import Edition, editions_of
 from measured_report.records.columns import changed_parameters, parameters
 from measured_report.values.format import unit_label
-from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value, local
+from measured_report.values.quantities import (
+    VALUES_FILE,
+    Pointer,
+    Quantity,
+    Value,
+    local,
+)
 
 OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "profile")}
 

@@ -8,7 +8,14 @@ from dataclasses import replace
 from functools import partial
 from typing import TextIO
 
-from measured_report.changes.alarm import Say, largest, power, settings_text, summary, upgrade_text
+from measured_report.changes.alarm import (
+    Say,
+    largest,
+    power,
+    settings_text,
+    summary,
+    upgrade_text,
+)
 from measured_report.changes.compare import Comparison, Fault, compare
 from measured_report.changes.moves import few
 from measured_report.changes.query import Query

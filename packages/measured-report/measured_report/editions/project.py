@@ -11,8 +11,20 @@ from typing import Any
 from msgspec import Struct, convert
 
 from measured_report.editions.release import Release, read_label
-from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
-from measured_report.files.config import FILE, Report, config, report, report_in, tomllib
+from measured_report.files.atomic import (
+    RecordError,
+    atomic_file,
+    read_own_file,
+    short_path,
+)
+from measured_report.files.config import (
+    FILE,
+    Report,
+    config,
+    report,
+    report_in,
+    tomllib,
+)
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import name_problem
 from measured_report.records.identity import full_version

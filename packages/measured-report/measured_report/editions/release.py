@@ -19,7 +19,13 @@ from packaging.version import Version
 
 from measured_report.files.config import cached_in_report, config, report
 from measured_report.files.errors import UsageError
-from measured_report.records.identity import SHORT_COMMIT, checkout_source, full_version, git, wheel_source
+from measured_report.records.identity import (
+    SHORT_COMMIT,
+    checkout_source,
+    full_version,
+    git,
+    wheel_source,
+)
 
 VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?")
 WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")

@@ -11,7 +11,15 @@ from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
 from measured_report.files.groups import grouped
 from measured_report.records.code import unchanged_files
-from measured_report.records.identity import EDITED, MISSING, changes, code_in, identity_of, package_versions, sections
+from measured_report.records.identity import (
+    EDITED,
+    MISSING,
+    changes,
+    code_in,
+    identity_of,
+    package_versions,
+    sections,
+)
 from measured_report.records.record import Record, load_record
 
 NOT_SHOWN = "not shown"  # kind of what is whole, and that code or words can't do with

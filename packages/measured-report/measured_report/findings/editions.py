@@ -10,9 +10,22 @@ from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config, module_of
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.findings.cache import Derivation, DerivedCache
-from measured_report.findings.chapters import Chapter, Chapters, Releases, before, digests_of, results_digest
+from measured_report.findings.chapters import (
+    Chapter,
+    Chapters,
+    Releases,
+    before,
+    digests_of,
+    results_digest,
+)
 from measured_report.findings.replicas import Measurements, measurements_of
-from measured_report.findings.sections import Read, derive_by, derive_section, file_of, outline_of
+from measured_report.findings.sections import (
+    Read,
+    derive_by,
+    derive_section,
+    file_of,
+    outline_of,
+)
 from measured_report.parts.section import Section
 from measured_report.records.code import files, unchanged_files
 from measured_report.records.replicas import FOLDER

@@ -16,8 +16,21 @@ from measured_report.measuring.accelerator import accelerator
 from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
-from measured_report.records.replicas import FOLDER, Records, believed, is_copy, is_far, mismatch, read_replica
-from measured_report.values.evidence import Evidence, evidence_of, repeats_of, with_cards
+from measured_report.records.replicas import (
+    FOLDER,
+    Records,
+    believed,
+    is_copy,
+    is_far,
+    mismatch,
+    read_replica,
+)
+from measured_report.values.evidence import (
+    Evidence,
+    evidence_of,
+    repeats_of,
+    with_cards,
+)
 
 
 @dataclass(frozen=True)

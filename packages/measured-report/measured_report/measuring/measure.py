@@ -11,7 +11,12 @@ from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
 from measured_report.editions.environment import add_group, python_of
-from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
+from measured_report.editions.project import (
+    Manifest,
+    Project,
+    read_manifest,
+    write_manifest,
+)
 from measured_report.editions.release import Release, release_date
 from measured_report.editions.status import expected_packages, records_of
 from measured_report.files.atomic import locked

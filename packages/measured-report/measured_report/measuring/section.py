@@ -14,11 +14,26 @@ from tqdm import tqdm
 
 from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
-from measured_report.measuring.batch import Batch, BatchError, Plan, Result, measure_batch, reason_of
+from measured_report.measuring.batch import (
+    Batch,
+    BatchError,
+    Plan,
+    Result,
+    measure_batch,
+    reason_of,
+)
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import KIND, commit, needs_device
 from measured_report.measuring.measurement import Measurement
-from measured_report.records.columns import REASON, UNBELIEVED, column_of, is_number, number_problem, plain, units_of
+from measured_report.records.columns import (
+    REASON,
+    UNBELIEVED,
+    column_of,
+    is_number,
+    number_problem,
+    plain,
+    units_of,
+)
 from measured_report.records.identity import Identity, identity_of
 from measured_report.records.record import NAME, Record, write_record
 from measured_report.records.traces import packed

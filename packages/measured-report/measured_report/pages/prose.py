@@ -20,7 +20,15 @@ from measured_report.pages.passages import PassageTag
 from measured_report.parts.citations import Mark, StatedTag, references
 from measured_report.parts.macros import environment
 from measured_report.parts.section import Figure
-from measured_report.parts.words import CLOSE, OPEN, Wording, WordTags, refuse_numbers, token, with_formulas
+from measured_report.parts.words import (
+    CLOSE,
+    OPEN,
+    Wording,
+    WordTags,
+    refuse_numbers,
+    token,
+    with_formulas,
+)
 from measured_report.records.identity import sources
 from measured_report.values.results import ResultsError
 

@@ -24,7 +24,12 @@ from matplotlib.text import Text
 from matplotlib.textpath import TextToPath
 
 from measured_report.parts.macros import Picture
-from measured_report.values.format import format_number, format_power, format_short, number_pattern
+from measured_report.values.format import (
+    format_number,
+    format_power,
+    format_short,
+    number_pattern,
+)
 from measured_report.values.quantities import Quantity
 
 INK = "#1b1f24"

@@ -21,7 +21,14 @@ from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
 from measured_report.records import syntax
-from measured_report.records.syntax import EFFECTS, Definition, Definitions, Reader, Source, digest_of
+from measured_report.records.syntax import (
+    EFFECTS,
+    Definition,
+    Definitions,
+    Reader,
+    Source,
+    digest_of,
+)
 
 CARRIED = "measured_report"  # the package that carries calls, and changes nothing of what they return
 ROUNDS = 3  # so many steps from a definition what its names mean is part of its digest

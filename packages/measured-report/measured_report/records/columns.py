@@ -7,7 +7,13 @@ from functools import cache, cached_property
 from itertools import chain
 from typing import Any, TypeGuard
 
-from measured_report.files.config import FILE, ColumnTraits, Config, module_named, report
+from measured_report.files.config import (
+    FILE,
+    ColumnTraits,
+    Config,
+    module_named,
+    report,
+)
 from measured_report.files.errors import UNPRINTABLE, ReportError
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}

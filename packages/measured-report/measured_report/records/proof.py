@@ -19,7 +19,14 @@ from typing import Any
 
 from measured_report.files.groups import grouped
 from measured_report.records.code import Graph, Node, roots_of
-from measured_report.records.syntax import EFFECTS, Canonical, Reader, bound_names, chain_of, is_text
+from measured_report.records.syntax import (
+    EFFECTS,
+    Canonical,
+    Reader,
+    bound_names,
+    chain_of,
+    is_text,
+)
 
 Text = tuple[str, Any]  # of a piece, by the names in it and by their numbers
 Place = tuple[Any, ...]  # file, and line, last line, column and last column, as instructions have them

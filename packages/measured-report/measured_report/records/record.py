@@ -12,7 +12,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from msgspec import Meta, Struct, convert, to_builtins
 
-from measured_report.files.atomic import RecordError, put_record, read_own_file, short_path
+from measured_report.files.atomic import (
+    RecordError,
+    put_record,
+    read_own_file,
+    short_path,
+)
 from measured_report.files.config import config
 from measured_report.files.errors import UNPRINTABLE
 from measured_report.records.columns import is_number, refuse_mixed, text_problem

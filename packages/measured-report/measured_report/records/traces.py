@@ -13,7 +13,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError, read_own_file, short_path
-from measured_report.records.columns import PLAIN, column_of, is_number, number_problem, plain, text_problem
+from measured_report.records.columns import (
+    PLAIN,
+    column_of,
+    is_number,
+    number_problem,
+    plain,
+    text_problem,
+)
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it

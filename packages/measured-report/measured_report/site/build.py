@@ -5,10 +5,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from measured_report.changes.query import blind_spots, gaps, idle_labels, idle_settings, refuse_unknown_names
+from measured_report.changes.query import (
+    blind_spots,
+    gaps,
+    idle_labels,
+    idle_settings,
+    refuse_unknown_names,
+)
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
-from measured_report.files.atomic import digests_below, replace, short_path, staging_folder, sums
+from measured_report.files.atomic import (
+    digests_below,
+    replace,
+    short_path,
+    staging_folder,
+    sums,
+)
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, config, report
 from measured_report.files.errors import ReportError
@@ -17,7 +29,12 @@ from measured_report.pages.editions import WordedEdition, worded_editions
 from measured_report.pages.passages import LOST
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import unchanged_files
-from measured_report.records.identity import files_digest, package_versions, sections, sources
+from measured_report.records.identity import (
+    files_digest,
+    package_versions,
+    sections,
+    sources,
+)
 from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import Site

@@ -14,7 +14,14 @@ from measured_report.findings.sections import file_of, outline_of
 from measured_report.records.columns import number_of
 from measured_report.records.replicas import measurements_beside, read_replica
 from measured_report.values.evidence import Evidence, Repeated, evidence_of, repeats_of
-from measured_report.values.format import WRITES, format_code, format_short, label_of, number_pattern, read_number
+from measured_report.values.format import (
+    WRITES,
+    format_code,
+    format_short,
+    label_of,
+    number_pattern,
+    read_number,
+)
 from measured_report.values.quantities import VALUES_FILE
 
 SCRIPT = "page.js"  # the one script that pages run: the project's own, beside them

@@ -16,7 +16,15 @@ from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped, single
 from measured_report.records.columns import REASON, column_of, is_cost, is_number
 from measured_report.records.record import Record
-from measured_report.values.noise import ROUNDED_SHARE, Estimate, Z, binomial_noise, discoveries, fenced, variance_of
+from measured_report.values.noise import (
+    ROUNDED_SHARE,
+    Estimate,
+    Z,
+    binomial_noise,
+    discoveries,
+    fenced,
+    variance_of,
+)
 
 REPEATED_SHARE = 1e-3  # chosen: what repeats to the last bit here may round otherwise elsewhere, by this share
 EDGES = ("_p5", "_p95")  # ends of columns that say how far the numbers spread of which a column has the median

@@ -19,7 +19,14 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import PLAIN, is_unit
 from measured_report.records.record import Origin
-from measured_report.values.format import LEAST, MOST, WRITES, format_code, format_number, unit_label
+from measured_report.values.format import (
+    LEAST,
+    MOST,
+    WRITES,
+    format_code,
+    format_number,
+    unit_label,
+)
 from measured_report.values.noise import SURE, WRITTEN_SHARE, t_quantile
 
 VALUES_FILE = "values.json"

@@ -18,7 +18,13 @@ from measured_report.records.traces import load_trace
 from measured_report.values.evidence import Evidence
 from measured_report.values.format import label_of
 from measured_report.values.noise import Estimate
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, combined
+from measured_report.values.quantities import (
+    VALUES_FILE,
+    Quantity,
+    Value,
+    absent,
+    combined,
+)
 
 if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd

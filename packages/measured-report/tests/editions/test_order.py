@@ -4,7 +4,13 @@ import io
 import json
 
 from measured_report.editions import release
-from measured_report.editions.release import full_version, read_label, release_date, releases_between, releases_of
+from measured_report.editions.release import (
+    full_version,
+    read_label,
+    release_date,
+    releases_between,
+    releases_of,
+)
 
 
 def test_versions_are_ordered_by_number_and_what_is_not_out_yet_stands_before_what_is():

@@ -8,7 +8,17 @@ from markupsafe import Markup
 
 from measured_report.files.errors import ReportError
 from measured_report.parts import claim as claims
-from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater, within
+from measured_report.parts.claim import (
+    FAILS,
+    HOLDS,
+    Claim,
+    Outcome,
+    all_of,
+    at_least,
+    at_most,
+    greater,
+    within,
+)
 from measured_report.parts.section import Section, Table
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import Quantity, absent

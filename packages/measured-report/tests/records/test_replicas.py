@@ -15,7 +15,12 @@ from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.files.errors import ReportError
 from measured_report.findings.cache import DerivedCache
-from measured_report.findings.replicas import measurements_of, refused, replicas_of, replicas_text
+from measured_report.findings.replicas import (
+    measurements_of,
+    refused,
+    replicas_of,
+    replicas_text,
+)
 from measured_report.records.record import load_record, write_record
 from measured_report.records.replicas import FOLDER, archive_of, read_replica
 

@@ -5,7 +5,13 @@ from decimal import Decimal
 import pytest
 
 from measured_report.values import format as module
-from measured_report.values.format import THIN_SPACE, format_least, format_most, format_number, read_number
+from measured_report.values.format import (
+    THIN_SPACE,
+    format_least,
+    format_most,
+    format_number,
+    read_number,
+)
 from measured_report.values.quantities import Quantity, Value
 
 

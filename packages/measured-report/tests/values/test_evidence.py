@@ -13,7 +13,14 @@ from toys import BY_HAND, lay_out
 from measured_report.files.config import report_in
 from measured_report.files.errors import ReportError
 from measured_report.records.record import Record
-from measured_report.values.evidence import MEAN, Evidence, evidence_of, key_of, repeats_of, with_cards
+from measured_report.values.evidence import (
+    MEAN,
+    Evidence,
+    evidence_of,
+    key_of,
+    repeats_of,
+    with_cards,
+)
 
 BASE = Record(**{**BY_HAND, "section": "toy", "identity": None, "units": {}, "rows": []})
 ROWS = 40

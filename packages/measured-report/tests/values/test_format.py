@@ -12,7 +12,12 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from measured_report.parts.figures import draw_svgs, new_figure, write
-from measured_report.values.format import format_least, format_most, format_number, label_of
+from measured_report.values.format import (
+    format_least,
+    format_most,
+    format_number,
+    label_of,
+)
 from measured_report.values.format import read_number as read
 from measured_report.values.quantities import Quantity
 

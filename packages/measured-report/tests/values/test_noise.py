@@ -27,7 +27,14 @@ from measured_report.values.noise import (
     variance_of,
     welch,
 )
-from measured_report.values.quantities import PERCENT, Quantity, Value, combined, noise_of, samples_of
+from measured_report.values.quantities import (
+    PERCENT,
+    Quantity,
+    Value,
+    combined,
+    noise_of,
+    samples_of,
+)
 
 SIZES = st.floats(1e-12, 1e12)
 

@@ -8,7 +8,14 @@ pytest.importorskip("scipy", reason="the extra test has it")
 from scipy import special, stats
 
 from measured_report.values.noise import deviations_of
-from measured_report.values.shrinkage import digamma, left_out, moderated, prior_of, trigamma, trigamma_inverse
+from measured_report.values.shrinkage import (
+    digamma,
+    left_out,
+    moderated,
+    prior_of,
+    trigamma,
+    trigamma_inverse,
+)
 
 
 @pytest.mark.parametrize("x", [0.5, 1.0, 1.5, 3.7, 50.0])
